@@ -89,38 +89,43 @@ impl Facet {
         if let Self::Point(_) = self {
             return nearest.distance_squared.sqrt();
         }
-        let (_, distance) = self.separating_plane(target, nearest);
-        if distance > 0.0 { distance } else { 0.0 }
+        let mut bound = 0.0;
+        self.for_each_plane(target, nearest, |_, distance| {
+            // NaN bounds nothing.
+            if distance > bound {
+                bound = distance;
+            }
+        });
+        bound
     }
 
-    /// Returns the plane of [`Facet::distance_of_planes`]: its unit normal, towards the facet, and
-    /// its distance from `target` along it, which is negative where no plane was found that
-    /// separates the two.
-    pub(crate) fn separating_plane(&self, target: DVec3, nearest: &Nearest) -> (DVec3, f64) {
+    /// Calls a function with planes that may separate the facet from `target`: the unit normal,
+    /// towards the facet, and the least of n·(x − target) over the facet's points x, which is
+    /// negative where the plane does not separate the two.
+    pub(crate) fn for_each_plane(&self, target: DVec3, nearest: &Nearest, mut plane: impl FnMut(DVec3, f64)) {
         let Self::Triangle(corners) = self else {
             let normal = unit(nearest.offset);
-            return (normal, normal.dot(nearest.offset));
+            return plane(normal, normal.dot(nearest.offset));
         };
         let corners = corners.map(|corner| corner - target);
-        let beyond = |normal: DVec3| {
+        let mut beyond = |normal: DVec3| {
             let normal = unit(normal);
-            let least =
-                corners.iter().fold(f64::INFINITY, |least, corner| lower_min(least, normal.dot(*corner)));
-            (normal, least)
+            plane(
+                normal,
+                corners.iter().fold(f64::INFINITY, |least, corner| lower_min(least, normal.dot(*corner))),
+            );
         };
-        let farther = |one: (DVec3, f64), other: (DVec3, f64)| if other.1 > one.1 { other } else { one };
         let across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-        let across = if across.dot(corners[0]) < 0.0 { -across } else { across };
-        let mut plane = farther(beyond(across), beyond(nearest.offset));
+        beyond(if across.dot(corners[0]) < 0.0 { -across } else { across });
+        beyond(nearest.offset);
         for index in 0..3 {
             // At an edge the plane is parallel to it.
             if nearest.weights[index] == 0.0 {
                 let edge = unit(corners[(index + 2) % 3] - corners[(index + 1) % 3]);
                 let offset = corners[(index + 1) % 3];
-                plane = farther(plane, beyond(offset - edge * edge.dot(offset)));
+                beyond(offset - edge * edge.dot(offset));
             }
         }
-        plane
     }
 }
 

@@ -2,23 +2,21 @@
 
 use super::sums::Sums;
 use super::{Beyond, Bounded, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
+use crate::area::Area;
 use crate::engine::direction::Direction;
-use crate::engine::{Computation, DistanceOptions, Engine, PreparedModel, Seconds};
+use crate::engine::{Computation, Engine, PreparedModel, Seconds};
 use crate::error::{Error, Result};
-use crate::facets::{Facets, Measured, Parts, PreparedFacets, Source, Start, TriangleMesh, WeightedPart};
+use crate::facets::{
+    Measured, Parts, PreparedFacets, Source, Spread, StandIn, Start, Weighted, WeightedPart,
+};
 use crate::progress::{Monitor, Progress};
-use crate::tessellate::{TessellationOptions, tessellate_patches};
 use crate::threads::parallel::map_ranges;
-use glam::DVec3;
 use std::ops::Range;
 use web_time::Instant;
 
-/// The part of the tolerance that a mesh which stands for surfaces as B is made with.
-const MESH_PART: f64 = 0.03125;
-
-/// The part of the tolerance that it has to be within of the surfaces: more, so that this is soon
-/// decided. Intervals are wider by twice as much.
-const MESH_ERROR_PART: f64 = 0.0625;
+/// The part of the tolerance that a mesh which stands for surfaces as B may be off. Intervals are
+/// wider by twice as much, and those of percentiles by four times.
+const MESH_PART: f64 = 0.1;
 
 /// The part of the tolerance for the interval of the distance of a point.
 const POINT_PART: f64 = 0.125;
@@ -26,9 +24,17 @@ const POINT_PART: f64 = 0.125;
 /// The part of an interval's permitted width that parts which are not halved may have.
 const KEPT_PART: f64 = 0.75;
 
-/// The part of it that parts near a percentile may have: less than half, as a percentile between two
-/// parts has the width of both.
+/// The part of a percentile's permitted width that parts near it may have: less than half, as a
+/// percentile between two parts has the width of both.
 const PERCENTILE_PART: f64 = 0.45;
+
+/// The part of the tolerance below which parts near a percentile are not halved: what still widens
+/// it is a jump of the distances.
+const LEAST_PERCENTILE_PART: f64 = 0.05;
+
+/// The part of an interval's permitted width that is left to the parts where a mesh that stands for
+/// B takes all of it: the search then ends without convergence.
+const LEAST_ROOM: f64 = 0.125;
 
 /// The number of parts between two checkpoints.
 const PARTS_AT_ONCE: usize = 4096;
@@ -73,15 +79,11 @@ impl Engine {
         let mesh = if b.facets().is_some() || a.is_cloud() {
             None
         } else {
-            Some(self.stand_in(b, tolerance).await?)
+            Some(stand_in(b, MESH_PART * tolerance)?)
         };
         let patches = (a.is_cloud() && b.facets().is_none()).then(|| b.certified_target());
         let (measured, excess) = match &mesh {
-            Some((mesh, error)) => {
-                let PreparedFacets { target, error: rounding, .. } =
-                    mesh.facets().ok_or(Error::EmptyModel)?;
-                (Measured::Facets { facets: target, error: *rounding }, *error)
-            }
+            Some(StandIn { mesh, error }) => (Measured::Facets { facets: mesh, error: 0.0 }, *error),
             None => (b.measured(patches.as_deref()).ok_or(Error::EmptyModel)?, 0.0),
         };
         let source = match a.facets() {
@@ -114,24 +116,14 @@ impl Engine {
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         })
     }
+}
 
-    /// Returns a mesh that stands for surfaces, and an upper bound on the Hausdorff distance of both.
-    async fn stand_in(&self, surfaces: &PreparedModel, tolerance: f64) -> Result<(PreparedModel, f64)> {
-        let options =
-            TessellationOptions { tolerance: Some(MESH_PART * tolerance), relative_tolerance: None };
-        let made = tessellate_patches(surfaces.bezier(), surfaces.pieces(), &options)?;
-        let vertex = |position: &[f32; 3]| DVec3::from_array(position.map(f64::from)) + made.origin;
-        let vertices: Vec<DVec3> = made.positions.as_chunks::<3>().0.iter().map(vertex).collect();
-        let mesh = Facets::Mesh(TriangleMesh::of_indices(&vertices, &made.indices)?);
-        let mesh = PreparedModel::of_facets(&mesh, surfaces.unit())?;
-        let options = DistanceOptions {
-            limit: Some(MESH_ERROR_PART * tolerance),
-            symmetric: true,
-            ..DistanceOptions::default()
-        };
-        let error = self.distance(surfaces, &mesh, &options).await?.upper;
-        Ok((mesh, error))
-    }
+/// Returns a mesh that stands for surfaces, with an upper bound on the Hausdorff distance of both.
+fn stand_in(surfaces: &PreparedModel, tolerance: f64) -> Result<StandIn> {
+    let patches = &surfaces.bezier().patches;
+    let length = surfaces.control_box().farthest_from_origin();
+    let StandIn { mesh, error } = StandIn::new(patches, tolerance, length)?;
+    Ok(StandIn { mesh, error: error + surfaces.patches_as_source(patches).error() })
 }
 
 struct Search<'a> {
@@ -145,66 +137,87 @@ struct Search<'a> {
 impl Search<'_> {
     /// Returns the intervals, whether they are narrow enough, and the number of parts bounded.
     async fn run(&self, progress: &mut Progress<'_>) -> Result<(Sums, bool, usize)> {
-        let mut parts = self.first(progress).await?;
+        let mut known = Area { lower: 0.0, upper: f64::INFINITY };
+        if self.over == Measure::Count {
+            let gap = POINT_PART * self.tolerance;
+            let points = self.bounded(progress, |place, start| self.parts.point(place, start, gap)).await?;
+            let sums = Sums::of(&points, self.options, self.over, known);
+            let is_narrow = self.is_narrow(&sums);
+            return Ok((sums, is_narrow, points.len()));
+        }
+        let mut parts = self.bounded(progress, |place, start| self.parts.first(place, start)).await?;
         let mut cells = parts.len();
         loop {
-            let sums = Sums::of(&parts, self.options, self.over);
-            if !(sums.total.lower > 0.0) {
+            let sums = Sums::of(&parts, self.options, self.over, known);
+            known = sums.total;
+            if !(known.lower > 0.0) {
                 return Err(Error::NoArea);
             }
-            let halved = self.halved(&parts, &sums);
-            let is_over =
-                self.options.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most);
             if self.is_narrow(&sums) {
                 return Ok((sums, true, cells));
             }
-            let most = self.options.max_cells.saturating_sub(cells) / 2;
-            let halved = &halved[..halved.len().min(most)];
-            if halved.is_empty() || is_over {
-                return Ok((sums, false, cells));
-            }
-            let before = cells;
-            for page in halved.chunks(PARTS_AT_ONCE) {
-                let found = map_ranges(page.len(), |range: Range<usize>| {
-                    page[range].iter().map(|&index| self.parts.halves(&parts[index])).collect::<Vec<_>>()
-                });
-                for (&index, halves) in page.iter().zip(found.into_iter().flatten()) {
-                    let Some([one, other]) = halves else { continue };
-                    parts[index] = one;
-                    parts.push(other);
-                    cells += 2;
-                }
-                progress.checkpoint((cells as f64 / self.options.max_cells as f64).min(1.0)).await?;
-            }
-            if cells == before {
+            let mut halved = self.halved(&parts, &sums);
+            halved.truncate(self.options.max_cells.saturating_sub(cells) / 2);
+            let is_late =
+                self.options.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most);
+            if is_late || self.halve(&mut parts, &halved, &mut cells, progress).await? == 0 {
                 return Ok((sums, false, cells));
             }
         }
     }
 
-    /// Returns the bounds of all facets or patches.
-    async fn first(&self, progress: &mut Progress<'_>) -> Result<Vec<WeightedPart>> {
+    /// Halves the parts of these indices, and returns how many could be.
+    async fn halve(
+        &self,
+        parts: &mut Vec<WeightedPart>,
+        indices: &[usize],
+        cells: &mut usize,
+        progress: &mut Progress<'_>,
+    ) -> Result<usize> {
+        let mut count = 0;
+        for page in indices.chunks(PARTS_AT_ONCE) {
+            let found = map_ranges(page.len(), |range: Range<usize>| {
+                page[range].iter().map(|&index| self.parts.halves(&parts[index])).collect::<Vec<_>>()
+            });
+            for (&index, halves) in page.iter().zip(found.into_iter().flatten()) {
+                let Some([one, other]) = halves else { continue };
+                parts[index] = one;
+                parts.push(other);
+                count += 1;
+            }
+            let spent = (*cells + 2 * count) as f64 / self.options.max_cells as f64;
+            progress.checkpoint(spent.min(1.0)).await?;
+        }
+        *cells += 2 * count;
+        Ok(count)
+    }
+
+    /// Returns the bounds of all points, facets or patches, each searched from the place on B that the
+    /// one before found.
+    async fn bounded<T: Send>(
+        &self,
+        progress: &mut Progress<'_>,
+        bound: impl Fn(u32, Start) -> Option<(T, Start)> + Sync,
+    ) -> Result<Vec<T>> {
         let count = self.parts.len();
-        let mut parts = Vec::with_capacity(count);
-        while parts.len() < count {
-            let first = parts.len();
+        let mut bounded = Vec::with_capacity(count);
+        while bounded.len() < count {
+            let first = bounded.len();
             let found = map_ranges(PARTS_AT_ONCE.min(count - first), |range| {
                 let mut start = Start::default();
-                range
-                    .map(|index| {
-                        let gap = POINT_PART * self.tolerance;
-                        let (part, found) = self.parts.first((first + index) as u32, start, gap)?;
-                        start = found;
-                        Some(part)
-                    })
-                    .collect::<Option<Vec<_>>>()
+                let next = |index: usize| {
+                    let (one, found) = bound((first + index) as u32, start)?;
+                    start = found;
+                    Some(one)
+                };
+                range.map(next).collect::<Option<Vec<T>>>()
             });
             for found in found {
-                parts.append(&mut found.ok_or(Error::EmptyModel)?);
+                bounded.append(&mut found.ok_or(Error::EmptyModel)?);
             }
             progress.checkpoint(0.0).await?;
         }
-        Ok(parts)
+        Ok(bounded)
     }
 
     fn is_narrow(&self, sums: &Sums) -> bool {
@@ -221,32 +234,47 @@ impl Search<'_> {
     /// only the number of parts.
     fn halved(&self, parts: &[WeightedPart], sums: &Sums) -> Vec<usize> {
         let wide = |of: &Bounded| of.upper - of.lower > self.tolerance;
-        let share = |part: &WeightedPart| part.weight.upper / sums.total.upper;
+        let share = |part: &WeightedPart| part.weight().upper / sums.total.upper;
         let mut is_taken = vec![false; parts.len()];
         if wide(&sums.mean) || wide(&sums.rms) {
             let width = |part: &WeightedPart| {
-                let root = part.spread.square[1].sqrt() - part.spread.square[0].sqrt();
-                share(part) * (part.spread.mean[1] - part.spread.mean[0]).max(root)
+                let Spread { mean, square, .. } = part.spread();
+                let width = (mean[1] - mean[0]).max(square[1].sqrt() - square[0].sqrt());
+                share(part) * (width - 2.0 * self.parts.rounding())
             };
-            take_widest(parts, width, KEPT_PART * self.tolerance, &mut is_taken);
+            take_widest(parts, width, KEPT_PART * self.room(2.0), &mut is_taken);
         }
         if let Some(Beyond { limit, part }) = sums.beyond
             && part.upper - part.lower > self.options.part_tolerance
         {
             let width = |part: &WeightedPart| {
-                let is_open = part.spread.lower <= limit && limit < part.spread.upper;
-                if is_open { share(part) } else { 0.0 }
+                let Spread { lower, upper, .. } = part.spread();
+                if lower <= limit && limit < upper { share(part) } else { 0.0 }
             };
             take_widest(parts, width, KEPT_PART * self.options.part_tolerance, &mut is_taken);
         }
         for Percentile { distance, .. } in sums.percentiles.iter().filter(|of| wide(&of.distance)) {
+            let width = |part: &WeightedPart| {
+                let Spread { lower, upper, .. } = part.spread();
+                let is_near = lower < distance.upper && upper > distance.lower;
+                if is_near { upper - lower - 2.0 * self.parts.rounding() } else { 0.0 }
+            };
+            let widest = parts.iter().map(width).fold(0.0, f64::max);
+            // Where all are narrow and the percentile is not, the wider half of them goes on.
+            let kept = (PERCENTILE_PART * self.room(4.0))
+                .min(0.5 * widest)
+                .max(LEAST_PERCENTILE_PART * self.tolerance);
             for (part, is_taken) in parts.iter().zip(&mut is_taken) {
-                let [low, high] = [part.spread.lower, part.spread.upper];
-                let is_near = low < distance.upper && high > distance.lower;
-                *is_taken |= is_near && high - low > PERCENTILE_PART * self.tolerance;
+                *is_taken |= width(part) > kept;
             }
         }
         (0..parts.len()).filter(|&index| is_taken[index]).collect()
+    }
+
+    /// Returns the permitted width that rounding, and the mesh that stands for B, leave to the parts,
+    /// where they widen an interval this many times.
+    fn room(&self, times: f64) -> f64 {
+        (self.tolerance - times * self.parts.rounding()).max(LEAST_ROOM * self.tolerance)
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::{Beyond, Bounded, Measure, Percentile, StatisticsOptions};
 use crate::area::Area;
-use crate::facets::WeightedPart;
-use crate::rounding::{UNIT_ROUNDOFF, lower_min, upper_max};
+use crate::facets::{Spread, Weighted};
+use crate::rounding::{UNIT_ROUNDOFF, upper_max, upper_min};
 
 /// The roundings of a product or a quotient of two numbers, and of a root.
 const QUOTIENT_ROUNDINGS: f64 = 4.0;
@@ -39,24 +39,30 @@ impl Sum {
 }
 
 impl Sums {
-    /// O(n log n) in the number of parts.
-    pub(super) fn of(parts: &[WeightedPart], options: &StatisticsOptions, over: Measure) -> Self {
+    /// `known` bounds the total weight: sums of fewer parts round less. O(n log n) in the number of
+    /// parts.
+    pub(super) fn of<T: Weighted>(
+        parts: &[T],
+        options: &StatisticsOptions,
+        over: Measure,
+        known: Area,
+    ) -> Self {
         let count = parts.len();
-        let sum = |term: &dyn Fn(&WeightedPart) -> f64| Sum::of(parts.iter().map(term), count);
+        let sum = |term: &dyn Fn(&T) -> f64| Sum::of(parts.iter().map(term), count);
         let total = match over {
             Measure::Count => Area { lower: count as f64, upper: count as f64 },
             Measure::Area => Area {
-                lower: sum(&|part| part.weight.lower).lower(),
-                upper: sum(&|part| part.weight.upper).upper(),
+                lower: sum(&|part| part.weight().lower).lower().max(known.lower),
+                upper: upper_min(known.upper, sum(&|part| part.weight().upper).upper()),
             },
         };
-        let mean = |low: &dyn Fn(&WeightedPart) -> f64, high: &dyn Fn(&WeightedPart) -> f64| {
-            let lower = sum(&|part| part.weight.lower * low(part)).lower();
-            let upper = sum(&|part| part.weight.upper * high(part)).upper();
+        let mean = |low: &dyn Fn(&T) -> f64, high: &dyn Fn(&T) -> f64| {
+            let lower = sum(&|part| part.weight().lower * low(part)).lower();
+            let upper = sum(&|part| part.weight().upper * high(part)).upper();
             quotients(lower, upper, total)
         };
-        let square = mean(&|part| part.spread.square[0], &|part| part.spread.square[1]);
-        let mean = mean(&|part| part.spread.mean[0], &|part| part.spread.mean[1]);
+        let square = mean(&|part| part.spread().square[0], &|part| part.spread().square[1]);
+        let mean = mean(&|part| part.spread().mean[0], &|part| part.spread().mean[1]);
         let root = |value: f64, up: f64| value.sqrt() * (1.0 + up * QUOTIENT_ROUNDINGS * UNIT_ROUNDOFF);
         // By Jensen's inequality the mean is at most the root mean square.
         let rms = Bounded {
@@ -64,13 +70,12 @@ impl Sums {
             upper: root(square.upper, 1.0),
         };
         let beyond = options.limit.map(|limit| {
-            let weight = |part: &WeightedPart, is_beyond: bool, weight: f64| {
-                if is_beyond && part.weight.upper > 0.0 { weight } else { 0.0 }
-            };
-            let lower = sum(&|part| weight(part, part.spread.lower > limit, part.weight.lower)).lower();
-            let upper = sum(&|part| weight(part, part.spread.upper > limit, part.weight.upper)).upper();
+            let weight = |is_beyond: bool, weight: f64| if is_beyond { weight } else { 0.0 };
+            let lower = sum(&|part| weight(part.spread().lower > limit, part.weight().lower)).lower();
+            // Not "at most the limit", so that NaN counts as beyond.
+            let upper = sum(&|part| weight(!(part.spread().upper <= limit), part.weight().upper)).upper();
             let Bounded { lower, upper } = quotients(lower, upper, total);
-            Beyond { limit, part: Bounded { lower, upper: lower_min(upper, 1.0) } }
+            Beyond { limit, part: Bounded { lower, upper: upper_min(1.0, upper) } }
         });
         let percentiles = percentiles(parts, &options.percentiles, total, over);
         Self { total, mean, rms, percentiles, beyond }
@@ -93,24 +98,25 @@ fn quotients(lower: f64, upper: f64, total: Area) -> Bounded {
 /// part of the weight, and the least t for which those that may be beyond t have at most the rest
 /// (lemma F9 of docs/meshes.md). A fused product has the sign of the exact difference; sums of counts
 /// are exact, and so are those percentiles.
-fn percentiles(parts: &[WeightedPart], of: &[f64], total: Area, over: Measure) -> Vec<Percentile> {
-    let sorted = |bound: fn(&WeightedPart) -> f64| {
-        let mut sorted: Vec<(f64, f64)> = parts.iter().map(|part| (bound(part), part.weight.upper)).collect();
-        sorted.sort_by(|one, other| one.0.total_cmp(&other.0));
-        sorted
-    };
-    let (lowers, uppers) = (sorted(|part| part.spread.lower), sorted(|part| part.spread.upper));
+fn percentiles<T: Weighted>(parts: &[T], of: &[f64], total: Area, over: Measure) -> Vec<Percentile> {
     let rounding = match over {
         Measure::Count => 0.0,
         Measure::Area => 2.0 * (parts.len() as f64 + 2.0) * UNIT_ROUNDOFF,
     };
     let has_part = |part: f64, weight: f64| part.mul_add(total.lower, -weight) <= 0.0;
-    let percentile = |&part: &f64| {
+    let lowers = sorted(parts, |spread| spread.lower);
+    let lower = |&part: &f64| {
         let mut within = 0.0;
-        let lower = lowers.iter().find(|(_, weight)| {
+        let reached = lowers.iter().find(|(_, weight)| {
             within += weight;
             has_part(part, within * (1.0 + rounding))
         });
+        reached.map_or(0.0, |(distance, _)| *distance)
+    };
+    let lower_bounds: Vec<f64> = of.iter().map(lower).collect();
+    drop(lowers);
+    let uppers = sorted(parts, |spread| spread.upper);
+    let upper = |part: f64| {
         let mut beyond = 0.0;
         let mut upper = uppers.last().map_or(0.0, |(distance, _)| *distance);
         for (distance, weight) in uppers.iter().rev() {
@@ -118,11 +124,19 @@ fn percentiles(parts: &[WeightedPart], of: &[f64], total: Area, over: Measure) -
             if !has_part(part, (total.lower - beyond * (1.0 + rounding)) * (1.0 - rounding)) {
                 break;
             }
-            upper = lower_min(upper, *distance);
+            upper = upper_min(upper, *distance);
             beyond += weight;
         }
-        let lower = lower.map_or(0.0, |(distance, _)| *distance);
-        Percentile { part, distance: Bounded { lower, upper } }
+        upper
     };
-    of.iter().map(percentile).collect()
+    let percentile = |(&part, lower)| Percentile { part, distance: Bounded { lower, upper: upper(part) } };
+    of.iter().zip(lower_bounds).map(percentile).collect()
+}
+
+/// Returns a bound on the distances of each part with the part's largest weight, in their order.
+fn sorted<T: Weighted>(parts: &[T], bound: fn(Spread) -> f64) -> Vec<(f64, f64)> {
+    let mut sorted: Vec<(f64, f64)> =
+        parts.iter().map(|part| (bound(part.spread()), part.weight().upper)).collect();
+    sorted.sort_unstable_by(|one, other| one.0.total_cmp(&other.0));
+    sorted
 }

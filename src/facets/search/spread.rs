@@ -10,7 +10,7 @@ use crate::area::{Area, area_of_part};
 use crate::bezier::PatchSet;
 use crate::facets::Facet;
 use crate::model::RigidTransform;
-use crate::rounding::{UNIT_ROUNDOFF, gamma, lower_min, upper_max};
+use crate::rounding::{UNIT_ROUNDOFF, gamma, lower_min, upper_max, upper_min};
 use glam::DVec3;
 
 /// The number of facets near a part beyond which it is bounded by its middle alone: it is halved
@@ -34,19 +34,33 @@ pub(crate) struct Spread {
     pub(crate) square: [f64; 2],
 }
 
-/// A part of A with its weight, its area or 1 for a point.
+/// A set of points of A with bounds.
+pub(crate) trait Weighted {
+    /// Returns its area, or its number of points.
+    fn weight(&self) -> Area;
+    /// Returns the bounds of its distances.
+    fn spread(&self) -> Spread;
+}
+
+/// Bounds on the distance of a point of A: little memory, as clouds are large.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BoundedPoint {
+    lower: f64,
+    upper: f64,
+}
+
+/// A part of a triangle or a patch of A with its area.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WeightedPart {
     region: WeightedRegion,
-    pub(crate) weight: Area,
+    weight: Area,
     /// A facet of B that may be near.
     start: u32,
-    pub(crate) spread: Spread,
+    spread: Spread,
 }
 
 #[derive(Debug, Clone, Copy)]
 enum WeightedRegion {
-    Point,
     Triangle([DVec3; 3], u32),
     Cell(PatchCell),
 }
@@ -87,6 +101,26 @@ impl Spread {
     }
 }
 
+impl Weighted for BoundedPoint {
+    fn weight(&self) -> Area {
+        Area { lower: 1.0, upper: 1.0 }
+    }
+
+    fn spread(&self) -> Spread {
+        Spread::exact([self.lower, self.upper])
+    }
+}
+
+impl Weighted for WeightedPart {
+    fn weight(&self) -> Area {
+        self.weight
+    }
+
+    fn spread(&self) -> Spread {
+        self.spread
+    }
+}
+
 impl<'a> Parts<'a> {
     /// `excess` is a bound on the difference of distances to B from those to the model that it stands
     /// for.
@@ -107,24 +141,31 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Returns the bounds of a facet or a patch, searched from a place on B that may be near, and
+    /// What rounding, and the mesh that stands for B, add to both sides of every bound on a distance.
+    pub(crate) fn rounding(&self) -> f64 {
+        self.rounding
+    }
+
+    /// Returns the bounds of a point of A, at most `gap` apart where rounding allows, searched from a
+    /// place on B that may be near, and the place found; `None` for a B without pieces.
+    pub(crate) fn point(&self, place: u32, start: Start, gap: f64) -> Option<(BoundedPoint, Start)> {
+        let Source::Facets { facets, .. } = self.a else { return None };
+        let Facet::Point(point) = facets.facet(place) else { return None };
+        let closest = self.b.certified(self.transform.apply(point), start, gap, self.goal.length)?;
+        let Spread { lower, upper, .. } =
+            Spread::exact([closest.lower, closest.upper]).widened(self.rounding);
+        Some((BoundedPoint { lower, upper }, closest.start))
+    }
+
+    /// Returns the bounds of a triangle or a patch, searched from a place on B that may be near, and
     /// the place found; `None` for a B without pieces.
-    pub(crate) fn first(&self, place: u32, start: Start, gap: f64) -> Option<(WeightedPart, Start)> {
+    pub(crate) fn first(&self, place: u32, start: Start) -> Option<(WeightedPart, Start)> {
         let (region, weight) = match self.a {
-            Source::Facets { facets, .. } => match facets.facet(place) {
-                Facet::Point(point) => {
-                    let point = self.transform.apply(point);
-                    let closest = self.b.certified(point, start, gap, self.goal.length)?;
-                    let spread = Spread::exact([closest.lower, closest.upper]).widened(self.rounding);
-                    let weight = Area { lower: 1.0, upper: 1.0 };
-                    let (region, piece) = (WeightedRegion::Point, closest.start.piece);
-                    return Some((WeightedPart { region, weight, start: piece, spread }, closest.start));
-                }
-                Facet::Triangle(corners) => {
-                    let moved = corners.map(|corner| self.transform.apply(corner));
-                    (WeightedRegion::Triangle(moved, 0), facets.area(place))
-                }
-            },
+            Source::Facets { facets, .. } => {
+                let Facet::Triangle(corners) = facets.facet(place) else { return None };
+                let moved = corners.map(|corner| self.transform.apply(corner));
+                (WeightedRegion::Triangle(moved, 0), facets.area(place))
+            }
             Source::Patches { patches, .. } => {
                 let cell = PatchCell::whole(place);
                 (WeightedRegion::Cell(cell), self.area(patches, &cell))
@@ -134,7 +175,7 @@ impl<'a> Parts<'a> {
         Some((part, Start { piece: part.start, ..start }))
     }
 
-    /// Returns the halves of a part; `None` for a point, and for a part that float64 does not halve.
+    /// Returns the halves of a part; `None` for a part that float64 does not halve.
     pub(crate) fn halves(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
         let Measured::Facets { facets: b, .. } = self.b else { return None };
         let bounded = |region, weight| self.bounded(region, weight, part.start);
@@ -201,9 +242,9 @@ fn spread_of_triangle(b: &FacetTarget, corners: &[DVec3; 3], start: u32, allowan
         tried[index] = facet;
         let squares = corners.map(|corner| b.distance_squared(facet, corner));
         let distances = squares.map(f64::sqrt);
-        upper = lower_min(upper, distances.into_iter().fold(0.0, upper_max));
-        mean = lower_min(mean, (distances[0] + distances[1] + distances[2]) / 3.0);
-        square = lower_min(square, (squares[0] + squares[1] + squares[2]) / 3.0);
+        upper = upper_min(upper, distances.into_iter().fold(0.0, upper_max));
+        mean = upper_min(mean, (distances[0] + distances[1] + distances[2]) / 3.0);
+        square = upper_min(square, (squares[0] + squares[1] + squares[2]) / 3.0);
     }
     let least = least_at_corners(b, corners, middle, upper, radius, allowance).unwrap_or_else(|| {
         let (_, _, lower) = b.certified(middle, foot.facet);
@@ -217,7 +258,7 @@ fn spread_of_triangle(b: &FacetTarget, corners: &[DVec3; 3], start: u32, allowan
         lower: positive(lower),
         upper,
         mean: [low, mean],
-        square: [low * low, lower_min(square, upper * upper)],
+        square: [low * low, upper_min(square, upper * upper)],
     };
     (spread, foot.facet)
 }
@@ -239,13 +280,25 @@ fn least_at_corners(
     b.visit(middle, reach_squared, |place| {
         let facet = b.facet(place);
         let nearest = facet.nearest(middle);
-        let (normal, distance) = facet.separating_plane(middle, &nearest);
-        // A plane that far is no bound on any point of the triangle.
-        if distance <= reach {
-            count += 1;
-            for (least, corner) in least.iter_mut().zip(corners) {
-                *least = lower_min(*least, distance - normal.dot(*corner - middle));
+        let (mut farthest, mut largest, mut best) = (0.0, f64::NEG_INFINITY, least);
+        facet.for_each_plane(middle, &nearest, |normal, distance| {
+            if distance > farthest {
+                farthest = distance;
             }
+            let mut under = least;
+            for (under, corner) in under.iter_mut().zip(corners) {
+                *under = lower_min(*under, distance - normal.dot(*corner - middle));
+            }
+            // Any plane of the facet is valid: the one that takes least off.
+            let sum = under[0] + under[1] + under[2];
+            if sum > largest {
+                (largest, best) = (sum, under);
+            }
+        });
+        // A facet that far is nearest to no point of the triangle.
+        if farthest <= reach {
+            count += 1;
+            least = best;
         }
         (reach_squared, count > MAX_NEAR)
     });
