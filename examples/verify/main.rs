@@ -12,10 +12,14 @@
 //! The third form proves of every trimmed face that the pieces it is cut into are that face, to its
 //! stated deviation and the slack: they cover it, lie in it, and are points of its surface.
 //!
+//! In the first two forms a model may be a mesh or a cloud of points, by the ending of its name: each
+//! triangle and each point is proved as a surface, so that thousands of them take minutes.
+//!
 //! Prints `proved`, `not proved in the time given` or `refuted`; exit status 0, 3 or 1, and 2 for
 //! bad input. Models are moved by `--rotate` and `--translate` as by the command.
 
 mod cuts;
+mod facets;
 #[path = "../../src/bin/nurbs-hausdorff/arguments/motion.rs"]
 mod motion;
 #[allow(dead_code, reason = "the fuzzer compares with parts of models")]
@@ -82,11 +86,20 @@ struct StatedPoint {
     face: usize,
     u: f64,
     v: f64,
+    /// The triangle of a mesh, with the weights of its corners.
+    triangle: Option<usize>,
+    barycentric: Option<[f64; 3]>,
+    /// The point of a cloud.
+    index: Option<usize>,
 }
 
 impl StatedPoint {
     fn witness(&self) -> Witness {
-        Witness { surface: self.face, u: self.u, v: self.v }
+        match (self.triangle, self.barycentric, self.index) {
+            (Some(triangle), Some(weights), _) => facets::witness(triangle, weights),
+            (_, _, Some(surface)) => Witness { surface, u: 0.0, v: 0.0 },
+            _ => Witness { surface: self.face, u: self.u, v: self.v },
+        }
     }
 }
 
@@ -187,8 +200,11 @@ fn run(arguments: &Arguments) -> Result<Report, String> {
         return Err("no models and result".to_owned());
     };
     let model = |path: &Path| {
-        let text = read(path)?;
-        Model::from_json(&text).map_err(|reason| format!("{}: {reason}", path.display()))
+        let model = match facets::read(path) {
+            Some(model) => model,
+            None => Model::from_json(&read(path)?),
+        };
+        model.map_err(|reason| format!("{}: {reason}", path.display()))
     };
     let (a, b) = (model(a)?, model(b)?);
     if [&a, &b].iter().any(|model| model.is_trimmed()) {

@@ -77,6 +77,32 @@ fn a_cylinder_and_its_prism_are_a_sagitta_apart() {
 }
 
 /// An octahedron whose triangles are quartered `levels` times, with its corners on a sphere.
+/// A prism with caps in fans of long triangles, and a prism of other triangles: the reaches of the
+/// facets of B cut its triangles into slivers.
+#[test]
+fn prisms_of_other_triangles_are_apart_by_the_farthest_corner() {
+    let turn = 0.1;
+    let prism = |count: usize, turn: f64| {
+        let rings = [ring(1.0, 0.0, count), ring(1.0, 10.0, count)];
+        let (mut vertices, mut triangles) = strips(&rings, false);
+        for base in [0, count as u32] {
+            triangles.extend((1..count as u32 - 1).map(|k| [base, base + k, base + k + 1]));
+        }
+        let turned = DQuat::from_rotation_z(turn);
+        vertices.iter_mut().for_each(|vertex| *vertex = turned * *vertex);
+        mesh(&vertices, &triangles)
+    };
+    let apothem = (PI / 13.0).cos();
+    // A corner is as far from a side of B as its height above it, inwards or not.
+    let height = |k: usize| {
+        let side = 2.0 * PI / 13.0;
+        let from_middle = (2.0 * PI * k as f64 / 40.0 - turn).rem_euclid(side) - 0.5 * side;
+        from_middle.cos() - apothem
+    };
+    let expected = (0..40).map(height).fold(0.0, f64::max);
+    contains(&prism(40, 0.0), &prism(13, turn), expected);
+}
+
 fn polyhedron(radius: f64, levels: u32) -> Vec<[DVec3; 3]> {
     let mut triangles: Vec<[DVec3; 3]> = Vec::new();
     for [x, y, z] in

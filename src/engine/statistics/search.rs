@@ -32,6 +32,10 @@ const PERCENTILE_PART: f64 = 0.45;
 /// it is a jump of the distances.
 const LEAST_PERCENTILE_PART: f64 = 0.05;
 
+/// The width of a part, in what rounding and the mesh that stands for B add to one of its ends, below
+/// which it is not halved to decide on which side of the limit it is: two are no part's own.
+const OPEN_ROUNDINGS: f64 = 2.5;
+
 /// The part of an interval's permitted width that is left to the parts where a mesh that stands for
 /// B takes all of it: the search then ends without convergence.
 const LEAST_ROOM: f64 = 0.125;
@@ -249,7 +253,13 @@ impl Search<'_> {
         {
             let width = |part: &WeightedPart| {
                 let Spread { lower, upper, .. } = part.spread();
-                if lower <= limit && limit < upper { share(part) } else { 0.0 }
+                // Halves of a part that is as narrow as its rounding are as open.
+                let is_open = lower <= limit && limit < upper;
+                if is_open && upper - lower > OPEN_ROUNDINGS * self.parts.rounding() {
+                    share(part)
+                } else {
+                    0.0
+                }
             };
             take_widest(parts, width, KEPT_PART * self.options.part_tolerance, &mut is_taken);
         }
