@@ -17,9 +17,10 @@ pub(crate) fn read(path: &Path) -> Option<Result<Model, String>> {
 /// Returns a surface for each facet.
 fn model(facets: &Facets) -> Model {
     let surfaces = match facets {
-        Facets::Mesh(mesh) => (0..mesh.triangles().len())
-            .map(|triangle| surface(mesh.corners(triangle).map(|corner| corner.to_array())))
-            .collect(),
+        Facets::Mesh(mesh) => {
+            let corner = |vertex: u32| mesh.vertices()[vertex as usize].to_array();
+            mesh.triangles().iter().map(|triangle| surface(triangle.map(corner))).collect()
+        }
         Facets::Cloud(cloud) => cloud.points().iter().map(|point| surface([point.to_array(); 3])).collect(),
         _ => Vec::new(),
     };

@@ -15,8 +15,8 @@ const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-4;
 /// The default of [`StatisticsOptions::part_tolerance`].
 const DEFAULT_PART_TOLERANCE: f64 = 1e-3;
 
-/// The default of [`StatisticsOptions::max_cells`]: about ten seconds, and 50 MB.
-const DEFAULT_MAX_CELLS: usize = 200_000;
+/// The default of [`StatisticsOptions::max_cells`]: ten seconds to a minute, and 200 MB.
+const DEFAULT_MAX_CELLS: usize = 1_000_000;
 
 /// The default of [`StatisticsOptions::percentiles`].
 const DEFAULT_PERCENTILES: [f64; 3] = [0.5, 0.95, 0.99];
