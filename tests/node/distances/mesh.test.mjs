@@ -204,7 +204,11 @@ test("statistics are intervals, of points by count and else by area", async () =
   assert.equal(counted.over, "count");
   holds(counted.mean, 3);
   await assert.rejects(hd.statistics(points, ground, { below: 1 }), withCode("OPTION_INVALID"));
-  using there = await away.Hausdorff.create({ backend: "cpu" });
-  const [a, b] = [await there.mesh({ positions: [0, 0, 4] }), await there.model([square(0)])];
-  holds((await there.statistics(a, b)).mean, 4);
+  const there = await away.Hausdorff.create({ backend: "cpu" });
+  try {
+    const [a, b] = [await there.mesh({ positions: [0, 0, 4] }), await there.model([square(0)])];
+    holds((await there.statistics(a, b)).mean, 4);
+  } finally {
+    there.dispose();
+  }
 });
