@@ -1,6 +1,6 @@
 //! The sides of random points of the models of others in `../shared/models`.
 //!
-//! `cargo bench --bench sides [-- NAME …]`: models of these names, or paths of JSON or STEP files.
+//! `cargo bench --bench sides [-- NAME …]`: models of these names, or paths of JSON, STL, IGES or STEP files.
 //! Prints a Markdown table: whether the model closes, its shells and free edges, and the time that
 //! random points of its box take. Points that `benches/peers/sides_occt.py` has written to
 //! `target/sides` take their place, and those with their sides are written there for it.

@@ -5,7 +5,7 @@
     python3 benches/peers/sides_occt.py compare FOLDER
 
 Needs cadquery-ocp, libigl and numpy. FOLDER has STEP files. `points` writes to target/sides 10,000 random points of
-each box, and 10,000 at 1e-5 to 1e-1 of the diagonal from vertices and edges: on the normals of their faces, on
+each box, and 10,000 at 1e-7 to 1e-1 of the diagonal from vertices and edges: on the normals of their faces, on
 the bisectors of these, and on lines from random points through them. `compare` prints how many points the
 bench put on another side than the oracle: where OpenCASCADE's triangles (deflection 1e-5 of the diagonal) are
 farther off than ten deflections their winding number, nearer ones its classifier, for up to a minute a file.
@@ -103,6 +103,7 @@ def places(shape, random):
 
 
 def write_points(path, shape):
+    """Writes the points of a shape for the bench: first random ones, then those beside edges and corners."""
     random = np.random.default_rng(30)
     low, high = box_of(shape)
     size = np.linalg.norm(high - low)
@@ -120,7 +121,7 @@ def write_points(path, shape):
         length = np.linalg.norm(direction)
         if length < 1e-6:
             continue
-        distance = size * 10 ** (-5 + 4 * random.random()) * random.choice([-1, 1])
+        distance = size * 10 ** (-7 + 6 * random.random()) * random.choice([-1, 1])
         lines.append((at + direction / length * distance, kind))
     text = "".join(f"{x!r} {y!r} {z!r} {kind}\n" for (x, y, z), kind in ((point.tolist(), kind) for point, kind in lines))
     (FOLDER / f"{path.stem}.points").write_text(text)
@@ -205,4 +206,5 @@ def main(step, folder):
             compare(path, read(path))
 
 
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    main(*sys.argv[1:])
