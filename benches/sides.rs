@@ -68,7 +68,7 @@ fn measure(path: &Path) {
     let joining = 1e3 * started.elapsed().as_secs_f64();
     let folder = Path::new("target/sides");
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let (mut counts, mut lines) = ([0_usize; 3], String::new());
+    let (mut counts, mut lines) = ([0_usize; 3], format!("gap {:?}\n", model.gap()));
     let points = given(&folder.join(format!("{stem}.points"))).unwrap_or_else(|| random_points(&model));
     let started = Instant::now();
     if solid.closed {

@@ -31,8 +31,8 @@ from OCP.TopExp import TopExp_Explorer
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS
 
-# The poses measured by OpenCASCADE, which takes seconds for some.
-OPENCASCADE_POSES = 12
+# The poses measured by OpenCASCADE and parry, which take seconds for some.
+SLOW_POSES = 12
 
 # Seconds after which no further pose is measured by it.
 OPENCASCADE_SECONDS = 60
@@ -90,7 +90,7 @@ def outside(distance, pose, tolerance):
 
 def measure_opencascade(poses, a, b):
     found, started = [], time.process_time()
-    for pose in poses[:OPENCASCADE_POSES]:
+    for pose in poses[:SLOW_POSES]:
         motion = gp_Trsf()
         motion.SetTransformation(gp_Quaternion(*pose["quaternion"]), gp_Vec(*pose["translation"]))
         moved = BRepBuilderAPI_Transform(a, motion, True).Shape()
@@ -115,6 +115,7 @@ def measure_fcl(poses, a, b, deflection):
 
 
 def measure_parry(poses, meshes, deflection):
+    poses = poses[:SLOW_POSES]
     motions = [{key: pose[key] for key in ("quaternion", "translation")} for pose in poses]
     sides = [dict(points=points.tolist(), triangles=corners.tolist()) for points, corners in meshes]
     command = ["cargo", "run", "--quiet", "--release", "--locked", "--target-dir", "target/parry"]
