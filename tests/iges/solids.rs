@@ -123,6 +123,26 @@ fn a_cylinder_has_its_seam() {
     }
 }
 
+/// A seam that ends 0.02 from the rims, at their vertices: the loop keeps the order of the file.
+#[test]
+fn curves_follow_their_vertices_where_they_end_beside_them() {
+    let mut text = IgesText::new();
+    let ends = vertices(&mut text, &[[2.0, 0.0, 0.0], [2.0, 0.0, 5.0]]);
+    let rims = [0.0, 5.0].map(|height| text.arc(height, [[2.0, 0.0]; 2]));
+    let side = text.line([2.0, 0.0, 0.02], [2.0, 0.0, 4.98]);
+    let edges = edges(&mut text, ends, &[(rims[0], [1, 1]), (rims[1], [2, 2]), (side, [1, 2])]);
+    let (origin, up) = (text.point([0.0; 3]), text.direction([0.0, 0.0, 1.0]));
+    let x = text.direction([1.0, 0.0, 0.0]);
+    let surface = text.add(192, 1, format!("{origin},{up},2.,{x}"));
+    let path =
+        edge_loop(&mut text, edges, &[(1, true, None), (3, true, None), (2, false, None), (3, false, None)]);
+    face(&mut text, surface, &[path]);
+    let (model, _) = read(&text);
+    assert_near(areas(&model)[0], TAU * 2.0 * 5.0, 1e-9);
+    let gap = model.gap();
+    assert!((0.02..0.03).contains(&gap), "{gap}");
+}
+
 /// Half of the cylinder by curves in the parameters alone, in degrees and lengths.
 #[test]
 fn the_parameters_of_a_cylinder_are_degrees() {
