@@ -12,8 +12,11 @@ mod covered;
 mod curve;
 mod inside;
 mod map;
+mod same;
+mod strip;
 mod values;
 
+use super::deadline::Deadline;
 use super::frame::{Frame, Motion};
 use super::interval::Interval;
 use super::surface::{Model, Surface};
@@ -21,7 +24,6 @@ use super::{Verdict, bezier};
 use bezier::{Patch, SecondDerivatives};
 use curve::Outline;
 pub(crate) use map::{Map, Ruled};
-use std::time::Instant;
 
 /// The homogeneous controls (w u, w v, w) of a rational Bézier curve of parameters.
 pub(crate) type Controls = Vec<[f64; 3]>;
@@ -71,7 +73,7 @@ impl Finding {
 }
 
 /// What the three statements need of a face.
-struct Face {
+struct Face<'a> {
     /// The surface's patches, in the frame, and their derivatives' bounds.
     patches: Vec<Patch>,
     bends: Vec<SecondDerivatives>,
@@ -83,11 +85,11 @@ struct Face {
     /// other on the surface: such a box, and one about it that is larger by as much on each side.
     small: [f64; 2],
     loops: Outline,
-    deadline: Instant,
+    deadline: &'a Deadline,
 }
 
 /// Proves that face and pieces are within `deviation + slack` times the diagonal of each other.
-pub(crate) fn check(cut: &Cut, slack: f64, deadline: Instant) -> Finding {
+pub(crate) fn check(cut: &Cut, slack: f64, deadline: &Deadline) -> Finding {
     if cut.pieces.is_empty() {
         return Finding::refuted("the face has no pieces".to_owned());
     }
@@ -125,7 +127,7 @@ fn slopes(patches: &[Patch], bends: &[SecondDerivatives]) -> Option<[f64; 2]> {
 /// A box of parameters (u, v).
 type Box2 = [Interval; 2];
 
-impl Face {
+impl Face<'_> {
     /// Whether two points of the box are always near on the surface.
     fn is_small(&self, parameters: &Box2) -> bool {
         (0..2).all(|axis| parameters[axis].hi - parameters[axis].lo <= self.small[axis])
@@ -140,6 +142,6 @@ impl Face {
     }
 
     fn is_late(&self) -> bool {
-        Instant::now() > self.deadline
+        self.deadline.is_over()
     }
 }
