@@ -103,7 +103,11 @@ fn is_covered_beside_strip(
 }
 
 fn halves(face: &Face<'_>, part: &Part, pieces: Vec<usize>) -> [Part; 2] {
-    let size = |axis: usize| (part.parameters[axis][1] - part.parameters[axis][0]) / face.small[axis];
+    let size = |axis: usize| {
+        let mut vector = [0.0; 2];
+        vector[axis] = part.parameters[axis][1] - part.parameters[axis][0];
+        face.size(vector)
+    };
     let axis = usize::from(size(1) > size(0));
     let [low, high] = part.parameters[axis];
     let middle = 0.5 * (low + high);

@@ -6,7 +6,7 @@ use crate::proof::interval::Interval;
 use std::cell::OnceCell;
 
 /// The halvings of a curve after which it counts as touching a box.
-const MAX_HALVINGS: u32 = 40;
+pub(super) const MAX_HALVINGS: u32 = 40;
 
 /// The halvings of each curve for the area: a relative error of about 1e-3.
 const AREA_HALVINGS: u32 = 9;

@@ -37,11 +37,20 @@ fn piece(face: &Face<'_>, map: &Map, index: usize) -> Finding {
             None => {}
         }
         if halvings == MAX_HALVINGS || face.is_late() {
+            if found.verdict == crate::proof::Verdict::Proved {
+                eprintln!(
+                    "OPEN {index} {part:?} image {image:?} halv {halvings} small {:?} ext {:?} winding {:?} open {}",
+                    face.small,
+                    face.extents,
+                    face.loops.winding(&enlarged),
+                    open.len()
+                );
+            }
             found = Finding::OPEN;
             continue;
         }
         // Along the longer one of the image's sides.
-        let [along_s, along_t] = map.lengths(part, face.small);
+        let [along_s, along_t] = map.lengths(part, |vector| face.size(vector));
         let axis = usize::from(along_t > along_s);
         let [low, high] = part[axis];
         let middle = 0.5 * (low + high);

@@ -109,16 +109,20 @@ impl Map {
         })
     }
 
-    /// About the lengths of the image of a part along both parameters, with units for u and v.
-    pub(super) fn lengths(&self, part: [[f64; 2]; 2], units: [f64; 2]) -> [f64; 2] {
-        let length = |vector: [f64; 2]| (0..2).map(|k| (vector[k] / units[k]).abs()).fold(0.0, f64::max);
+    /// About the lengths of the image of a part along both parameters, by the size of vectors (u, v).
+    pub(super) fn lengths(&self, part: [[f64; 2]; 2], size: impl Fn([f64; 2]) -> f64) -> [f64; 2] {
         match self {
-            Self::Identity { .. } => [0, 1].map(|axis| (part[axis][1] - part[axis][0]) / units[axis]),
+            Self::Identity { .. } => {
+                let [u, v] = part.map(|[low, high]| high - low);
+                [size([u, 0.0]), size([0.0, v])]
+            }
             Self::Ruled(ruled) => {
                 let ([left, right], s) = ruled.over(part);
-                let size = |side: &Node| length(side.hull.map(|hull| hull.hi - hull.lo));
-                let across = |end: usize| length([0, 1].map(|k| right.ends[end][k] - left.ends[end][k]));
-                let lengths = [(s[1] - s[0]) * across(0).max(across(1)), size(left).max(size(right))];
+                let along = |side: &Node| size(side.hull.map(|hull| hull.hi - hull.lo));
+                let across = |end: usize| {
+                    size([0, 1].map(|k| (s[1] - s[0]) * (right.ends[end][k] - left.ends[end][k])))
+                };
+                let lengths = [across(0).max(across(1)), along(left).max(along(right))];
                 exchanged(lengths, ruled.transposed)
             }
         }

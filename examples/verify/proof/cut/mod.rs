@@ -12,6 +12,7 @@ mod covered;
 mod curve;
 mod inside;
 mod map;
+mod region;
 mod same;
 mod strip;
 mod values;
@@ -24,6 +25,7 @@ use super::{Verdict, bezier};
 use bezier::{Patch, SecondDerivatives};
 use curve::Outline;
 pub(crate) use map::{Map, Ruled};
+use region::Region;
 
 /// The homogeneous controls (w u, w v, w) of a rational Bézier curve of parameters.
 pub(crate) type Controls = Vec<[f64; 3]>;
@@ -59,6 +61,14 @@ impl Finding {
         Self { verdict: Verdict::Refuted, note: Some(note) }
     }
 
+    /// The same, with the statement if that is not proved.
+    fn of(self, statement: &str) -> Self {
+        match self.verdict {
+            Verdict::NotProved => Self { note: Some(statement.to_owned()), ..self },
+            _ => self,
+        }
+    }
+
     /// The worse of two: refuted, then not proved.
     fn and(self, other: impl FnOnce() -> Self) -> Self {
         match self.verdict {
@@ -77,6 +87,8 @@ struct Face<'a> {
     /// The surface's patches, in the frame, and their derivatives' bounds.
     patches: Vec<Patch>,
     bends: Vec<SecondDerivatives>,
+    /// Those bounds over parts of the patches.
+    regions: Vec<Region>,
     frame: Frame,
     /// Half of the limit, in the frame: what a piece may be off the surface by, and what a place on
     /// the surface may be off the region by.
@@ -85,6 +97,8 @@ struct Face<'a> {
     /// other on the surface: such a box, and one about it that is larger by as much on each side.
     small: [f64; 2],
     loops: Outline,
+    /// The size of the loops' box.
+    extents: [f64; 2],
     deadline: &'a Deadline,
 }
 
@@ -104,11 +118,14 @@ pub(crate) fn check(cut: &Cut, slack: f64, deadline: &Deadline) -> Finding {
     let Some(slopes) = slopes(&patches, &bends) else { return Finding::OPEN };
     let small = slopes.map(|slope| 0.25 * limit / slope.max(f64::MIN_POSITIVE));
     let loops = Outline::new(cut.loops.iter().cloned());
-    let face = Face { patches, bends, frame, limit, small, loops, deadline };
+    let extents = loops.bounds().map(|bounds| bounds.hi - bounds.lo);
+    let regions = patches.iter().map(|patch| Region::whole(&patch.net)).collect();
+    let face = Face { patches, bends, regions, frame, limit, small, loops, extents, deadline };
     let maps: Vec<&Map> = cut.pieces.iter().map(|piece| &piece.map).collect();
     inside::check(&face, &maps)
-        .and(|| covered::check(&face, &maps))
-        .and(|| values::check(&face, &pieces, &maps))
+        .of("that pieces lie in the face")
+        .and(|| covered::check(&face, &maps).of("that pieces cover the face"))
+        .and(|| values::check(&face, &pieces, &maps).of("that pieces lie on the surface"))
 }
 
 /// Bounds of the surface's first derivatives by u and v; `None` where a weight may be 0.
@@ -139,6 +156,15 @@ impl Face<'_> {
             let margin = Interval { lo: -self.small[axis], hi: self.small[axis] };
             parameters[axis] + margin
         })
+    }
+
+    /// Returns the size of a vector of parameters, relative to the loops' box: 0 where it is small.
+    ///
+    /// It decides what is halved. Small sizes may be far apart in u and v where one knot rectangle of many is
+    /// narrow, and boundaries are not.
+    fn size(&self, vector: [f64; 2]) -> f64 {
+        let sizes = (0..2).filter(|&axis| vector[axis].abs() > self.small[axis]);
+        sizes.map(|axis| vector[axis].abs() / self.extents[axis]).fold(0.0, f64::max)
     }
 
     fn is_late(&self) -> bool {

@@ -8,7 +8,7 @@
 //! than [`MAX_WIDTH`], so that from every point of a box one reaches any side of it that the enlarged
 //! box has by a move of at most 1 straight across, which stays in the enlarged box.
 
-use super::curve::{Node, Outline};
+use super::curve::{MAX_HALVINGS, Node, Outline};
 use super::{Box2, Face};
 use crate::proof::interval::Interval;
 
@@ -99,29 +99,29 @@ impl Strip {
 impl Outline {
     /// Returns the direction of a part of a curve that may meet a box and is not larger than it.
     fn direction(&self, target: &Box2) -> Option<[f64; 2]> {
-        self.chains.iter().find_map(|chain| chain.direction(target))
+        self.chains.iter().find_map(|chain| chain.direction(target, 0))
     }
 
     /// Extends a strip by all that meets a box; returns whether it is narrow enough for that.
     fn extend(&self, strip: &mut Strip, target: &Box2) -> bool {
-        self.chains.iter().all(|chain| chain.extend(strip, target))
+        self.chains.iter().all(|chain| chain.extend(strip, target, 0))
     }
 }
 
 impl Node {
-    fn direction(&self, target: &Box2) -> Option<[f64; 2]> {
-        if !self.meets(target) {
+    fn direction(&self, target: &Box2, halvings: u32) -> Option<[f64; 2]> {
+        if !self.meets(target) || halvings == MAX_HALVINGS {
             return None;
         }
         if self.is_chain() || !self.is_within(target, 1.0) {
-            return self.halves().iter().find_map(|half| half.direction(target));
+            return self.halves().iter().find_map(|half| half.direction(target, halvings + 1));
         }
         let [start, end] = self.ends;
         let along = [end[0] - start[0], end[1] - start[1]];
         (along != [0.0; 2]).then_some(along)
     }
 
-    fn extend(&self, strip: &mut Strip, target: &Box2) -> bool {
+    fn extend(&self, strip: &mut Strip, target: &Box2, halvings: u32) -> bool {
         if !self.meets(target) {
             return true;
         }
@@ -130,7 +130,7 @@ impl Node {
             if values.is_some_and(|values| strip.include(values)) {
                 return true;
             }
-            if self.is_within(target, MIN_PART) {
+            if halvings == MAX_HALVINGS || self.is_within(target, MIN_PART) {
                 return false;
             }
             // Points of the curve in the box are in every strip.
@@ -142,7 +142,7 @@ impl Node {
                 }
             }
         }
-        self.halves().iter().all(|half| half.extend(strip, target))
+        self.halves().iter().all(|half| half.extend(strip, target, halvings + 1))
     }
 
     /// Whether the curve's box is at most this part of another box in size.

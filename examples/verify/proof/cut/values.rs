@@ -19,9 +19,9 @@ const MAX_HALVINGS: u32 = 40;
 /// The part of a knot rectangle by which a map may leave it: its patch is continued there.
 const MAX_EXCESS: f64 = 1e-6;
 
-/// Upper bound on (1 + 2 MAX_EXCESS)^60, by which the bounds of a patch of degrees up to 15, of its
-/// quotients and of their derivatives grow where it is continued.
-const GROWTH: f64 = 1.001;
+/// Upper bound on (1 + 2 MAX_EXCESS 2^region::MAX_HALVINGS)^60, by which the bounds of a region's patch of
+/// degrees up to 15, of its quotients and of their derivatives grow where it is continued.
+const GROWTH: f64 = 1.01;
 
 /// A patch of a piece over [0, 1]².
 struct Place<'a> {
@@ -134,19 +134,18 @@ impl Place<'_> {
         let image = self.image(part);
         let number = rectangle(face, image.map(Interval::mid))?;
         let patch = &face.patches[number];
-        let local: Vec<Interval> = (0..2)
-            .map(|axis| {
-                let [start, end] = patch.ranges[axis].map(Interval::point);
-                (image[axis] - start) / (end - start)
-            })
-            .collect();
+        let local: Box2 = std::array::from_fn(|axis| {
+            let [start, end] = patch.ranges[axis].map(Interval::point);
+            (image[axis] - start) / (end - start)
+        });
         if local.iter().any(|at| at.lo < -MAX_EXCESS || at.hi > 1.0 + MAX_EXCESS) {
             return None;
         }
-        let surface = &face.bends[number];
+        let (surface, parts) = face.regions[number].around(&local);
         let steps = self.steps(part);
         let lengths: [Interval; 2] = std::array::from_fn(|axis| {
-            Interval::point(patch.ranges[axis][1]) - Interval::point(patch.ranges[axis][0])
+            let [start, end] = patch.ranges[axis].map(Interval::point);
+            Interval::point(parts[axis]) * (end - start)
         });
         Some(std::array::from_fn(|axis| {
             let [first, second] = &steps[axis];
