@@ -37,15 +37,6 @@ fn piece(face: &Face<'_>, map: &Map, index: usize) -> Finding {
             None => {}
         }
         if halvings == MAX_HALVINGS || face.is_late() {
-            if found.verdict == crate::proof::Verdict::Proved {
-                eprintln!(
-                    "OPEN {index} {part:?} image {image:?} halv {halvings} small {:?} ext {:?} winding {:?} open {}",
-                    face.small,
-                    face.extents,
-                    face.loops.winding(&enlarged),
-                    open.len()
-                );
-            }
             found = Finding::OPEN;
             continue;
         }

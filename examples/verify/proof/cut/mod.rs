@@ -116,9 +116,13 @@ pub(crate) fn check(cut: &Cut, slack: f64, deadline: &Deadline) -> Finding {
     let bends: Vec<SecondDerivatives> =
         patches.iter().map(|patch| SecondDerivatives::of(&patch.net)).collect();
     let Some(slopes) = slopes(&patches, &bends) else { return Finding::OPEN };
-    let small = slopes.map(|slope| 0.25 * limit / slope.max(f64::MIN_POSITIVE));
     let loops = Outline::new(cut.loops.iter().cloned());
     let extents = loops.bounds().map(|bounds| bounds.hi - bounds.lo);
+    // What is small is small beside the loops, too, where the surface hardly moves with a parameter.
+    let small = std::array::from_fn(|axis| {
+        let moves = 0.25 * limit / slopes[axis].max(f64::MIN_POSITIVE);
+        if extents[axis] > 0.0 { moves.min(MAX_SMALL * extents[axis]) } else { moves }
+    });
     let regions = patches.iter().map(|patch| Region::whole(&patch.net)).collect();
     let face = Face { patches, bends, regions, frame, limit, small, loops, extents, deadline };
     let maps: Vec<&Map> = cut.pieces.iter().map(|piece| &piece.map).collect();
@@ -140,6 +144,9 @@ fn slopes(patches: &[Patch], bends: &[SecondDerivatives]) -> Option<[f64; 2]> {
     }
     slopes.iter().all(|slope| slope.is_finite()).then_some(slopes)
 }
+
+/// The largest part of the loops' box that is called small.
+const MAX_SMALL: f64 = 1.0 / 64.0;
 
 /// A box of parameters (u, v).
 type Box2 = [Interval; 2];
