@@ -113,6 +113,7 @@ mod rounding;
 #[cfg(feature = "shapes")]
 pub mod shapes;
 mod solid;
+mod sorting;
 mod surface_point;
 mod symmetry;
 pub mod tessellate;

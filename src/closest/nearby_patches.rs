@@ -2,6 +2,7 @@
 
 use super::{Target, nearest_control, newton};
 use crate::bvh::Aabb;
+use crate::sorting::sort_by_number;
 use glam::DVec3;
 
 /// The largest number of Newton steps from a start; the bounds hold wherever it stops.
@@ -49,7 +50,7 @@ impl NearbyPatches {
                 list.push(NearbyPatch { patch: index, parameters, lower_bound, aabb });
             }
         }
-        list.sort_by(|a, b| a.lower_bound.total_cmp(&b.lower_bound));
+        sort_by_number(&mut list, |patch| patch.lower_bound);
         Self { center, radius, list }
     }
 

@@ -1,6 +1,7 @@
 //! Stage `reduce`: the largest distance of a sample, and the sample.
 
 use super::Projected;
+use crate::sorting::sort_by_number;
 
 /// The number of samples in a block, on CPU and GPU: sixteen for each thread of
 /// a workgroup.
@@ -20,6 +21,6 @@ pub fn reduce(projected: &[Projected]) -> Vec<usize> {
         block * BLOCK_SIZE + farthest
     };
     let mut farthest: Vec<usize> = projected.chunks(BLOCK_SIZE).enumerate().map(farthest_of_block).collect();
-    farthest.sort_by(|&a, &b| projected[b].distance_squared.total_cmp(&projected[a].distance_squared));
+    sort_by_number(&mut farthest, |&sample| -projected[sample].distance_squared);
     farthest
 }

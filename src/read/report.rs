@@ -95,8 +95,7 @@ impl ReadReport {
             self.fitted -= fitted;
             self.skipped.push(Skipped { face, entity, code: error.code(), why: error.to_string() });
         }
-        self.skipped.sort_by(|one, other| one.face.cmp(&other.face));
-        self.notes.retain(|note| self.skipped.iter().all(|skipped| skipped.face != note.face));
+        order_skipped(&mut self.skipped, &mut self.notes);
     }
 }
 
@@ -162,4 +161,10 @@ pub struct Note {
     pub code: &'static str,
     /// The decision, and the reason for it.
     pub why: String,
+}
+
+/// Sorts what was skipped by its faces, about which there are no notes besides.
+pub(super) fn order_skipped(skipped: &mut [Skipped], notes: &mut Vec<Note>) {
+    skipped.sort_by(|one, other| one.face.cmp(&other.face));
+    notes.retain(|note| skipped.iter().all(|skipped| skipped.face != note.face));
 }

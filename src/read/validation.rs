@@ -1,7 +1,7 @@
 //! Faces that the model refuses become skipped ones.
 
 use super::assembled::Assembled;
-use super::report::{ReadReport, Skipped};
+use super::report::{ReadReport, Skipped, order_skipped};
 use crate::error::Result;
 use crate::model::{Model, ModelArrays};
 use crate::threads::parallel;
@@ -39,8 +39,7 @@ pub(crate) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
     for instance in &mut kept.model.instances {
         instance.surfaces = instance.surfaces.iter().filter_map(|&index| *indices.get(index)?).collect();
     }
-    kept.skipped.sort_by(|one, other| one.face.cmp(&other.face));
-    kept.notes.retain(|note| kept.skipped.iter().all(|skipped| skipped.face != note.face));
+    order_skipped(&mut kept.skipped, &mut kept.notes);
     Ok((Model::from_faces(kept.model.clone())?, kept.report()))
 }
 

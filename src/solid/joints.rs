@@ -8,6 +8,7 @@ use super::strips::{Covering, Strip};
 use crate::bezier::BezierModel;
 use crate::bvh::{Aabb, Bvh};
 use crate::rounding::{VANISHING_LENGTH, gamma};
+use crate::sorting::sort_by_number;
 use glam::DVec3;
 use std::collections::{BTreeMap, HashMap};
 
@@ -164,7 +165,7 @@ impl Joints {
                 self.members.entry(ends[0]).or_default().extend(curve.points());
                 continue;
             }
-            cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
+            sort_by_number(&mut cuts, |cut| cut.0);
             let (mut rest, mut start, mut from) = (curve, 0.0, ends[0]);
             for (t, cluster) in cuts {
                 let [low, high] = rest.split((t - start) / (1.0 - start));

@@ -168,7 +168,11 @@ fn attempt(
     let sweeps = [Sweep::new(&face, false), Sweep::new(&across, true)];
     let mut reason = sweeps.iter().find_map(|sweep| sweep.as_ref().err().cloned());
     let mut choices: Vec<&Sweep<'_>> = sweeps.iter().flatten().collect();
-    choices.sort_by_key(|sweep| sweep.cost());
+    if let [first, second] = choices[..]
+        && second.cost() < first.cost()
+    {
+        choices.reverse();
+    }
     for sweep in choices {
         match sweep.untrimmed() {
             Ok(untrimmed) => return Ok(untrimmed),

@@ -114,6 +114,32 @@ fn a_power_basis_surface_is_exact() {
     assert_near(area(&text), 3.0 * length, 1e-9);
 }
 
+/// Pieces of two sizes of rounding apart are joined, and the gap says by how much: here both a piece along u and
+/// one along v begin away from the ends of those before.
+#[test]
+fn pieces_that_miss_each_other_are_joined_within_the_gap() {
+    let mut text = IgesText::new();
+    let jumps = [3e-6, 5e-6];
+    let mut values = vec![0.0, 1.0, 2.0, 0.0, 1.0, 2.0];
+    for i in 0..3 {
+        for j in 0..3 {
+            let mut piece = vec![0.0; 48];
+            if i < 2 && j < 2 {
+                (piece[0], piece[1]) = (f64::from(i), 1.0);
+                (piece[16], piece[20]) = (f64::from(j), 1.0);
+                piece[32] = f64::from(i) * jumps[0] + f64::from(j) * jumps[1];
+            }
+            values.extend(piece);
+        }
+    }
+    text.add(114, 0, format!("3,1,2,2,{}", numbers(&values)));
+    let (model, report) = nurbs_hausdorff::Model::from_iges(text.text().as_bytes()).unwrap();
+    assert_eq!((report.faces, report.gap_proven), (1, true));
+    // The corner of all four pieces is moved along both.
+    let most = jumps[0] + jumps[1];
+    assert!((most..1.001 * most).contains(&model.gap()), "{:e}", model.gap());
+}
+
 /// The vector of an offset points to its side.
 #[test]
 fn an_offset_is_on_the_side_stated() {

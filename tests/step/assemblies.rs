@@ -61,6 +61,44 @@ fn parts_stand_where_their_assembly_places_them() {
     }
 }
 
+/// A representation of a part of a shape, which a property is about, names a body that stands in another one: the
+/// body stands where that is placed, and not at its own place besides. One that stands nowhere else is read.
+#[test]
+fn a_property_of_a_body_is_no_other_body() {
+    for (of_property, expected) in [(false, 6), (true, 12)] {
+        let mut text = StepText::new();
+        let context = text.context(UnitsOf::Millimetres);
+        let faces = box_faces(&mut text, [1.0, 2.0, 4.0]);
+        let solid = text.solid("", &faces);
+        let part = text.representation(&[solid], context);
+        let product = text.product("bolt", part);
+        let named = if of_property {
+            let faces = box_faces(&mut text, [3.0, 3.0, 3.0]);
+            text.solid("", &faces)
+        } else {
+            solid
+        };
+        let again = text.representation(&[named], context);
+        let shape = text.add(format!("PRODUCT_DEFINITION_SHAPE('','',#{product})"));
+        let aspect = text.add(format!("SHAPE_ASPECT('','solid',#{shape},.F.)"));
+        let property = text.add(format!("PROPERTY_DEFINITION('','shape with a volume',#{aspect})"));
+        text.add(format!("SHAPE_DEFINITION_REPRESENTATION(#{property},#{again})"));
+        let home = text.placement([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+        let away = text.placement([10.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]);
+        let whole = text.representation(&[home, away], context);
+        text.product("whole", whole);
+        let map = text.add(format!("ITEM_DEFINED_TRANSFORMATION('','',#{home},#{away})"));
+        text.add(format!(
+            "(REPRESENTATION_RELATIONSHIP('','',#{part},#{whole})\
+             REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#{map})SHAPE_REPRESENTATION_RELATIONSHIP())"
+        ));
+        let (model, report) = read(&text.text());
+        assert_eq!((report.faces, model.faces().len()), (expected, expected));
+        let low = if of_property { 0.0 } else { 8.0 };
+        assert_bounds(&model, [[low, 0.0, 0.0], [10.0, if of_property { 3.0 } else { 1.0 }, 4.0]]);
+    }
+}
+
 #[test]
 fn a_part_in_inches_stands_in_an_assembly_in_millimetres() {
     let (model, _) = read(&of_two_uses(UnitsOf::InchesAndDegrees, false));

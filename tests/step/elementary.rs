@@ -267,6 +267,48 @@ fn an_edge_may_pass_the_poles_of_a_sphere() {
     }
 }
 
+/// A cubic B-spline about the half circle of radius 2 from the pole (0, 0, 2) to the other one, at this angle about
+/// z. Its ends are beyond the axis by as much as systems round.
+fn half_meridian(text: &mut StepText, angle: f64, poles: [Id; 2]) -> Id {
+    const PIECES: usize = 4;
+    let step = PI / PIECES as f64;
+    let tangent = 4.0 / 3.0 * (0.25 * step).tan();
+    let at = |sine: f64, cosine: f64| {
+        let radius = 2.0 * sine - 1e-16;
+        [radius * angle.cos(), radius * angle.sin(), 2.0 * cosine]
+    };
+    let mut points = vec![at(0.0, 1.0)];
+    for piece in 0..PIECES {
+        let [(s, c), (end_s, end_c)] =
+            [piece, piece + 1].map(|index| index as f64 * step).map(|turn: f64| turn.sin_cos());
+        points.push(at(s + tangent * c, c - tangent * s));
+        points.push(at(end_s - tangent * end_c, end_c + tangent * end_s));
+        points.push(if piece + 1 == PIECES { at(0.0, -1.0) } else { at(end_s, end_c) });
+    }
+    let points: Vec<String> = points.into_iter().map(|point| format!("#{}", text.point(point))).collect();
+    let curve = text.add(format!(
+        "B_SPLINE_CURVE_WITH_KNOTS('',3,({}),.UNSPECIFIED.,.F.,.F.,(4,3,3,3,4),(0.,1.,2.,3.,4.),.UNSPECIFIED.)",
+        points.join(",")
+    ));
+    text.edge(curve, poles, true)
+}
+
+/// A part of a sphere between two meridians that are splines: at the poles their longitude is any.
+#[test]
+fn splines_along_meridians_bound_a_part_of_a_sphere() {
+    for (start, turn) in [(0.0, FRAC_PI_2), (1.0, 1.0), (3.0, 2.0)] {
+        let mut text = StepText::new();
+        let placement = text.placement([0.0; 3], Z, X);
+        let surface = text.add(format!("SPHERICAL_SURFACE('',#{placement},2.)"));
+        let poles = [2.0, -2.0].map(|height| text.vertex([0.0, 0.0, height]));
+        let [first, second] = [start, start + turn].map(|angle| half_meridian(&mut text, angle, poles));
+        let path = text.edge_loop(&[(first, true), (second, false)]);
+        let part = text.face(&[path], surface, true);
+        let (model, _) = face(text, part);
+        assert_near(areas(&model)[0], 2.0 * turn * 4.0, 1e-4);
+    }
+}
+
 /// A quarter of a sphere, one of whose two edges passes a pole in its middle.
 #[test]
 fn a_quarter_of_a_sphere_may_have_a_pole_on_an_edge() {

@@ -45,12 +45,14 @@ pub(crate) struct SplineSurface {
     pub(crate) poles: Vec<DVec4>,
     /// The number of control points along v.
     pub(crate) columns: usize,
+    /// A bound on the distance between a point of it and that of the file's surface at the same parameters.
+    pub(crate) error: f64,
 }
 
 impl SplineSurface {
     pub(crate) fn new(bases: [Basis; 2], poles: Vec<DVec4>) -> Self {
         let columns = bases[1].pole_count();
-        Self { bases, poles, columns }
+        Self { bases, poles, columns, error: 0.0 }
     }
 
     fn point(&self, u: f64, v: f64) -> DVec3 {

@@ -35,6 +35,8 @@ struct Assembly<'a> {
     built: HashMap<Group, Option<usize>>,
     /// Groups under construction, in which they cannot stand again.
     open: HashSet<Group>,
+    /// Representations of parts of shapes, of which only what stands nowhere else is read.
+    of_aspects: HashSet<u64>,
     unit_missing: bool,
     /// Relationships that place nothing.
     faults: Vec<(u64, FaceFault)>,
@@ -52,12 +54,14 @@ pub(super) fn read(file: &Exchange<'_>) -> Result<Topology, FaceFault> {
         assembly.placements.values().flatten().map(|placement| placement.child).collect();
     let mapped = assembly.mapped(file);
     let all: Vec<Group> = assembly.groups.keys().copied().collect();
-    let is_root = |group: &&Group| !children.contains(group) && !mapped.contains(group);
+    let of_aspects = assembly.groups_of_aspects();
+    let is_root =
+        |group: &&Group| ![&children, &mapped, &of_aspects].iter().any(|groups| groups.contains(*group));
     let mut uses = Vec::new();
     for &root in all.iter().filter(is_root) {
         uses.extend(assembly.group(root, 0)?);
     }
-    // Groups that only stand in each other have no root.
+    // Groups that only stand in each other have no root, and those of parts of shapes come last.
     for group in all {
         if !assembly.built.contains_key(&group) {
             uses.extend(assembly.group(group, 0)?);
@@ -95,6 +99,9 @@ impl<'a> Assembly<'a> {
                 group_of.insert(record.number, group);
             }
         }
+        for group in groups.values_mut() {
+            group.sort_by_key(|representation| relations.of_aspects.contains(representation));
+        }
         let mut names = HashMap::new();
         for &(representation, definition) in &relations.definitions {
             if let (Some(&group), Some(name)) =
@@ -106,7 +113,20 @@ impl<'a> Assembly<'a> {
         let shapes = Shapes::new(file);
         let faults = relations.faults.clone();
         let (placements, built, open) = (HashMap::new(), HashMap::new(), HashSet::new());
-        Self { shapes, units, groups, group_of, placements, names, built, open, unit_missing: false, faults }
+        let of_aspects = relations.of_aspects.clone();
+        Self {
+            shapes,
+            units,
+            groups,
+            group_of,
+            placements,
+            names,
+            built,
+            open,
+            of_aspects,
+            unit_missing: false,
+            faults,
+        }
     }
 
     /// Finds the placements that relationships with a transformation state.
@@ -168,6 +188,14 @@ impl<'a> Assembly<'a> {
         Ok(if swapped { map.inverse() } else { map })
     }
 
+    /// Returns the groups all of whose representations are those of parts of shapes.
+    fn groups_of_aspects(&self) -> HashSet<Group> {
+        let is_of_aspects = |representations: &[u64]| {
+            representations.iter().all(|representation| self.of_aspects.contains(representation))
+        };
+        self.groups.iter().filter(|(_, group)| is_of_aspects(group)).map(|(&group, _)| group).collect()
+    }
+
     /// Returns the groups that mapped items place.
     fn mapped(&self, file: &Exchange<'_>) -> HashSet<Group> {
         let items = file.numbers.iter().filter(|&&number| file.keyword(number) == "MAPPED_ITEM");
@@ -217,7 +245,11 @@ impl<'a> Assembly<'a> {
     ) -> Result<(), FaceFault> {
         let record = self.shapes.file.record(representation)?;
         let Some((items, _)) = items(&record) else { return Ok(()) };
+        let is_of_aspect = self.of_aspects.contains(&representation);
         for item in items {
+            if is_of_aspect && self.shapes.was_reached(item) {
+                continue;
+            }
             if self.shapes.file.keyword(item) == "MAPPED_ITEM" {
                 match self.mapping(item, representation) {
                     Ok((child, location)) => {

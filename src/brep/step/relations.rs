@@ -2,7 +2,7 @@
 
 use super::exchange::{Exchange, Record, Value, decoded, reference};
 use crate::brep::report::FaceFault;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The instances that say what stands where.
 #[derive(Default)]
@@ -14,6 +14,9 @@ pub(super) struct Relations<'a> {
     pub(super) occurrences: HashMap<u64, u64>,
     /// The representations of definitions of products.
     pub(super) definitions: Vec<(u64, u64)>,
+    /// Representations of parts of shapes, as of those that have a property: they may name bodies that stand
+    /// in others.
+    pub(super) of_aspects: HashSet<u64>,
     /// Relationships that cannot be read, so that parts may not be where they are.
     pub(super) faults: Vec<(u64, FaceFault)>,
 }
@@ -49,9 +52,14 @@ impl<'a> Relations<'a> {
         {
             if let (Some(definition), Some(representation)) =
                 (reference(definition), reference(representation))
-                && let Some(product) = referred(file, definition, "PRODUCT_DEFINITION_SHAPE", 2)
             {
-                self.definitions.push((representation, product));
+                if let Some(product) = referred(file, definition, "PRODUCT_DEFINITION_SHAPE", 2) {
+                    self.definitions.push((representation, product));
+                } else if let Some(aspect) = referred(file, definition, "PROPERTY_DEFINITION", 2)
+                    && file.keyword(aspect).ends_with("SHAPE_ASPECT")
+                {
+                    self.of_aspects.insert(representation);
+                }
             }
         } else if relationship(&record).is_some() {
             self.related.push(record);

@@ -8,6 +8,7 @@ use crate::engine::direction::Direction;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Stop, Witness};
 use crate::error::Result;
 use crate::progress::{Monitor, Progress};
+use crate::sorting::sort_by_number;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use web_time::Instant;
@@ -120,7 +121,7 @@ impl Engine {
             }
         }
         progress.finish();
-        pairs.sort_by(|one, other| one.upper.total_cmp(&other.upper));
+        sort_by_number(&mut pairs, |pair| pair.upper);
         let (unit, gap, gap_proven) = (direction.unit(), direction.gap(), direction.is_gap_proven());
         let solve = started.elapsed().as_secs_f64() - prepare;
         let seconds = Seconds { prepare, compile: 0.0, solve };

@@ -8,6 +8,7 @@ mod search;
 use super::{PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
+use crate::sorting::sort_by_number;
 use crate::tolerance::positive;
 use serde::{Deserialize, Serialize};
 
@@ -146,7 +147,7 @@ impl DiffResult {
     pub fn faces_in(&self, state: FaceState) -> [Vec<&FaceDifference>; 2] {
         [&self.faces_of_a, &self.faces_of_b].map(|faces| {
             let mut found: Vec<_> = faces.iter().filter(|face| face.state == state).collect();
-            found.sort_by(|one, other| other.lower.total_cmp(&one.lower));
+            sort_by_number(&mut found, |face| -face.lower);
             found
         })
     }

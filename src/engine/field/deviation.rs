@@ -1,6 +1,7 @@
 //! Signed deviations, and their statistics over an area.
 
 use crate::engine::Signs;
+use crate::sorting::sort_by_number;
 use serde::Serialize;
 
 /// The samples of one face, or of a piece of a trimmed one, v fastest.
@@ -74,7 +75,7 @@ impl Statistics {
         if area <= 0.0 || !area.is_finite() {
             return None;
         }
-        samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut samples, |sample| sample.0);
         let quantile = |part: f64| {
             let mut below = 0.0;
             let reached = samples.iter().find(|(_, weight)| {

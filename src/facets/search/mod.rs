@@ -21,6 +21,7 @@ use super::rounding::{cut_rounding, facet_rounding};
 use crate::certified::{Interval, Limit};
 use crate::model::RigidTransform;
 use crate::rounding::{UNIT_ROUNDOFF, gamma, upper_max};
+use crate::sorting::sort_by_number;
 use crate::threads::parallel::{map_items, map_short, ranges};
 use glam::DVec3;
 use node::{Node, Region, Sample};
@@ -237,7 +238,7 @@ impl<'a> FacetSearch<'a> {
 
     /// Certifies the farthest samples while they seem to raise the lower bound.
     fn certify(&mut self, mut samples: Vec<Sample>) {
-        samples.sort_by(|a, b| b.distance.total_cmp(&a.distance));
+        sort_by_number(&mut samples, |sample| -sample.distance);
         for sample in samples.into_iter().take(MAX_CERTIFIED) {
             if !(sample.distance > self.lower_bound() + self.gap()) {
                 return;

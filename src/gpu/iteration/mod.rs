@@ -17,6 +17,7 @@ use crate::error::Result;
 use crate::iteration::{BLOCK_SIZE, Candidate, Culling, Projected, Rule, StatusCounts};
 use crate::model::RigidTransform;
 use crate::progress::Progress;
+use crate::sorting::sort_by_number;
 use bytemuck::{Zeroable, bytes_of};
 use glam::DVec3;
 use layouts::{Block, ProjectParams, ReduceParams, SampleParams};
@@ -281,7 +282,7 @@ impl GpuIteration {
             let sample = self.page.start + (block.sample as usize).min(self.page.len() - 1);
             candidates.push(Candidate { sample, projected: self.unpacked(&block.farthest) });
         }
-        candidates.sort_by(|a, b| b.projected.distance_squared.total_cmp(&a.projected.distance_squared));
+        sort_by_number(&mut candidates, |candidate| -candidate.projected.distance_squared);
         Ok(candidates)
     }
 

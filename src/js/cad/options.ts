@@ -1,7 +1,7 @@
-import type { PeerLoader } from "./peers/peers.js";
+import type { LibraryOptions } from "./peers/peers.js";
 
 /** Options of `readCad` and `convertCad`. */
-export interface CadOptions {
+export interface CadOptions extends LibraryOptions {
   /** The file's name, for errors and as the model's name. */
   name?: string;
   /** Metres per unit of the file's coordinates, where the file does not state it. */
@@ -12,15 +12,8 @@ export interface CadOptions {
    */
   reader?: "built-in" | "occt";
   /**
-   * Loads OpenCASCADE, for what `reader` says. Default in Node: the package
-   * `@bitbybit-dev/occt`; elsewhere there is none.
-   */
-  occt?: PeerLoader;
-  /**
    * Cancels the reading, before it begins or between its steps: the promise rejects with code
    * `CANCELLED`. A worker's rejects at once.
    */
   signal?: AbortSignal;
-  /** Loads rhino3dm for 3DM. Default in Node: the package `rhino3dm`; elsewhere there is none. */
-  rhino?: PeerLoader;
 }

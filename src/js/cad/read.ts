@@ -21,6 +21,7 @@ const OPTIONS = [
   "reader",
   "occt",
   "rhino",
+  "onLibrary",
   "signal",
 ] as const satisfies (keyof CadOptions)[];
 

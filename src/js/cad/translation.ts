@@ -22,7 +22,7 @@ export async function translation(
   kind: CadKind,
   options: CadOptions,
 ): Promise<Translation> {
-  const { name, unit, rhino } = options;
+  const { name, unit } = options;
   switch (kind) {
     case "step":
     case "iges":
@@ -32,7 +32,7 @@ export async function translation(
     case "brep":
       return own(bytes, kind, unit);
     case "3dm": {
-      const { model, report } = await readRhino(bytes, name, rhino);
+      const { model, report } = await readRhino(bytes, options);
       const known = report.unit ?? unit;
       return known === undefined
         ? { model, report }
@@ -79,9 +79,9 @@ function isRefusal(error: unknown): error is HausdorffError {
 async function byOcct(
   bytes: Uint8Array,
   kind: "step" | "iges",
-  { occt }: CadOptions,
+  options: CadOptions,
 ): Promise<ReadFile> {
-  const { brep, unit } = await translated(bytes, kind, occt);
+  const { brep, unit } = await translated(bytes, kind, options);
   const read = await readFaces(new TextEncoder().encode(brep), "brep");
   const declared = declaredFaces(bytes, kind);
   return { kind, reader: "occt", read, ...(unit === undefined ? {} : { unit }), declared };

@@ -50,7 +50,8 @@ export interface WorkerClosestPointOptions extends ClosestPointOptions {
 
 /**
  * Options of `Hausdorff.readCad` of this entry. The worker loads OpenCASCADE and rhino3dm
- * itself: `occt` and `rhino` are addresses of their ES modules.
+ * itself: `occt` and `rhino` are addresses of their ES modules. The file of a worker of one's
+ * own can give functions to `loadLibrariesBy` instead.
  */
 export interface WorkerCadOptions extends CadOptions {
   /** Whether the file's buffer is transferred, and empty afterwards, not copied; default no. */
@@ -150,7 +151,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     bytes: Uint8Array | ArrayBuffer | BrepText,
     options: WorkerCadOptions = {},
   ): Promise<NurbsModel> {
-    const { transfer, occt, rhino, signal, ...rest } = options;
+    const { transfer, occt, rhino, onLibrary, signal, ...rest } = options;
     const libraries = {
       ...(occt === undefined ? {} : { occt: address("occt", occt) }),
       ...(rhino === undefined ? {} : { rhino: address("rhino", rhino) }),
@@ -160,6 +161,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#newModel("readCad", [bytes, { ...rest, ...libraries }], {
       transfer: moved,
       signal,
+      onProgress: onLibrary,
     });
   }
 

@@ -1,5 +1,6 @@
 import { type MeshFormat, type MeshOptions, readMesh } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
+import type { Libraries } from "../cad/peers/peers.js";
 import { readCad } from "../cad/read.js";
 import { HausdorffError } from "../error.js";
 import { type CreateOptions, Hausdorff } from "../hausdorff.js";
@@ -16,6 +17,18 @@ interface Watch {
 }
 
 type Method = (args: unknown[], watch: Watch) => unknown;
+
+/** The loaders of libraries where a call of `readCad` names none. */
+let libraries: Libraries = {};
+
+/**
+ * Loads the libraries that files need by these functions: bundlers find what they import, and
+ * functions cannot be sent to a worker. For a worker of one's own that imports
+ * `nurbs-hausdorff/worker/thread`; what `readCad` is given comes first.
+ */
+export function loadLibrariesBy(loaders: Libraries): void {
+  libraries = loaders;
+}
 
 /**
  * Answers calls in the worker: returns the function that takes the requests.
@@ -72,8 +85,11 @@ class Server {
     model: ([id, input]) => this.#keep(id, this.#open.model(input as string)),
     mesh: ([id, input]) => this.#keep(id, this.#open.mesh(input as MeshArrays)),
     shape: ([id, name]) => this.#keep(id, this.#open.shape(name as string)),
-    readCad: async ([id, bytes, options], { signal }) =>
-      this.#keep(id, await readCad(bytes as ArrayBuffer, { ...(options as CadOptions), signal })),
+    readCad: async ([id, bytes, options], { signal, onProgress }) => {
+      const watch = { signal, ...(onProgress && { onLibrary: onProgress }) };
+      const given = { ...libraries, ...(options as CadOptions), ...watch };
+      return this.#keep(id, await readCad(bytes as ArrayBuffer, given));
+    },
     readMesh: async ([id, bytes, format, options], { signal }) => {
       const given = { ...(options as MeshOptions), signal };
       return this.#keep(id, await readMesh(bytes as ArrayBuffer, format as MeshFormat, given));

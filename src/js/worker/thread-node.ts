@@ -2,4 +2,6 @@
 import "../node.js";
 import { serveNode } from "./platform/node-thread.js";
 
+export { loadLibrariesBy } from "./serve.js";
+
 serveNode();

@@ -3,6 +3,7 @@
 use super::piece::TrimPiece;
 use super::winding::Winding;
 use crate::error::TrimFault;
+use crate::sorting::sort_by_number;
 use glam::DVec2;
 
 /// The depth, as a fraction of the domain, up to which curves may overlap: that of ends
@@ -77,7 +78,7 @@ pub(super) fn find(winding: &Winding) -> Option<TrimFault> {
             append_arcs(piece, loop_index, &mut arcs);
         }
     }
-    arcs.sort_by(|a, b| a.low.x.total_cmp(&b.low.x));
+    sort_by_number(&mut arcs, |arc| arc.low.x);
     for (index, a) in arcs.iter().enumerate() {
         for b in arcs[index + 1..].iter().take_while(|b| b.low.x <= a.high.x) {
             let fault = fault(winding, a, b);

@@ -2,6 +2,7 @@
 
 use super::Cell;
 use crate::axis::Axis;
+use crate::sorting::sort_by_number;
 use crate::untrim::boundary::graph::Graph;
 use crate::untrim::boundary::{Arc, Flat, Side};
 use crate::untrim::face::UnitFace;
@@ -14,7 +15,7 @@ pub(super) fn add(face: &UnitFace, flats: &[Flat], arcs: &mut Vec<Arc>, cells: &
         let touching = cells.iter().filter(|cell| cell.v.contains(&flat.v));
         let mut covers: Vec<[f64; 2]> =
             touching.map(|cell| cell.sides.map(|arc| arcs[arc].side.at(flat.v))).collect();
-        covers.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        sort_by_number(&mut covers, |cover| cover[0]);
         covers.push([f64::INFINITY; 2]);
         let mut reached = flat.u[0];
         for [low, high] in covers {

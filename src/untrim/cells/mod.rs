@@ -11,6 +11,7 @@ use super::boundary::graph::Graph;
 use super::boundary::{Arc, Boundary, Side};
 use super::face::UnitFace;
 use crate::axis::Axis;
+use crate::sorting::sort_by_number;
 use std::collections::HashMap;
 
 pub(super) use balance::balance;
@@ -71,7 +72,7 @@ pub(super) fn cells(face: &UnitFace, boundary: &Boundary) -> Cells {
     }
     let levels = levels(face, boundary, &arcs, range);
     let mut starts: Vec<usize> = (0..arcs.len()).collect();
-    starts.sort_by(|&a, &b| arcs[a].v[0].total_cmp(&arcs[b].v[0]));
+    sort_by_number(&mut starts, |&arc| arcs[arc].v[0]);
     let mut starts = starts.into_iter().peekable();
     let (mut active, mut open) = (Vec::new(), HashMap::new());
     let mut cells: Vec<Cell> = Vec::new();

@@ -162,8 +162,12 @@ test("IGES in inches is scaled to millimetres", { skip: missing }, async () => {
 test("a host's own OpenCASCADE is used", { skip: missing }, async () => {
   await loaded();
   const occt = () => import("replicad-opencascadejs");
-  const model = await readCad(sharedFile("step/screw.step"), { occt, reader: "occt" });
+  const libraries = [];
+  const onLibrary = (library) => libraries.push(library);
+  const model = await readCad(sharedFile("step/screw.step"), { occt, reader: "occt", onLibrary });
   assert.deepEqual([model.report.faces, model.report.reader], [10, "occt"]);
+  await readCad(sharedFile("step/screw.step"), { occt, reader: "occt", onLibrary });
+  assert.deepEqual(libraries, ["occt"], "it is loaded once");
   const never = () => assert.fail("OpenCASCADE was not asked for");
   const { report } = await readCad(sharedFile("step/screw.step"), { occt: never });
   assert.deepEqual([report.faces, report.reader], [10, "built-in"]);
@@ -174,6 +178,11 @@ test("a host's own OpenCASCADE is used", { skip: missing }, async () => {
   await assert.rejects(
     readCad(sharedFile("step/screw.step"), { occt: () => 3, reader: "occt" }),
     withCode("OPTION_INVALID", /occt loads number/),
+  );
+  const offline = () => Promise.reject(new TypeError("Failed to fetch"));
+  await assert.rejects(
+    readCad(sharedFile("step/screw.step"), { occt: offline, reader: "occt" }),
+    withCode("PEER_MISSING", /function of the option occt failed.*Failed to fetch/),
   );
 });
 

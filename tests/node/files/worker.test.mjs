@@ -89,10 +89,13 @@ test("a STEP file is read without blocking the caller", { skip: missing }, async
 
 test("libraries come by their addresses", { skip: missing }, async () => {
   const address = new URL(import.meta.resolve("rhino3dm"));
+  const libraries = [];
+  const onLibrary = (library) => libraries.push(library);
   for (const rhino of [address, address.href, "rhino3dm"]) {
-    const { report } = await hd.readCad(sharedGzip("3dm/v4_MechPartB.3dm"), { rhino });
+    const { report } = await hd.readCad(sharedGzip("3dm/v4_MechPartB.3dm"), { rhino, onLibrary });
     assert.deepEqual([report.reader, report.faces], ["rhino3dm", 14]);
   }
+  assert.deepEqual(libraries, ["rhino", "rhino"], "equal addresses are one");
 });
 
 test("a shape in memory is sent as its text", async () => {

@@ -33,6 +33,7 @@ test("no reader is fetched before a file needs it", () => {
 for (const [side, name, format, unit, needed] of [
   ["a", "step/linkrods.step.gz", "STEP", "mm", ["readers"]],
   ["b", "iges/bearing.iges.gz", "IGES", "mm", ["readers"]],
+  ["b", "3dm/v2_T-Joint2.3dm.gz", "Rhino 3DM", "mm", ["readers", "rhino"]],
 ]) {
   test(`${name} shows its format, faces and unit`, async (context) => {
     if (!existsSync(shared(name))) {

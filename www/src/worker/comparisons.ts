@@ -1,6 +1,6 @@
 // The tasks that compare both models beside the measurement: face by face, the best fit, and
 // the clearance.
-import type { Hausdorff, NurbsModel } from "nurbs-hausdorff";
+import type { Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
 import { diffByLimits } from "./diffs.ts";
 import { globalFit } from "./fit/globalFit.ts";
 import { Latest } from "./latest.ts";

@@ -1,5 +1,11 @@
 // The comparison face by face where faces have limits of their own.
-import type { DiffOptions, DiffResult, FaceState, Hausdorff, NurbsModel } from "nurbs-hausdorff";
+import type {
+  DiffOptions,
+  DiffResult,
+  FaceState,
+  Hausdorff,
+  NurbsModel,
+} from "nurbs-hausdorff/worker";
 import type { PlainDiffOptions } from "./protocol.ts";
 
 interface Pair {

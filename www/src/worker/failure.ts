@@ -1,5 +1,5 @@
 // The code and the message of anything thrown.
-import { HausdorffError } from "nurbs-hausdorff";
+import { HausdorffError } from "nurbs-hausdorff/worker";
 import type { Code } from "./protocol.ts";
 
 export const codeOf = (error: unknown): Code =>

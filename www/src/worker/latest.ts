@@ -1,5 +1,5 @@
 // A kind of task whose newest request replaces the one in progress.
-import { Latest as Newest } from "nurbs-hausdorff";
+import { Latest as Newest } from "nurbs-hausdorff/worker";
 import { codeOf, isCancelled, messageOf } from "./failure.ts";
 import type { Ended } from "./protocol.ts";
 

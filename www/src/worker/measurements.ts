@@ -5,7 +5,7 @@ import type {
   Hausdorff,
   NurbsModel,
   OnProgress,
-} from "nurbs-hausdorff";
+} from "nurbs-hausdorff/worker";
 import { isCancelled } from "./failure.ts";
 import type { MapOf } from "./map/csv.ts";
 import { buffersOf, type MapDisplay, mapDisplay } from "./map/display.ts";

@@ -1,6 +1,6 @@
 // A point that shows an overlap of two solids whose boundaries touch: a point of one's boundary
 // that is certainly within the other one, about which both have a common part.
-import type { ClearanceResult, Hausdorff, NurbsModel, Vector3 } from "nurbs-hausdorff";
+import type { ClearanceResult, Hausdorff, NurbsModel, Vector3 } from "nurbs-hausdorff/worker";
 import { mapped, type Placing, placed, unplaced } from "./map/placed.ts";
 import { SIDES, type Side } from "./protocol.ts";
 
@@ -24,7 +24,7 @@ export async function withOverlap(
   if (clearance.overlap?.kind !== "touching") return clearance;
   for (const side of SIDES) {
     const other: Side = side === "a" ? "b" : "a";
-    const { positions, origin } = models[side].tessellate({ relativeTolerance: FLATNESS });
+    const { positions, origin } = await models[side].tessellate({ relativeTolerance: FLATNESS });
     const own = Float64Array.from(positions, (value, at) => value + (origin[at % 3] ?? 0));
     const points = mapped(own, (point) => placed(side, point, placing));
     const query = mapped(points, (point) => unplaced(other, point, placing));

@@ -1,5 +1,5 @@
 // The distance of one point of a model from the other model, for the point under the pointer.
-import type { Hausdorff, NurbsModel, Transform, Vector3 } from "nurbs-hausdorff";
+import type { Hausdorff, NurbsModel, Transform, Vector3 } from "nurbs-hausdorff/worker";
 import { placed, unplaced } from "./map/placed.ts";
 import type { Probe, Side, Sides } from "./protocol.ts";
 

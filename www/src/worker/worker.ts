@@ -1,5 +1,6 @@
-// The worker, which owns the engine and the two models: computations do not block the page.
-import { Hausdorff } from "nurbs-hausdorff";
+// The page's worker, which draws up what the page shows: nothing of it blocks the page. The
+// package's worker, which it starts, holds the models and measures them.
+import { Hausdorff } from "nurbs-hausdorff/worker";
 import { examples } from "../examples/index.ts";
 import { Comparisons } from "./comparisons.ts";
 import { codeOf, messageOf } from "./failure.ts";
@@ -92,12 +93,10 @@ async function reportProbe(
 }
 
 async function start() {
-  const engine = await Hausdorff.create();
-  reply({
-    kind: "ready",
-    engine: engineState(engine),
-    shapes: [...examples, ...Hausdorff.shapes()],
-  });
+  const worker = new Worker(new URL("./engine.ts", import.meta.url), { type: "module" });
+  const engine = await Hausdorff.create({ worker });
+  const shapes = [...examples, ...(await engine.shapes())];
+  reply({ kind: "ready", engine: engineState(engine), shapes });
   const measurements = new Measurements(engine, reply, fail);
   return { engine, measurements, comparisons: new Comparisons(engine, reply) };
 }

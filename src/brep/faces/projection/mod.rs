@@ -118,12 +118,18 @@ impl<'a> Projector<'a> {
     /// Returns the derivative of the parameters of a curve with this tangent in space; `None`
     /// where the surface is singular.
     pub(super) fn velocity(&self, at: DVec3, tangent: DVec3) -> Option<DVec3> {
-        let [a, b] = self.tangents(at);
-        let tiny = SINGULAR * self.size;
-        if a.length() * self.range(0) <= tiny || b.length() * self.range(1) <= tiny {
+        if self.vanishing_tangent(at).is_some() {
             return None;
         }
+        let [a, b] = self.tangents(at);
         solved(a, b, tangent)
+    }
+
+    /// The axis whose tangent vanishes at a singular point, as u at a pole.
+    pub(super) fn vanishing_tangent(&self, at: DVec3) -> Option<usize> {
+        let tangents = self.tangents(at);
+        let tiny = SINGULAR * self.size;
+        (0..2).find(|&axis| tangents[axis].length() * self.range(axis) <= tiny)
     }
 
     /// The unit in which steps of a parameter are small.

@@ -105,7 +105,11 @@ impl<'a> Traced<'a> {
                 .map(|index| {
                     let found = self.project(projector, samples[index], Some(last))?;
                     distance = distance.max(found.distance);
-                    last = found.parameters;
+                    let before = std::mem::replace(&mut last, found.parameters);
+                    if let Some(axis) = projector.vanishing_tangent(last) {
+                        // All of that parameter's values are the same point.
+                        last[axis] = before[axis];
+                    }
                     Ok(last)
                 })
                 .collect()

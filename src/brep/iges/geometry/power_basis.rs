@@ -27,6 +27,9 @@ pub(super) fn curve(entity: &Entity, scale: Scale) -> Found<Spline> {
 }
 
 /// Reads a surface of bicubic pieces.
+///
+/// Where pieces miss each other the surface follows the one before. A piece's points are convex combinations of its
+/// control points, of which those on its first sides are moved; so no point is moved by more than the most of them.
 pub(super) fn surface(entity: &Entity, scale: Scale) -> Found<Surface> {
     let counts = [entity.count(3, MAX_PIECES)?, entity.count(4, MAX_PIECES)?];
     let first = 5 + counts[0] + 1;
@@ -37,6 +40,7 @@ pub(super) fn surface(entity: &Entity, scale: Scale) -> Found<Surface> {
     entity.reals(start, at(counts[0] - 1, counts[1]).saturating_sub(start))?;
     let columns = 3 * counts[1] + 1;
     let mut poles: Vec<DVec4> = Vec::with_capacity((3 * counts[0] + 1) * columns);
+    let [mut jump_along_u, mut jump_along_v] = [0.0_f64; 2];
     for i in 0..counts[0] {
         let mut rows: [Vec<DVec4>; 4] = Default::default();
         for j in 0..counts[1] {
@@ -48,7 +52,8 @@ pub(super) fn surface(entity: &Entity, scale: Scale) -> Found<Surface> {
             let along_u = [0, 1, 2, 3].map(|t| bezier([0, 1, 2, 3].map(|s| power(s, t)), lengths[0]));
             for (s, row) in rows.iter_mut().enumerate() {
                 let net = bezier([0, 1, 2, 3].map(|t| along_u[t][s]), lengths[1]);
-                append(entity, row, &net.map(|point| (scale.0 * point).extend(1.0)))?;
+                jump_along_v =
+                    jump_along_v.max(append(entity, row, &net.map(|point| (scale.0 * point).extend(1.0)))?);
             }
         }
         let before = poles.len().checked_sub(columns);
@@ -57,6 +62,7 @@ pub(super) fn surface(entity: &Entity, scale: Scale) -> Found<Surface> {
             if !pairs.clone().all(|(a, b)| meet(*a, *b)) {
                 return Err(entity.fault(1, "a surface of pieces that meet"));
             }
+            jump_along_u = pairs.fold(jump_along_u, |largest, (a, b)| largest.max(a.distance(*b)));
         }
         poles.extend(rows[usize::from(before.is_some())..].iter().flatten());
     }
@@ -64,7 +70,11 @@ pub(super) fn surface(entity: &Entity, scale: Scale) -> Found<Surface> {
         let count = 3 * counts[axis] + 1;
         Basis::with_knots(3, knots(&breaks[axis]), count)
     });
-    Ok(Surface::Spline(SplineSurface::new(bases, poles)))
+    // A corner is moved along both.
+    Ok(Surface::Spline(SplineSurface {
+        error: jump_along_u + jump_along_v,
+        ..SplineSurface::new(bases, poles)
+    }))
 }
 
 /// Reads the increasing ends of pieces, at least one.
@@ -90,14 +100,17 @@ fn bezier([a, b, c, d]: [DVec3; 4], length: f64) -> [DVec3; 4] {
     [a, a + b / 3.0, a + 2.0 / 3.0 * b + c / 3.0, a + b + c + d]
 }
 
-/// Appends the control points of a piece that begins where the last one ends.
-fn append(entity: &Entity, controls: &mut Vec<DVec4>, piece: &[DVec4; 4]) -> Found<()> {
-    match controls.last() {
-        None => controls.extend(piece),
-        Some(&last) if meet(last, piece[0]) => controls.extend(&piece[1..]),
-        Some(_) => return Err(entity.fault(1, "a spline of pieces that meet")),
+/// Appends the control points of a piece that begins where the last one ends, and returns the distance of both.
+fn append(entity: &Entity, controls: &mut Vec<DVec4>, piece: &[DVec4; 4]) -> Found<f64> {
+    let Some(&last) = controls.last() else {
+        controls.extend(piece);
+        return Ok(0.0);
+    };
+    if !meet(last, piece[0]) {
+        return Err(entity.fault(1, "a spline of pieces that meet"));
     }
-    Ok(())
+    controls.extend(&piece[1..]);
+    Ok(last.distance(piece[0]))
 }
 
 fn meet(a: DVec4, b: DVec4) -> bool {

@@ -123,6 +123,6 @@ impl SplineSurface {
             }
         }
         let maps = [ParameterMap::Identity, ParameterMap::Identity];
-        SurfaceNet { degrees, knots, controls, maps, error: 0.0, is_measured: false }
+        SurfaceNet { degrees, knots, controls, maps, error: self.error, is_measured: false }
     }
 }

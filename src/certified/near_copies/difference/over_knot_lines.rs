@@ -16,6 +16,7 @@ use crate::certified::nearest::Foot;
 use crate::certified::reparametrization::Reparametrization;
 use crate::certified::sheets::Chart;
 use crate::rounding::upper_max;
+use crate::sorting::sort_by_number;
 
 /// The largest number of pieces of a rectangle along one surface of B.
 const MAX_PIECES: usize = 256;
@@ -115,7 +116,7 @@ impl Rectangle<'_> {
             strips.push((farthest, part));
         }
         // The farthest first: it is the likeliest to exceed the threshold.
-        strips.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        sort_by_number(&mut strips, |&(farthest, _)| -farthest);
         let net = comparison.net_of_a(context.patch);
         let mut largest = 0.0_f64;
         for (_, part) in strips {

@@ -1,7 +1,8 @@
 import { fromOcct, MILLIMETRE } from "../../adapters/occt.js";
 import { HausdorffError } from "../../error.js";
 import type { BrepText } from "../../model/surface.js";
-import { type Peer, type PeerLoader, restart, start } from "./peers.js";
+import type { CadOptions } from "../options.js";
+import { type Peer, restart, start } from "./peers.js";
 
 const OCCT: Peer = {
   name: "@bitbybit-dev/occt",
@@ -37,9 +38,9 @@ interface Occt {
 export async function translated(
   bytes: Uint8Array,
   kind: "step" | "iges",
-  loader: PeerLoader | undefined,
+  options: CadOptions,
 ): Promise<BrepText> {
-  const oc = (await start(OCCT, loader)) as Occt;
+  const oc = (await start(OCCT, options)) as Occt;
   const unreadable = (why: string, cause?: unknown) =>
     new HausdorffError(
       "CAD_UNREADABLE",
@@ -75,7 +76,7 @@ export async function translated(
   } catch (error) {
     if (error instanceof HausdorffError) throw error;
     // C++ exceptions come as addresses, and may leave the module in disorder.
-    restart(OCCT, loader);
+    restart(OCCT, options);
     throw unreadable(error instanceof Error ? error.message : "it threw an exception", error);
   }
 }

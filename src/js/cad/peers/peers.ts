@@ -7,6 +7,23 @@ import { HausdorffError } from "../../error.js";
  */
 export type PeerLoader = (() => unknown) | string | URL;
 
+/** The loaders of libraries. */
+export interface Libraries {
+  /**
+   * Loads OpenCASCADE, for what `reader` says. Default in Node: the package
+   * `@bitbybit-dev/occt`; elsewhere there is none.
+   */
+  occt?: PeerLoader;
+  /** Loads rhino3dm for 3DM. Default in Node: the package `rhino3dm`; elsewhere there is none. */
+  rhino?: PeerLoader;
+}
+
+/** How libraries are loaded. */
+export interface LibraryOptions extends Libraries {
+  /** Called before a library is loaded, which can take seconds. */
+  onLibrary?: (library: keyof Libraries) => void;
+}
+
 /** A library that is loaded when a file needs it. */
 export interface Peer {
   /** Its package. */
@@ -14,7 +31,7 @@ export interface Peer {
   /** What it is needed for. */
   purpose: string;
   /** The option of `readCad` that loads it otherwise. */
-  option: string;
+  option: keyof Libraries;
   /** The file imported in Node. */
   node: string;
 }
@@ -29,11 +46,12 @@ const started = new Map<unknown, Promise<object>>();
  *
  * @throws {HausdorffError} `PEER_MISSING` with the command that installs it.
  */
-export function start(peer: Peer, loader: PeerLoader | undefined): Promise<object> {
-  const key = keyOf(peer, loader);
+export function start(peer: Peer, options: LibraryOptions): Promise<object> {
+  const key = keyOf(peer, options);
   let module = started.get(key);
   if (module === undefined) {
-    module = load(peer, loader);
+    options.onLibrary?.(peer.option);
+    module = load(peer, options[peer.option]);
     started.set(key, module);
     module.catch(() => started.delete(key));
   }
@@ -41,17 +59,19 @@ export function start(peer: Peer, loader: PeerLoader | undefined): Promise<objec
 }
 
 /** Forgets a module that may be in an undefined state after an exception. */
-export function restart(peer: Peer, loader: PeerLoader | undefined): void {
-  started.delete(keyOf(peer, loader));
+export function restart(peer: Peer, options: LibraryOptions): void {
+  started.delete(keyOf(peer, options));
 }
 
 /** What stands for a module that is started once: equal addresses are one. */
-function keyOf(peer: Peer, loader: PeerLoader | undefined): unknown {
+function keyOf(peer: Peer, options: LibraryOptions): unknown {
+  const loader = options[peer.option];
   return loader instanceof URL ? loader.href : (loader ?? peer);
 }
 
 async function load(peer: Peer, loader: PeerLoader | undefined): Promise<object> {
-  const imported = typeof loader === "function" ? await loader() : await importPeer(peer, loader);
+  const imported =
+    typeof loader === "function" ? await called(peer, loader) : await importPeer(peer, loader);
   let module = unwrapped(imported);
   // `module` is bitbybit's name for what others take themselves.
   if (typeof module === "function") {
@@ -65,6 +85,15 @@ async function load(peer: Peer, loader: PeerLoader | undefined): Promise<object>
     );
   }
   return module;
+}
+
+/** What a function loads; it fails for example without a network. */
+async function called(peer: Peer, loader: () => unknown): Promise<unknown> {
+  try {
+    return await loader();
+  } catch (cause) {
+    throw missing(peer, `the function of the option ${peer.option} failed: ${cause}`, { cause });
+  }
 }
 
 type Factory = (options: object) => unknown;

@@ -1,5 +1,6 @@
 import type { InterchangeModel } from "../../model/surface.js";
-import { type Peer, type PeerLoader, start } from "../peers/peers.js";
+import type { CadOptions } from "../options.js";
+import { type Peer, start } from "../peers/peers.js";
 import type { CadReport } from "../report.js";
 import { rhinoModel } from "./file.js";
 import type { Rhino } from "./types.js";
@@ -18,8 +19,7 @@ const RHINO: Peer = {
  */
 export async function readRhino(
   bytes: Uint8Array,
-  name: string | undefined,
-  loader: PeerLoader | undefined,
+  { name, ...options }: CadOptions,
 ): Promise<{ model: InterchangeModel; report: CadReport }> {
-  return rhinoModel((await start(RHINO, loader)) as Rhino, bytes, name);
+  return rhinoModel((await start(RHINO, options)) as Rhino, bytes, name);
 }

@@ -1,5 +1,5 @@
 // The best fit from several starts: the one that ends with the least mean square, finished.
-import type { BestFit, Hausdorff, NurbsModel, Transform } from "nurbs-hausdorff";
+import type { BestFit, Hausdorff, NurbsModel, Transform } from "nurbs-hausdorff/worker";
 import type { PlainFitOptions } from "../protocol.ts";
 import { principalOf } from "./principal.ts";
 import { startsOf } from "./starts.ts";
@@ -28,7 +28,8 @@ export async function globalFit(
   const local = await finish(options.transform);
   if (local.rms <= NEAR * size) return local;
   let best: { rms: number; transform: Transform | undefined } = local;
-  for (const transform of startsOf(axesOf(a), axesOf(b), scaleOf(a, b, options))) {
+  const [axesOfA, axesOfB] = [await axesOf(a), await axesOf(b)];
+  for (const transform of startsOf(axesOfA, axesOfB, scaleOf(a, b, options))) {
     const trial = await engine.bestFit(a, b, { ...options, ...TRIAL, transform, signal });
     if (trial.rms < best.rms) best = trial;
   }
@@ -37,8 +38,8 @@ export async function globalFit(
   return fit.rms < local.rms ? { ...fit, rmsBefore: local.rmsBefore } : local;
 }
 
-function axesOf(model: NurbsModel) {
-  const { positions, indices, origin } = model.tessellate();
+async function axesOf(model: NurbsModel) {
+  const { positions, indices, origin } = await model.tessellate();
   const points = Float64Array.from(positions, (value, at) => value + (origin[at % 3] ?? 0));
   return principalOf(points, indices);
 }

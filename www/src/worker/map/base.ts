@@ -1,5 +1,5 @@
 // The triangles of a model on which its deviations are measured, whatever its position is.
-import type { NurbsModel, Tessellation, Vector3 } from "nurbs-hausdorff";
+import type { NurbsModel, Tessellation, Vector3 } from "nurbs-hausdorff/worker";
 import { edgeEnds, edgesOf, split, type Triangles } from "./triangles.ts";
 
 /** The longest edge, in diagonals of the model: what is smaller than it is seen at first. */

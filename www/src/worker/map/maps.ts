@@ -1,5 +1,5 @@
 // The maps of both models of a result: coarse ones first, then fine ones.
-import type { DistanceResult, NurbsModel } from "nurbs-hausdorff";
+import type { DistanceResult, NurbsModel } from "nurbs-hausdorff/worker";
 import { isMesh } from "../models/meshes.ts";
 import type { Side, Sides } from "../protocol.ts";
 import { type Base, baseOf } from "./base.ts";
@@ -28,7 +28,7 @@ export class Maps {
   ): Promise<DeviationMap> {
     let base = this.#bases.get(model);
     if (base === undefined) {
-      const triangles = model.tessellate({ relativeTolerance: FLATNESS });
+      const triangles = await model.tessellate({ relativeTolerance: FLATNESS });
       base = baseOf(model, triangles, isMesh(model));
       this.#bases.set(model, base);
     }

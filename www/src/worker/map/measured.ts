@@ -1,5 +1,5 @@
 // The deviations of points of one model from the other one.
-import type { Hausdorff, NurbsModel, Signs, Vector3 } from "nurbs-hausdorff";
+import type { Hausdorff, NurbsModel, Signs, Vector3 } from "nurbs-hausdorff/worker";
 import type { Side } from "../protocol.ts";
 import { joinedArrays } from "./base.ts";
 import { mapped, type Placing, placed, unplaced } from "./placed.ts";

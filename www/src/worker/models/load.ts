@@ -1,6 +1,7 @@
 // Loading of models from shapes and files.
-import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff";
+
 import { meshFormatOf } from "nurbs-hausdorff/cad";
+import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff/worker";
 import { example } from "../../examples/index.ts";
 import { faceName } from "../probe.ts";
 import { type DisplayModel, SIDES, type Sides, type Source } from "../protocol.ts";
@@ -35,7 +36,7 @@ export async function load(
       if (source === undefined) continue;
       const model = await createModel(engine, source, readFile);
       models[side] = model;
-      const tessellation = model.tessellate();
+      const tessellation = await model.tessellate();
       display[side] = {
         source,
         faceCount: model.faceCount,
@@ -44,7 +45,7 @@ export async function load(
         box: model.boundingBox,
         tessellation,
         outline: outline(tessellation),
-        closed: !isMesh(model) && model.solid().closed,
+        closed: !isMesh(model) && (await model.solid()).closed,
         isMesh: isMesh(model),
         faceNames: Array.from({ length: model.faceCount }, (_, face) => faceName(model, face)),
       };

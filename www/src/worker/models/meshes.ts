@@ -1,5 +1,5 @@
 // Which models are meshes or clouds of points: their triangles are the model itself.
-import type { NurbsModel } from "nurbs-hausdorff";
+import type { NurbsModel } from "nurbs-hausdorff/worker";
 
 const meshes = new WeakSet<NurbsModel>();
 
