@@ -28,7 +28,7 @@ impl Deadline {
     pub(crate) fn is_over(&self) -> bool {
         let question = self.questions.get().wrapping_add(1);
         self.questions.set(question);
-        if question % QUESTIONS == 0 && self.spent() > self.seconds {
+        if question.is_multiple_of(QUESTIONS) && self.spent() > self.seconds {
             self.is_over.set(true);
         }
         self.is_over.get()

@@ -19,9 +19,9 @@ pub(super) fn is_same(face: &Face<'_>, net: &Net, ranges: [[f64; 2]; 2]) -> bool
         return false;
     }
     let (mut own, mut moved) = (patch.net.clone(), Interval::ZERO);
-    for axis in 0..2 {
+    for (axis, ends) in ranges.into_iter().enumerate() {
         let [start, end] = patch.ranges[axis].map(Interval::point);
-        let local = ranges[axis].map(|at| (Interval::point(at) - start) / (end - start));
+        let local = ends.map(|at| (Interval::point(at) - start) / (end - start));
         let range = local.map(|at| at.mid().clamp(0.0, 1.0));
         own = own.restrict(axis, range);
         let slips = [0, 1].map(|k| Interval::point((local[k] - Interval::point(range[k])).magnitude()));
