@@ -293,6 +293,33 @@ fn half_meridian(text: &mut StepText, angle: f64, poles: [Id; 2]) -> Id {
     text.edge(curve, poles, true)
 }
 
+/// A part of a sphere between two meridians that are circles, wherever their parameters begin: that of the seam may
+/// be found a turn away from the other one.
+#[test]
+fn circles_along_meridians_bound_a_part_of_a_sphere() {
+    for (start, turn) in [(0.0_f64, FRAC_PI_2), (-FRAC_PI_2, FRAC_PI_2), (0.0, 3.0), (PI, PI), (0.0, 5.0)] {
+        for reference in [Z, [0.0, 0.0, -1.0]] {
+            let mut text = StepText::new();
+            let placement = text.placement([0.0; 3], Z, X);
+            let surface = text.add(format!("SPHERICAL_SURFACE('',#{placement},2.)"));
+            let poles = [2.0, -2.0].map(|height| text.vertex([0.0, 0.0, height]));
+            let [first, second] = [(start, true), (start + turn, false)].map(|(angle, is_down)| {
+                // From the upper pole to the other one and back, on the same side of the axis.
+                let sign = if is_down { 1.0 } else { -1.0 };
+                let normal = [-sign * angle.sin(), sign * angle.cos(), 0.0];
+                let placement = text.placement([0.0; 3], normal, reference);
+                let circle = text.circle(placement, 2.0);
+                let ends = if is_down { poles } else { [poles[1], poles[0]] };
+                text.edge(circle, ends, true)
+            });
+            let path = text.edge_loop(&[(first, true), (second, true)]);
+            let part = text.face(&[path], surface, true);
+            let (model, _) = face(text, part);
+            assert_near(areas(&model)[0], 2.0 * turn * 4.0, 1e-9);
+        }
+    }
+}
+
 /// A part of a sphere between two meridians that are splines: at the poles their longitude is any.
 #[test]
 fn splines_along_meridians_bound_a_part_of_a_sphere() {

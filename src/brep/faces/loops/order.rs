@@ -162,7 +162,9 @@ impl Search<'_> {
 
     fn meet(&self, last: &TrimUse, next: &TrimUse, meeting: Meeting) -> bool {
         let near = Frame::is_near(self.distance(last, next, meeting));
-        near || (meeting == Meeting::Placed && self.is_point(last, next))
+        // A curve that was made from an edge is where it is but for periods, also at a pole.
+        let at_pole = meeting == Meeting::Placed || !last.is_placed || !next.is_placed;
+        near || (at_pole && self.is_point(last, next))
     }
 
     /// Returns whether the line between two curves that meet in a vertex is one point in space, as
