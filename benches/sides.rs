@@ -1,6 +1,6 @@
 //! The sides of random points of the models of others in `../shared/models`.
 //!
-//! `cargo bench --bench sides [-- NAME …]`: models of these names, or paths of JSON or STEP files.
+//! `cargo bench --bench sides [-- NAME …]`: models of these names, or paths of JSON, STL, IGES or STEP files.
 //! Prints a Markdown table: whether the model closes, its shells and free edges, and the time that
 //! random points of its box take. Points that `benches/peers/sides_occt.py` has written to
 //! `target/sides` take their place, and those with their sides are written there for it.
@@ -68,7 +68,7 @@ fn measure(path: &Path) {
     let joining = 1e3 * started.elapsed().as_secs_f64();
     let folder = Path::new("target/sides");
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let (mut counts, mut lines) = ([0_usize; 3], String::new());
+    let (mut counts, mut lines) = ([0_usize; 3], format!("gap {:?}\n", model.gap()));
     let points = given(&folder.join(format!("{stem}.points"))).unwrap_or_else(|| random_points(&model));
     let started = Instant::now();
     if solid.closed {

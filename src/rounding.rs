@@ -67,6 +67,11 @@ pub(crate) fn lower_min(least: f64, bound: f64) -> f64 {
     if bound < f64::INFINITY { least.min(bound) } else { f64::NEG_INFINITY }
 }
 
+/// Returns the less of two upper bounds; a second one that is NaN or infinite bounds nothing.
+pub(crate) fn upper_min(least: f64, bound: f64) -> f64 {
+    if bound < least { bound } else { least }
+}
+
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;

@@ -1,12 +1,13 @@
-"""Compares clearances with OpenCASCADE's BRepExtrema_DistShapeShape, and with FCL on triangles.
+"""Compares clearances with OpenCASCADE's BRepExtrema_DistShapeShape, and with FCL and parry on triangles.
 
     python3 benches/peers/clearance_peers.py A.step B.step [C.step D.step ...]
 
 Needs cadquery-ocp, python-fcl and numpy. For each pair `cargo bench --bench clearance` measures seeded poses
 and writes them with their intervals to target/clearance; the same poses are then measured by the others.
-Prints a Markdown table: medians in milliseconds (FCL, OpenCASCADE: CPU time of this process; ours: least
-of three by the clock), and how many of the others' distances are outside the intervals. Triangles are
-OpenCASCADE's, with a deflection of 1e-4 of the diagonal; their time is not counted.
+Prints a Markdown table: medians in milliseconds (FCL, OpenCASCADE: CPU time of this process; parry and ours:
+least of three by the clock), and how many of the others' distances are outside the intervals. Triangles are
+OpenCASCADE's, with a deflection of 1e-4 of the diagonal; their time is not counted. parry is the program
+in peers/parry, built at first.
 """
 
 import json
@@ -30,13 +31,15 @@ from OCP.TopExp import TopExp_Explorer
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS
 
-# The poses measured by OpenCASCADE, which takes seconds for some.
-OPENCASCADE_POSES = 12
+# The poses measured by OpenCASCADE and parry, which take seconds for some.
+SLOW_POSES = 12
 
 # Seconds after which no further pose is measured by it.
 OPENCASCADE_SECONDS = 60
 
 RELATIVE_DEFLECTION = 1e-4
+
+PARRY = Path(__file__).parent / "peers" / "parry"
 
 # OpenCASCADE's tolerance of a distance and the gaps of the files.
 TOLERANCE = 1e-6
@@ -87,7 +90,7 @@ def outside(distance, pose, tolerance):
 
 def measure_opencascade(poses, a, b):
     found, started = [], time.process_time()
-    for pose in poses[:OPENCASCADE_POSES]:
+    for pose in poses[:SLOW_POSES]:
         motion = gp_Trsf()
         motion.SetTransformation(gp_Quaternion(*pose["quaternion"]), gp_Vec(*pose["translation"]))
         moved = BRepBuilderAPI_Transform(a, motion, True).Shape()
@@ -111,13 +114,25 @@ def measure_fcl(poses, a, b, deflection):
     return found
 
 
+def measure_parry(poses, meshes, deflection):
+    poses = poses[:SLOW_POSES]
+    motions = [{key: pose[key] for key in ("quaternion", "translation")} for pose in poses]
+    sides = [dict(points=points.tolist(), triangles=corners.tolist()) for points, corners in meshes]
+    command = ["cargo", "run", "--quiet", "--release", "--locked", "--target-dir", "target/parry"]
+    given = json.dumps(dict(meshes=sides, poses=motions)).encode()
+    ran = subprocess.run([*command, "--manifest-path", PARRY / "Cargo.toml"], input=given, check=True, capture_output=True)
+    rows = zip(poses, json.loads(ran.stdout), strict=True)
+    return [(distance, spent, test, outside(distance, pose, 2 * deflection)) for pose, (distance, spent, test) in rows]
+
+
 def median(values):
     return f"{statistics.median(values):.3g}"
 
 
 def main(paths):
-    print("| A | B | ours: interval | limit | OpenCASCADE | outside | most off | FCL distance | outside | FCL collide | triangles |")
-    print("|---|---|---|---|---|---|---|---|---|---|---|")
+    print("| A | B | ours: interval | limit | OpenCASCADE | outside | most off "
+          "| FCL distance | outside | collide | parry distance | outside | intersection | triangles |")
+    print("|" + "---|" * 14)
     for a, b in zip(paths[::2], paths[1::2], strict=True):
         command = ["cargo", "bench", "--quiet", "--bench", "clearance", "--", a, b]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
@@ -129,6 +144,7 @@ def main(paths):
         deflection = RELATIVE_DEFLECTION * poses[0]["diagonal"]
         meshes = [triangles(shape, deflection) for shape in shapes]
         near = measure_fcl(poses, *[tree(*mesh) for mesh in meshes], deflection)
+        tests = measure_parry(poses, meshes, deflection)
         off = max(max(pose["lower"] - row[0], row[0] - pose["upper"], 0.0) for pose, row in zip(poses, exact))
         cells = [
             *stems,
@@ -140,6 +156,9 @@ def main(paths):
             median([row[1] for row in near]),
             f"{sum(row[3] for row in near)} of {len(near)}",
             median([row[2] for row in near]),
+            median([row[1] for row in tests]),
+            f"{sum(row[3] for row in tests)} of {len(tests)}",
+            median([row[2] for row in tests]),
             str(sum(len(mesh[1]) for mesh in meshes)),
         ]
         print("| " + " | ".join(cells) + " |", flush=True)

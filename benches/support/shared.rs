@@ -2,8 +2,8 @@
 //! reference intervals of pairs of them.
 
 use glam::DVec3;
-use nurbs_hausdorff::Model;
 use nurbs_hausdorff::internals::engine::PreparedModel;
+use nurbs_hausdorff::{MeshFile, MeshFormat, Model};
 use std::path::{Path, PathBuf};
 
 /// A pair with an interval that another program found.
@@ -27,12 +27,16 @@ pub(crate) fn load(folder: &Path, name: &str) -> PreparedModel {
     PreparedModel::new(&Model::from_json(&text).expect("a valid model")).expect("valid trims")
 }
 
-/// The model of a file: JSON, IGES by its ending, or STEP.
+/// The model of a file: JSON, STL and IGES by their endings, or STEP.
 pub(crate) fn load_file(path: &Path) -> PreparedModel {
     let bytes = std::fs::read(path).expect("a file");
     if path.extension().is_some_and(|extension| extension == "json") {
         let text = String::from_utf8(bytes).expect("text");
         return PreparedModel::new(&Model::from_json(&text).expect("a model")).expect("valid trims");
+    }
+    if path.extension().is_some_and(|extension| extension == "stl") {
+        let mesh = MeshFile::read(&bytes, MeshFormat::Stl).expect("a mesh");
+        return PreparedModel::of_facets(&mesh.facets, None).expect("a mesh");
     }
     let is_iges = path.extension().is_some_and(|extension| extension == "iges");
     let read = if is_iges { Model::from_iges(&bytes) } else { Model::from_step(&bytes) };

@@ -22,10 +22,11 @@
 //! these counts.
 //!
 //! With `--clearance`, least distances and overlaps are checked: half of random models, half of the
-//! shapes that ship and the parts of `../shared/models` at random poses. No two points are found, by
-//! samples and descents from the nearest ones, that are nearer than `lower`; the witnesses are points of
-//! both models, `upper` apart; one seed in four is proved in interval arithmetic; and sides of points by
-//! rays through triangles agree with the overlap.
+//! shapes that ship and the parts of `../shared/models` at random poses. A quarter of these poses is then
+//! moved so that the models touch but for rounding, or are a small distance nearer or farther. No two
+//! points are found, by samples and descents from the nearest ones, that are nearer than `lower`; the
+//! witnesses are points of both models, `upper` apart; one seed in four is proved in interval arithmetic;
+//! and sides of points by rays through triangles agree with the overlap.
 //!
 //! With `--collapsed`, all control points of most surfaces lie on a point, on a line, in a plane or in
 //! parallel rows, exactly or within rounding; otherwise one pair in 26 is of these.

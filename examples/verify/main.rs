@@ -10,12 +10,17 @@
 //!
 //! The second form proves the interval around the least distance, of models without trimmed faces.
 //! The third form proves of every trimmed face that the pieces it is cut into are that face, to its
-//! stated deviation and the slack: they cover it, lie in it, and are points of its surface.
+//! stated deviation and the slack, relative to the face's diagonal: they cover it, lie in it, and are
+//! points of its surface. It prints a line of CSV for each model, of any format that is read.
 //!
-//! Prints `proved`, `not proved in the time given` or `refuted`; exit status 0, 3 or 1, and 2 for
+//! In the first two forms a model may be a mesh or a cloud of points, by the ending of its name: each
+//! triangle and each point is proved as a surface, so that thousands of them take minutes.
+//!
+//! Prints `proved`, `undecided`, which is not proved in the time given, or `refuted`; exit status 0, 3 or 1, and 2 for
 //! bad input. Models are moved by `--rotate` and `--translate` as by the command.
 
 mod cuts;
+mod facets;
 #[path = "../../src/bin/nurbs-hausdorff/arguments/motion.rs"]
 mod motion;
 #[allow(dead_code, reason = "the fuzzer compares with parts of models")]
@@ -23,11 +28,11 @@ mod proof;
 
 use clap::Parser;
 use motion::{Rotation, Translation};
-use proof::{Claim, LeastClaim, Model, Motion, Report, Settings, Verdict, Witness};
+use proof::{Claim, Deadline, LeastClaim, Model, Motion, Report, Settings, Verdict, Witness};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Proves or refutes the interval of a result.
 #[derive(Parser)]
@@ -44,10 +49,10 @@ struct Arguments {
     /// The result is a clearance, as `nurbs-hausdorff clearance A B --json` prints it.
     #[arg(long, conflicts_with = "cuts")]
     clearance: bool,
-    /// Models, as BREP text or interchange JSON, whose faces' cuts are proved.
+    /// Models whose faces' cuts are proved.
     #[arg(long, num_args = 1.., conflicts_with_all = ["a", "b", "result"])]
     cuts: Vec<PathBuf>,
-    /// Seconds after which the proof is given up.
+    /// Seconds after which a proof is given up: of the CPU for a face's cut.
     #[arg(long, default_value_t = 60.0)]
     seconds: f64,
     /// What is added to both sides of the interval, relative to the larger diagonal, or to the upper
@@ -82,11 +87,20 @@ struct StatedPoint {
     face: usize,
     u: f64,
     v: f64,
+    /// The triangle of a mesh, with the weights of its corners.
+    triangle: Option<usize>,
+    barycentric: Option<[f64; 3]>,
+    /// The point of a cloud.
+    index: Option<usize>,
 }
 
 impl StatedPoint {
     fn witness(&self) -> Witness {
-        Witness { surface: self.face, u: self.u, v: self.v }
+        match (self.triangle, self.barycentric, self.index) {
+            (Some(triangle), Some(weights), _) => facets::witness(triangle, weights),
+            (_, _, Some(surface)) => Witness { surface, u: 0.0, v: 0.0 },
+            _ => Witness { surface: self.face, u: self.u, v: self.v },
+        }
     }
 }
 
@@ -119,42 +133,54 @@ fn status(verdict: Verdict) -> ExitCode {
     })
 }
 
-/// Proves the cuts of all trimmed faces, prints those that are not proved, and a line for each model.
+/// What became of a model's trimmed faces.
+#[derive(Default)]
+struct Counts {
+    /// By verdict.
+    found: [usize; 3],
+    uncut: usize,
+    seconds: f64,
+    slowest: f64,
+}
+
+/// Proves the cuts of all trimmed faces: prints a line of CSV for each model, and those that are not
+/// proved on standard error.
 fn prove_cuts(arguments: &Arguments) -> ExitCode {
     let mut worst = Verdict::Proved;
+    println!("model,proved,undecided,refuted,not cut,CPU seconds,slowest");
     for path in &arguments.cuts {
         let model = match library_model(path) {
             Ok(model) => model,
             Err(reason) => {
-                println!("{}: not read: {reason}", path.display());
+                eprintln!("{}: not read: {reason}", path.display());
                 continue;
             }
         };
-        let mut counts = [0; 4];
+        let mut counts = Counts::default();
         for (index, face) in model.faces().enumerate() {
             let Some(cut) = cuts::cut(index, &face, MAX_DEVIATION * model.bounding_box().diagonal()) else {
                 continue;
             };
             let Ok(cut) = cut else {
-                counts[3] += 1;
+                counts.uncut += 1;
                 continue;
             };
-            let deadline = Instant::now() + Duration::from_secs_f64(arguments.seconds);
-            let finding = proof::cut::check(&cut, arguments.slack, deadline);
-            counts[finding.verdict as usize] += 1;
+            let deadline = Deadline::after(arguments.seconds);
+            let finding = proof::cut::check(&cut, arguments.slack, &deadline);
+            counts.found[finding.verdict as usize] += 1;
+            counts.seconds += deadline.spent();
+            counts.slowest = counts.slowest.max(deadline.spent());
             if finding.verdict != Verdict::Proved {
                 let note = finding.note.unwrap_or_default();
-                println!("{}: face {index}: {} {note}", path.display(), word(finding.verdict));
+                eprintln!("{}: face {index}: {} {note}", path.display(), word(finding.verdict));
             }
             if finding.verdict == Verdict::Refuted || worst == Verdict::Proved {
                 worst = finding.verdict;
             }
         }
-        let [proved, open, refuted, uncut] = counts;
-        println!(
-            "{}: {proved} proved, {open} not proved, {refuted} refuted, {uncut} not cut",
-            path.display()
-        );
+        let Counts { found: [proved, open, refuted], uncut, seconds, slowest } = counts;
+        let name = path.file_name().unwrap_or_default().display();
+        println!("{name},{proved},{open},{refuted},{uncut},{seconds:.2},{slowest:.2}");
     }
     status(worst)
 }
@@ -164,20 +190,15 @@ const MAX_DEVIATION: f64 = 1e-9;
 
 /// Reads a model with the library, whose cuts are to be proved.
 fn library_model(path: &Path) -> Result<nurbs_hausdorff::Model, String> {
-    let text = read(path)?;
-    let is_json = text.trim_start().starts_with('{');
-    let model = if is_json {
-        nurbs_hausdorff::Model::from_json(&text)
-    } else {
-        nurbs_hausdorff::Model::from_brep(&text).map(|(model, _)| model)
-    };
-    model.map_err(|error| error.to_string())
+    let bytes = std::fs::read(path).map_err(|error| error.to_string())?;
+    let read = nurbs_hausdorff::Model::from_file(bytes, &path.to_string_lossy());
+    read.map(|(model, _, _)| model).map_err(|error| error.to_string())
 }
 
 fn word(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Proved => "proved",
-        Verdict::NotProved => "not proved in the time given",
+        Verdict::NotProved => "undecided",
         Verdict::Refuted => "refuted",
     }
 }
@@ -187,8 +208,11 @@ fn run(arguments: &Arguments) -> Result<Report, String> {
         return Err("no models and result".to_owned());
     };
     let model = |path: &Path| {
-        let text = read(path)?;
-        Model::from_json(&text).map_err(|reason| format!("{}: {reason}", path.display()))
+        let model = match facets::read(path) {
+            Some(model) => model,
+            None => Model::from_json(&read(path)?),
+        };
+        model.map_err(|reason| format!("{}: {reason}", path.display()))
     };
     let (a, b) = (model(a)?, model(b)?);
     if [&a, &b].iter().any(|model| model.is_trimmed()) {

@@ -10,7 +10,7 @@ from __future__ import annotations
 from . import testing
 from ._errors import NurbsHausdorffError
 from ._fit import BestFit, best_fit
-from ._measure import clearance, closest_points, diff, distance, field, gaps
+from ._measure import clearance, closest_points, diff, distance, field, gaps, statistics
 from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell, Solid
 from ._results.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
 from ._results.closest import ClosestPoints
@@ -18,13 +18,15 @@ from ._results.common import SurfacePoint, Witness
 from ._results.diff import DiffResult, FaceDifference
 from ._results.distance import DistanceResult
 from ._results.field import Field, FieldPart, Statistics
+from ._results.statistics import Bounded, CertifiedStatistics
 from ._sources import model, read
 from ._transform import Transform
 
 __all__ = [
-    "BestFit", "ClearanceResult", "ClosestPoints", "DiffResult", "DistanceResult",
-    "FaceDifference", "FaceGap", "Field", "FieldPart", "FreeEdge", "GapsResult", "Mesh",
-    "MeshReport", "Model", "NurbsHausdorffError", "Overlap", "ReadReport", "Remark", "Shell",
-    "Solid", "Statistics", "SurfacePoint", "Transform", "Witness", "best_fit", "clearance", "closest_points", "diff",
-    "distance", "field", "gaps", "model", "read", "testing",
+    "BestFit", "Bounded", "CertifiedStatistics", "ClearanceResult", "ClosestPoints",
+    "DiffResult", "DistanceResult", "FaceDifference", "FaceGap", "Field", "FieldPart",
+    "FreeEdge", "GapsResult", "Mesh", "MeshReport", "Model", "NurbsHausdorffError", "Overlap",
+    "ReadReport", "Remark", "Shell", "Solid", "Statistics", "SurfacePoint", "Transform",
+    "Witness", "best_fit", "clearance", "closest_points", "diff", "distance", "field", "gaps",
+    "model", "read", "statistics", "testing",
 ]  # fmt: skip

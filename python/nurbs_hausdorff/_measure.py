@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Literal
 
 import numpy as np
@@ -15,6 +16,7 @@ from ._results.closest import ClosestPoints
 from ._results.diff import DiffResult, diff_result
 from ._results.distance import DistanceResult, distance_result
 from ._results.field import Field, Statistics, field_parts
+from ._results.statistics import CertifiedStatistics, statistics_result
 from ._sources import model
 from ._transform import Transform
 
@@ -191,6 +193,65 @@ def clearance(
         _transform.native(transform), reporter(progress, cancel),
     )  # fmt: skip
     return clearance_result(_names.snake(data))
+
+
+def statistics(
+    a: Any,
+    b: Any,
+    *,
+    percentiles: Sequence[float] | None = None,
+    limit: float | None = None,
+    part_tolerance: float | None = None,
+    tolerance: float | None = None,
+    relative_tolerance: float | None = None,
+    max_seconds: float | None = None,
+    max_cells: int | None = None,
+    scale_units: bool = False,
+    transform: Transform | ArrayLike | None = None,
+    progress: ProgressBar | bool | None = None,
+    cancel: Event | None = None,
+) -> CertifiedStatistics:
+    """Return statistics of the distances from all points of A to B, each as an interval that
+    contains it: of a cloud by count, else by area.
+
+    Parameters
+    ----------
+    a, b : anything that `model` takes
+    percentiles : sequence of float, optional
+        Parts of the whole above 0 and below 1; 0.5, 0.95 and 0.99 if not given.
+    limit : float, optional
+        Distance, in model units: the part of A that is farther is returned as ``beyond``.
+    part_tolerance : float, optional
+        Permitted width of the interval of that part; 1e-3 if not given.
+    tolerance, relative_tolerance : float, optional
+        Permitted width of the other intervals, in model units or as a fraction of the larger
+        diagonal; 1e-4 of it if neither is given.
+    max_seconds, max_cells : optional
+        Budgets, after which the intervals reached are returned.
+    scale_units : bool
+        Scales B to the unit of A where both state different ones; else that is an error.
+    transform : Transform or array of shape (4, 4), optional
+        Moves A before it is measured.
+    progress : bool or tqdm, optional
+    cancel : threading.Event, optional
+
+    Raises
+    ------
+    NurbsHausdorffError
+        With the code of what was refused; ``NO_AREA`` for an A whose area may be 0; ``CANCELLED``
+        if ``cancel`` was set.
+    """
+    options = _names.options(
+        percentiles=None if percentiles is None else [float(part) for part in percentiles],
+        limit=limit, part_tolerance=part_tolerance,
+        tolerance=tolerance, relative_tolerance=relative_tolerance,
+        max_seconds=max_seconds, max_cells=max_cells, scale_units=scale_units,
+    )  # fmt: skip
+    data = _native.statistics(
+        model(a)._native, model(b)._native, options,
+        _transform.native(transform), reporter(progress, cancel),
+    )  # fmt: skip
+    return statistics_result(_names.snake(data))
 
 
 def gaps(

@@ -4,7 +4,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Model", "clearance", "closest_points", "diff", "distance", "field", "gaps"]
+__all__ = ["Model", "clearance", "closest_points", "diff", "distance", "field", "gaps", "statistics"]
 
 _Report = Callable[[float, tuple[float, float] | None], bool]
 _Motion = tuple[tuple[float, float, float, float], tuple[float, float, float]]
@@ -50,6 +50,9 @@ def clearance(
     a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
 ) -> dict[str, Any]: ...
 def gaps(
+    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
+) -> dict[str, Any]: ...
+def statistics(
     a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
 ) -> dict[str, Any]: ...
 def field(

@@ -8,7 +8,7 @@ use numpy::PyReadonlyArray1;
 use nurbs_hausdorff::result::Stop;
 use nurbs_hausdorff::{
     Backend, ClearanceOptions, ClosestPointOptions, DiffOptions, DistanceOptions, DistanceResult, Engine,
-    FieldOptions, GapOptions, MethodName, NamedOptions,
+    FieldOptions, GapOptions, MethodName, NamedOptions, StatisticsOptions,
 };
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -101,6 +101,24 @@ pub(crate) fn clearance<'py>(
     let compute =
         |caller: &mut Caller| engine.clearance(a.prepared(), b.prepared(), &options).monitored(caller).wait();
     to_dict(py, &run(py, report, compute, |result| result.stop == Stop::Cancelled)?)
+}
+
+#[pyfunction]
+pub(crate) fn statistics<'py>(
+    py: Python<'py>,
+    a: &Model,
+    b: &Model,
+    options: &Bound<'py, PyDict>,
+    motion: Motion,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let mut options: StatisticsOptions = convert::options(options)?;
+    options.transform = convert::transform(py, motion)?;
+    let engine = cpu(py);
+    let compute = |caller: &mut Caller| {
+        engine.statistics(a.prepared(), b.prepared(), &options).monitored(caller).wait()
+    };
+    to_dict(py, &run(py, report, compute, |_| false)?)
 }
 
 #[pyfunction]

@@ -119,3 +119,17 @@ def test_meshes_of_pyvista_are_taken():
     model = nh.model(square)
     assert model.facet_count == 12 and contains(nh.distance(model, flat(0.5)), 0.5)
     assert nh.model(pyvista.PolyData(CORNERS)).kind == "points"
+
+
+def test_statistics_are_intervals():
+    def holds(found, expected):
+        return found.lower <= expected <= found.upper
+
+    slope = nh.model((CORNERS + [0, 0, 2] + CORNERS[:, [1, 2, 0]] * [0, 0, 1], TRIANGLES))
+    found = nh.statistics(slope, flat(0.0), limit=1.5, percentiles=[0.25])
+    assert found.converged and found.over == "area"
+    assert holds(found.mean, 2.0) and holds(found.rms, np.sqrt(13 / 3))
+    assert holds(found.percentiles[0.25], 1.5) and holds(found.beyond, 0.75)
+    points = np.array([[0, 0, 1], [0.5, 0.5, 2], [1, 1, 6]], float)
+    counted = nh.statistics(points, flat(0.0))
+    assert counted.over == "count" and holds(counted.mean, 3.0) and counted.beyond is None

@@ -72,20 +72,15 @@ pub(crate) fn area<'a>(patches: impl Iterator<Item = Patch<'a>>) -> Area {
     for density in &densities {
         parts.add(density, Cell::new(density, ParamBox::UNIT));
     }
-    let max_cells = MAX_CELLS + MAX_CELLS_PER_PATCH * patches.len();
-    let (mut count, mut work) = (patches.len(), 0);
-    while count < max_cells
-        && work < MAX_WORK
-        && parts.open_width > OPEN_SHARE * MAX_RELATIVE_WIDTH * parts.closed.lower
-        && let Some(Open { density, cell, axis }) = parts.take()
-    {
-        for half in cell.part.halves(axis) {
-            parts.add(density, Cell::new(density, half));
-            count += 1;
-            work += density.work();
-        }
-    }
-    parts.sum()
+    parts.narrowed(patches.len(), MAX_CELLS + MAX_CELLS_PER_PATCH * patches.len())
+}
+
+/// Returns the area of a rectangle of a patch in its parameters in [0, 1]². As [`area`] of one patch.
+pub(crate) fn area_of_part(patch: &Patch<'_>, range: ParamBox) -> Area {
+    let density = Density::new(patch);
+    let mut parts = Parts::default();
+    parts.add(&density, Cell::new(&density, range));
+    parts.narrowed(1, MAX_CELLS_PER_PATCH)
 }
 
 /// The parts of a face.
@@ -108,6 +103,23 @@ impl<'a> Parts<'a> {
                 self.open.push(Open { density, cell, axis });
             }
         }
+    }
+
+    /// Halves the parts of the widest areas, of which there are `count`, and returns the sum.
+    fn narrowed(mut self, mut count: usize, max_cells: usize) -> Area {
+        let mut work = 0;
+        while count < max_cells
+            && work < MAX_WORK
+            && self.open_width > OPEN_SHARE * MAX_RELATIVE_WIDTH * self.closed.lower
+            && let Some(Open { density, cell, axis }) = self.take()
+        {
+            for half in cell.part.halves(axis) {
+                self.add(density, Cell::new(density, half));
+                count += 1;
+                work += density.work();
+            }
+        }
+        self.sum()
     }
 
     /// Takes the part of the widest area.

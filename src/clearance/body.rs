@@ -41,3 +41,45 @@ pub(super) fn pair_error([a, b]: [&Body<'_>; 2], transform: &RigidTransform, hal
         + gamma(BOUND_ROUNDINGS) * length
         + VANISHING_LENGTH
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::bezier::extract;
+    use crate::rounding::UNIT_ROUNDOFF;
+    use crate::shapes::sphere;
+    use glam::{DQuat, DVec3};
+
+    /// The terms of lemma C2, each alone where the others vanish or are subtracted.
+    #[test]
+    fn the_error_of_a_pair_has_the_terms_of_the_lemma() {
+        // Of degree 2.
+        let target = Target::new(extract(&sphere(DVec3::ZERO, 1.0).unwrap()).patches);
+        let body = |half: DVec3, point_error: f64| Body {
+            target: &target,
+            control_box: Aabb { min: -half, max: half },
+            point_error,
+        };
+        let [small, large] = [DVec3::ZERO, DVec3::new(3.0, 0.0, 4.0)];
+        let moved = |length: f64| RigidTransform::new(DQuat::IDENTITY, length * DVec3::Y).unwrap();
+        let error = |a: [f64; 2], b: [f64; 2], length: f64, halvings: u32| {
+            let [a, b] = [a, b].map(|[size, point_error]| body(small.lerp(large, size), point_error));
+            pair_error([&a, &b], &moved(length), halvings)
+        };
+        let is_near = |found: f64, expected: f64| {
+            assert!(expected <= found && found <= 1.02 * expected, "{found:e} for {expected:e}");
+        };
+        is_near(error([0.0, 0.25], [0.0, 0.0], 0.0, 0), 0.25);
+        is_near(error([0.0, 0.0], [0.0, 0.25], 0.0, 0), 0.25);
+        // The lengths of B alone, of A with its motion, and of the motion alone.
+        is_near(error([0.0, 0.0], [1.0, 0.0], 0.0, 0), UNIT_ROUNDOFF * 64.0 * 5.0);
+        is_near(error([1.0, 0.0], [0.0, 0.0], 2.0, 0), UNIT_ROUNDOFF * (65.0 + 64.0) * 7.0);
+        is_near(error([0.0, 0.0], [0.0, 0.0], 2.0, 0), UNIT_ROUNDOFF * (65.0 + 64.0) * 2.0);
+        // Ten halvings of a box with a diagonal of 10, of either model.
+        for [a, b] in [[1.0, 0.0], [0.0, 1.0]] {
+            let halved = error([a, 0.0], [b, 0.0], 0.0, 10) - error([a, 0.0], [b, 0.0], 0.0, 0);
+            is_near(halved, UNIT_ROUNDOFF * 2.0 * 10.0 * 2.0 * 10.0);
+        }
+    }
+}

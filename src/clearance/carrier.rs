@@ -172,11 +172,15 @@ mod tests {
 
     /// A quarter of a ring of radius 3 about z, the upper outer quarter of its tube, moved.
     fn torus(tube: f64, place: impl Fn(DVec3) -> DVec3) -> Carrier {
+        ring(3.0, tube, place)
+    }
+
+    fn ring(radius: f64, tube: f64, place: impl Fn(DVec3) -> DVec3) -> Carrier {
         let section = [(1.0, 0.0, 1.0), (1.0, 1.0, FRAC_1_SQRT_2), (0.0, 1.0, 1.0)];
         let net: Vec<(DVec3, f64)> = section
             .iter()
             .flat_map(|&(out, up, of_section)| {
-                quarter(3.0 + tube * out)
+                quarter(radius + tube * out)
                     .map(|(point, weight)| (place(point + tube * up * DVec3::Z), weight * of_section))
             })
             .collect();
@@ -240,6 +244,10 @@ mod tests {
         assert_attained(outer.separation(&inner), 0.25);
         let up = torus(0.5, |point| turned(point + 0.1 * DVec3::Z));
         assert_attained(up.separation(&outer), 0.15);
+        // A wider ring is nearer to the outer one outside of it by the difference of both radii.
+        let wide = ring(3.1, 0.5, turned);
+        assert_attained(wide.separation(&outer), 0.15);
+        assert_attained(outer.separation(&wide), 0.15);
         assert_eq!(sphere(0.5, turned).separation(&outer), 0.0, "of another kind");
         // A tilt by an angle lifts the circle by at most its radius times the angle.
         let tilt = DQuat::from_axis_angle(DVec3::new(1.0, -1.0, 0.0).normalize(), -1e-3);

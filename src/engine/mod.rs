@@ -18,6 +18,7 @@ mod prepared;
 mod result;
 mod signs;
 mod solid;
+mod statistics;
 
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
@@ -39,5 +40,6 @@ pub use result::{
 };
 pub use signs::Signs;
 pub use solid::{FreeEdge, Shell, Solid};
+pub use statistics::{Beyond, Bounded, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
 
 pub(crate) use prepared::{PreparedSampling, PreparedTarget};

@@ -19,7 +19,7 @@ use crate::pieces::{Cuttable, FacePieces};
 use crate::progress::Progress;
 use crate::read::ReadReport;
 use crate::rounding::gamma;
-use crate::solid::Boundary;
+use crate::solid::{Boundary, Edges};
 use crate::surface_point::SurfacePoint;
 use crate::symmetry::{Revolution, revolutions};
 use crate::threads::parallel::map;
@@ -412,10 +412,13 @@ impl PreparedModel {
     /// Returns the edges of the faces, joined where they meet, computed at first use.
     pub(super) fn boundary(&self) -> &Boundary {
         computed(&self.boundary, || {
-            let faces = self.facets.as_ref().map(PreparedFacets::faces);
-            let faces = faces.as_ref().unwrap_or(&self.bezier);
-            let degrees = faces.patches.iter().flat_map(|patch| patch.degree);
-            Boundary::new(faces, &self.control_box, self.gap, degrees.max().unwrap_or(0))
+            if let Some(facets) = &self.facets {
+                let edges = Edges::of_triangles(facets.joined_triangles());
+                return Boundary::new(edges, facets.point_error(), &self.control_box, self.gap, 1);
+            }
+            let degrees = self.bezier.patches.iter().flat_map(|patch| patch.degree);
+            let (edges, point_error) = (Edges::of_surfaces(&self.bezier), self.bezier.point_error);
+            Boundary::new(edges, point_error, &self.control_box, self.gap, degrees.max().unwrap_or(0))
         })
     }
 

@@ -231,6 +231,9 @@ pub enum Error {
         /// The number of vertices.
         expected: usize,
     },
+    /// Statistics over an area that may be 0.
+    #[error("the model has no area, expected one that statistics can be over")]
+    NoArea,
     /// Groups of a mesh that are not its triangles, each once.
     #[error("the mesh has groups of {found} triangles, expected {expected} with at least 1 in each group")]
     MeshGroups {
@@ -496,6 +499,7 @@ impl Error {
             Self::InstanceTransform { .. } => "INSTANCE_TRANSFORM",
             Self::TooManyFaces { .. } => "TOO_MANY_FACES",
             Self::TriangleIndex { .. } => "TRIANGLE_INDEX",
+            Self::NoArea => "NO_AREA",
             Self::MeshGroups { .. } => "MESH_GROUPS",
             Self::MeshSyntax { .. } => "MESH_SYNTAX",
             Self::FacetsUnsupported { .. } => "FACETS_UNSUPPORTED",

@@ -86,24 +86,46 @@ impl Facet {
     /// been taken off: the largest found of the distances to planes that separate the two, so
     /// that it holds whatever `nearest` is (lemma F2 of docs/meshes.md).
     pub(crate) fn distance_of_planes(&self, target: DVec3, nearest: &Nearest) -> f64 {
-        let Self::Triangle(corners) = self else { return nearest.distance_squared.sqrt() };
+        if let Self::Point(_) = self {
+            return nearest.distance_squared.sqrt();
+        }
+        let mut bound = 0.0;
+        self.for_each_plane(target, nearest, |_, distance| {
+            // NaN bounds nothing.
+            if distance > bound {
+                bound = distance;
+            }
+        });
+        bound
+    }
+
+    /// Calls a function with planes that may separate the facet from `target`: the unit normal,
+    /// towards the facet, and the least of n·(x − target) over the facet's points x, which is
+    /// negative where the plane does not separate the two.
+    pub(crate) fn for_each_plane(&self, target: DVec3, nearest: &Nearest, mut plane: impl FnMut(DVec3, f64)) {
+        let Self::Triangle(corners) = self else {
+            let normal = unit(nearest.offset);
+            return plane(normal, normal.dot(nearest.offset));
+        };
         let corners = corners.map(|corner| corner - target);
-        let beyond = |normal: DVec3| {
+        let mut beyond = |normal: DVec3| {
             let normal = unit(normal);
-            corners.iter().fold(f64::INFINITY, |least, corner| lower_min(least, normal.dot(*corner)))
+            plane(
+                normal,
+                corners.iter().fold(f64::INFINITY, |least, corner| lower_min(least, normal.dot(*corner))),
+            );
         };
         let across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-        let across = if across.dot(corners[0]) < 0.0 { -across } else { across };
-        let mut bound = beyond(across).max(beyond(nearest.offset));
+        beyond(if across.dot(corners[0]) < 0.0 { -across } else { across });
+        beyond(nearest.offset);
         for index in 0..3 {
             // At an edge the plane is parallel to it.
             if nearest.weights[index] == 0.0 {
                 let edge = unit(corners[(index + 2) % 3] - corners[(index + 1) % 3]);
                 let offset = corners[(index + 1) % 3];
-                bound = bound.max(beyond(offset - edge * edge.dot(offset)));
+                beyond(offset - edge * edge.dot(offset));
             }
         }
-        if bound > 0.0 { bound } else { 0.0 }
     }
 }
 

@@ -21,7 +21,10 @@ pub use point_cloud::PointCloud;
 pub(crate) use prepared::{Group, PreparedFacets};
 pub(crate) use rounding::facet_rounding;
 pub(crate) use samples::FacetSamples;
-pub(crate) use search::{Certified, Domain, End, FacetSearch, Measured, Source, Start};
+pub(crate) use search::{
+    Certified, Domain, End, FacetSearch, Measured, Parts, Source, Spread, StandIn, Start, Weighted,
+    WeightedPart,
+};
 pub(crate) use target::{FacetFoot, FacetTarget};
 pub use triangle_mesh::{MeshGroup, MeshReport, TriangleMesh};
 

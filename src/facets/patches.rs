@@ -1,7 +1,7 @@
 //! Triangles as Bézier patches, for the search that measures them to patches.
 
 use super::{Facet, FacetTarget};
-use crate::bezier::{BezierModel, Patch, PatchSet, PointError, center_grid};
+use crate::bezier::{Patch, PatchSet, PointError, center_grid};
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
 use glam::DVec3;
@@ -14,12 +14,9 @@ const CENTER_ROUNDINGS: f64 = 4.0;
 /// surface i have facet i in the order of the leaves. O(n).
 ///
 /// The patch is the triangle: at (s, t) it is the point of the weights of [`weights`].
-pub(super) fn patches(target: &FacetTarget) -> BezierModel {
-    let aabb = target.bounding_box();
-    let grid = center_grid(aabb.diagonal());
+pub(super) fn patches(target: &FacetTarget) -> PatchSet {
+    let grid = center_grid(target.bounding_box().diagonal());
     let mut patches = PatchSet::default();
-    let mut point_error = PointError::within(1, &aabb);
-    point_error.include_deviation(gamma(CENTER_ROUNDINGS) * aabb.farthest_from_origin());
     patches.reserve(target.len(), 4 * target.len());
     for place in 0..target.len() as u32 {
         let Facet::Triangle([a, b, c]) = target.facet(place) else { continue };
@@ -34,7 +31,15 @@ pub(super) fn patches(target: &FacetTarget) -> BezierModel {
         };
         patches.push_centered(patch, grid);
     }
-    BezierModel { patches, grids: Vec::new(), point_error }
+    patches
+}
+
+/// Returns the error of points of the patches.
+pub(super) fn point_error(target: &FacetTarget) -> PointError {
+    let aabb = target.bounding_box();
+    let mut point_error = PointError::within(1, &aabb);
+    point_error.include_deviation(gamma(CENTER_ROUNDINGS) * aabb.farthest_from_origin());
+    point_error
 }
 
 /// Returns the weights of the corners of a triangle at the parameters of its patch.

@@ -1,11 +1,12 @@
 //! Meshes and clouds with what is computed from them once.
 
-use super::patches::patches;
-use super::{FacetTarget, Facets, MeshGroup, TriangleMesh};
+use super::patches::{patches, point_error};
+use super::{Facet, FacetTarget, Facets, MeshGroup, TriangleMesh};
 use crate::area::Area;
-use crate::bezier::{BezierModel, PatchGrid, PatchSet, PointError};
+use crate::bezier::{BezierModel, PointError};
 use crate::rounding::{VANISHING_LENGTH, gamma};
 use crate::threads::computed;
+use glam::DVec3;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
@@ -76,11 +77,18 @@ impl PreparedFacets {
     }
 
     pub(crate) fn bezier(&self) -> &BezierModel {
-        self.bezier.get_or_init(|| {
-            let mut bezier = patches(&self.target);
-            bezier.point_error.include_deviation(self.error);
-            bezier
+        self.bezier.get_or_init(|| BezierModel {
+            patches: patches(&self.target),
+            grids: Vec::new(),
+            point_error: self.point_error(),
         })
+    }
+
+    /// Returns the error of points of the triangles' patches.
+    pub(crate) fn point_error(&self) -> PointError {
+        let mut point_error = point_error(&self.target);
+        point_error.include_deviation(self.error);
+        point_error
     }
 
     /// Returns whether these are triangles, not too many to be joined.
@@ -88,15 +96,14 @@ impl PreparedFacets {
         !self.target.is_cloud() && self.target.len() <= MAX_JOINED_TRIANGLES
     }
 
-    /// Returns the triangles as faces of their own; none if they are too many to be joined.
-    pub(crate) fn faces(&self) -> BezierModel {
-        if !self.may_close() {
-            let point_error = PointError::default();
-            return BezierModel { patches: PatchSet::default(), grids: Vec::new(), point_error };
-        }
-        let triangles = self.bezier();
-        let grids = (0..triangles.patches.len()).map(PatchGrid::of_bilinear).collect();
-        BezierModel { patches: triangles.patches.clone(), grids, point_error: triangles.point_error }
+    /// Returns the corners of the triangles in the order of their patches; none if they are too many
+    /// to be joined.
+    pub(crate) fn joined_triangles(&self) -> impl Iterator<Item = [DVec3; 3]> + '_ {
+        let count = if self.may_close() { self.target.len() as u32 } else { 0 };
+        (0..count).filter_map(|place| match self.target.facet(place) {
+            Facet::Triangle(corners) => Some(corners),
+            Facet::Point(_) => None,
+        })
     }
 
     /// Returns the area of all triangles of each group; a triangle that lies on others counts as often.

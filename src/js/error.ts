@@ -42,6 +42,7 @@ export type ErrorCode =
   | "INSTANCE_TRANSFORM"
   | "TOO_MANY_FACES"
   | "TRIANGLE_INDEX"
+  | "NO_AREA"
   | "MESH_GROUPS"
   | "MESH_SYNTAX"
   | "FACETS_UNSUPPORTED"

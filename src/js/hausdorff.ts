@@ -21,6 +21,7 @@ import type { DistanceEngine } from "./measure/engine.js";
 import type { DeviationField, FieldOptions } from "./measure/field.js";
 import { type Backend, type DistanceOptions, split } from "./measure/options.js";
 import type { Results } from "./measure/result.js";
+import type { CertifiedStatistics, StatisticsOptions } from "./measure/statistics.js";
 import { facetArrays, type MeshArrays } from "./model/mesh.js";
 import { NurbsModel } from "./model/model.js";
 import {
@@ -192,6 +193,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   async diff(a: NurbsModel, b: NurbsModel, options: DiffOptions = {}): Promise<DiffResult> {
     const models = [prepared(a, "a"), prepared(b, "b")] as const;
     return this.#inTurn(options, (engine, call) => engine.diff(...models, call));
+  }
+
+  async statistics(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: StatisticsOptions = {},
+  ): Promise<CertifiedStatistics> {
+    const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    return this.#inTurn(options, (engine, call) => engine.statistics(...models, call));
   }
 
   async clearance(

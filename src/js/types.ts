@@ -45,6 +45,11 @@ export type {
   SurfacePoint,
   WithGaps,
 } from "./measure/result.js";
+export type {
+  Bounded,
+  CertifiedStatistics,
+  StatisticsOptions,
+} from "./measure/statistics.js";
 export type { Area, ModelArea } from "./model/area.js";
 export type { MeshArrays, MeshGroup } from "./model/mesh.js";
 export type { UpdateOptions } from "./model/model.js";

@@ -1,7 +1,9 @@
-//! The edges at which the patches of a model's surfaces end.
+//! The edges at which the patches of a model's surfaces, or the triangles of a mesh, end.
 
 use super::curve::Curve;
 use crate::bezier::{BezierModel, Patch};
+use glam::DVec3;
+use std::collections::HashMap;
 
 /// The edge of a patch at which its surface ends.
 #[derive(Debug, Clone)]
@@ -10,9 +12,57 @@ pub(super) struct Edge {
     pub(super) curve: Curve,
 }
 
-/// Returns all edges of the surfaces: those of patches without a neighbour in the surface, or
-/// one that a knot of full multiplicity separates.
-pub(super) fn edges(model: &BezierModel) -> Vec<Edge> {
+/// The edges of surfaces.
+#[derive(Debug, Default)]
+pub(crate) struct Edges {
+    /// The number of surfaces.
+    pub(super) surfaces: usize,
+    /// The surfaces of two equal edges, which cancel (docs/solids.md, section 1).
+    pub(super) equal: Vec<[u32; 2]>,
+    /// The other edges.
+    pub(super) single: Vec<Edge>,
+}
+
+impl Edges {
+    /// Returns all edges of the surfaces: those of patches without a neighbour in the surface, or
+    /// one that a knot of full multiplicity separates.
+    pub(crate) fn of_surfaces(model: &BezierModel) -> Self {
+        Self { surfaces: model.grids.len(), equal: Vec::new(), single: edges(model) }
+    }
+
+    /// Returns the edges of triangles, each a surface. Edges between the same two corners are equal,
+    /// and those without length, which are points, are left out. O(n).
+    pub(crate) fn of_triangles(triangles: impl Iterator<Item = [DVec3; 3]>) -> Self {
+        let mut edges = Self::default();
+        // By the bits of both ends.
+        let mut open: HashMap<[[u64; 3]; 2], (u32, [DVec3; 2])> = HashMap::new();
+        for (triangle, [a, b, c]) in triangles.enumerate() {
+            edges.surfaces += 1;
+            for ends in [[a, b], [b, c], [c, a]] {
+                let mut key = ends.map(|end| end.to_array().map(f64::to_bits));
+                key.sort_unstable();
+                if key[0] == key[1] {
+                    continue;
+                }
+                match open.remove(&key) {
+                    Some((other, _)) => edges.equal.push([other, triangle as u32]),
+                    None => _ = open.insert(key, (triangle as u32, ends)),
+                }
+            }
+        }
+        let mut single: Vec<_> = open.into_iter().collect();
+        single.sort_unstable_by_key(|&(key, (triangle, _))| (triangle, key));
+        let edge = |(_, (triangle, ends)): (_, (u32, [DVec3; 2]))| {
+            let controls = ends.map(|end| end.extend(1.0)).to_vec();
+            Edge { surface: triangle as usize, curve: Curve { center: DVec3::ZERO, controls } }
+        };
+        edges.single = single.into_iter().map(edge).collect();
+        edges
+    }
+}
+
+/// Returns the edges of the patches that have no neighbour there in their surface.
+fn edges(model: &BezierModel) -> Vec<Edge> {
     let mut edges = Vec::new();
     for (surface, grid) in model.grids.iter().enumerate() {
         let [rows, columns] = grid.counts();

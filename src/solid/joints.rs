@@ -2,10 +2,10 @@
 
 use super::clusters::Clusters;
 use super::curve::Curve;
-use super::edges::{Edge, edges};
+use super::edges::{Edge, Edges};
 use super::parity::MAX_DEPTH;
 use super::strips::{Covering, Strip};
-use crate::bezier::BezierModel;
+use crate::bezier::PointError;
 use crate::bvh::{Aabb, Bvh};
 use crate::rounding::{VANISHING_LENGTH, gamma};
 use crate::sorting::sort_by_number;
@@ -56,13 +56,21 @@ struct EdgePart {
 }
 
 impl Boundary {
-    /// Joins the edges of the patches' surfaces; those farther apart than `gap`, and than 1e-5 of
-    /// the diagonal of `control_box`, are not joined. O(n log n) in general position.
-    pub(crate) fn new(model: &BezierModel, control_box: &Aabb, gap: f64, max_degree: usize) -> Self {
+    /// Joins the edges of surfaces; those farther apart than `gap`, and than 1e-5 of the diagonal of
+    /// `control_box`, are not joined. `point_error` and `max_degree` are those of the surfaces'
+    /// patches. O(n log n) in general position.
+    pub(crate) fn new(
+        edges: Edges,
+        point_error: PointError,
+        control_box: &Aabb,
+        gap: f64,
+        max_degree: usize,
+    ) -> Self {
         let reach = gap.max(RELATIVE_REACH * control_box.diagonal()).max(f64::MIN_POSITIVE);
-        let mut joints = Joints::new(edges(model), reach);
+        let mut shells = Shells::new(edges.surfaces);
+        edges.equal.iter().for_each(|&[a, b]| shells.0.join(a, b));
+        let mut joints = Joints::new(edges.single, reach);
         let arcs = joints.arcs();
-        let mut shells = Shells::new(model.grids.len());
         let (mut covering, mut free) = (Covering::default(), Vec::new());
         let radius = reach.max(RELATIVE_RADIUS * control_box.diagonal());
         for [a, b] in joints.pair(arcs, &mut free) {
@@ -74,7 +82,7 @@ impl Boundary {
         let boxes: Vec<Aabb> = strips.iter().map(Strip::bounding_box).collect();
         let halvings = gamma(2.0 * f64::from(MAX_DEPTH) * max_degree as f64) * control_box.diagonal();
         let coordinates = gamma(COORDINATE_ROUNDINGS) * control_box.farthest_from_origin();
-        let margin = 2.0 * model.point_error.after(0) + halvings + coordinates + VANISHING_LENGTH;
+        let margin = 2.0 * point_error.after(0) + halvings + coordinates + VANISHING_LENGTH;
         Self {
             free,
             reach,

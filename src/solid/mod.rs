@@ -15,6 +15,7 @@ mod ray;
 mod side;
 mod strips;
 
+pub(crate) use edges::Edges;
 pub(crate) use joints::Boundary;
 pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;

@@ -7,18 +7,28 @@ use crate::bezier::Patch;
 use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
-/// The largest number of parts of one patch: a ray that needs more is given up for another.
+/// The largest number of parts of one patch that are divided: all of them are near an end of the ray, and
+/// slivers whose parameter lines both run along them have thousands there.
 const MAX_PARTS: usize = 4096;
 
 /// The largest number of halvings of a patch or of an edge; the margin of rays allows for them.
 pub(super) const MAX_DEPTH: u32 = 64;
 
+/// Why a ray does not decide.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Obstacle {
+    /// The ray may meet an edge or a strip, which another ray may avoid.
+    OnTheWay,
+    /// An end of the ray is so near to a patch that its side is not found, whichever way the ray goes.
+    AtTheEnd,
+}
+
 /// Returns whether the ray crosses the patch an odd number of times, in the sense of lemma S2 of
-/// docs/solids.md; `None` if it may meet an edge of the patch, or start on it.
+/// docs/solids.md, if it certainly meets no edge of the patch and does not start on it.
 ///
-/// The patch is halved until each part lies beside the ray, behind its start or ahead of it. The
-/// parity of a part ahead is that of its boundary's winding about the ray.
-pub(super) fn patch_parity(patch: &Patch<'_>, ray: &Ray) -> Option<bool> {
+/// The patch is halved until each part lies beside the ray, or a plane separates it from the ray's start.
+/// The parity of a part that is ahead is that of its boundary's winding about the ray.
+pub(super) fn patch_parity(patch: &Patch<'_>, ray: &Ray) -> Result<bool, Obstacle> {
     let controls = ray.controls(patch.center, patch.controls);
     let mut parts = vec![(controls, 0_u32)];
     let (mut parity, mut count) = (false, 0);
@@ -27,24 +37,39 @@ pub(super) fn patch_parity(patch: &Patch<'_>, ray: &Ray) -> Option<bool> {
         if ray.is_beside(&range) {
             continue;
         }
-        if ray.is_ahead(&range) {
-            parity ^= boundary_parity(patch.degree, &controls, ray.margin)?;
-            continue;
+        let of_plane = || ray.beyond_plane(normal(patch.degree, &controls), controls.iter().map(local));
+        match if ray.is_ahead(&range) { Some(true) } else { of_plane() } {
+            Some(true) => {
+                let winding = boundary_parity(patch.degree, &controls, ray.margin);
+                parity ^= winding.ok_or(Obstacle::OnTheWay)?;
+                continue;
+            }
+            Some(false) => continue,
+            None => {}
         }
         count += 1;
-        if depth == MAX_DEPTH || count > MAX_PARTS {
-            return None;
+        // Parts smaller than the margin stay as near, and there are ever more of them.
+        let is_small = (range.high - range.low).max_element() <= ray.margin;
+        if is_small || depth == MAX_DEPTH || count > MAX_PARTS {
+            return Err(Obstacle::AtTheEnd);
         }
         let part = Patch { controls: &controls, center: DVec3::ZERO, domain: ParamBox::UNIT, ..*patch };
         let halves = part.halves(longer_axis(patch.degree, &controls));
         parts.extend(halves.map(|half| (half, depth + 1)));
     }
-    Some(parity)
+    Ok(parity)
 }
 
 /// Returns the point of a control.
 fn local(control: &DVec4) -> DVec3 {
     control.xyz() / control.w
+}
+
+/// Returns the normal of the plane of both diagonals; without length, or NaN, where there is none.
+fn normal([_, q]: [usize; 2], controls: &[DVec4]) -> DVec3 {
+    let at = |index: usize| local(&controls[index]);
+    let last = controls.len() - 1;
+    (at(last) - at(0)).cross(at(last - q) - at(q)).normalize_or_zero()
 }
 
 /// Returns the axis along which the corners are farther apart.
@@ -114,12 +139,46 @@ mod tests {
             let direction = DVec3::from_array(direction).normalize();
             patch_parity(&patch, &Ray::new(DVec3::from_array(start), direction, 1e-12))
         };
-        assert_eq!(parity([0.3, 0.6, 0.0], [0.0, 0.0, 1.0]), Some(true));
-        assert_eq!(parity([0.3, 0.6, 0.0], [0.0, 0.0, -1.0]), Some(false));
-        assert_eq!(parity([0.3, 0.6, 2.5 - 1e-9], [0.1, 0.0, 1.0]), Some(true));
-        assert_eq!(parity([0.3, 0.6, 2.5 + 1e-9], [0.1, 0.0, 1.0]), Some(false));
-        assert_eq!(parity([1.2, 0.6, 0.0], [0.0, 0.0, 1.0]), Some(false));
-        assert_eq!(parity([0.3, 1.0, 0.0], [0.0, 0.0, 1.0]), None, "the ray meets an edge");
-        assert_eq!(parity([0.3, 0.6, 2.5], [0.1, 0.0, 1.0]), None, "the ray starts on the patch");
+        assert_eq!(parity([0.3, 0.6, 0.0], [0.0, 0.0, 1.0]), Ok(true));
+        assert_eq!(parity([0.3, 0.6, 0.0], [0.0, 0.0, -1.0]), Ok(false));
+        assert_eq!(parity([0.3, 0.6, 2.5 - 1e-9], [0.1, 0.0, 1.0]), Ok(true));
+        assert_eq!(parity([0.3, 0.6, 2.5 + 1e-9], [0.1, 0.0, 1.0]), Ok(false));
+        assert_eq!(parity([1.2, 0.6, 0.0], [0.0, 0.0, 1.0]), Ok(false));
+        assert_eq!(
+            parity([0.3, 1.0, 0.0], [0.0, 0.0, 1.0]),
+            Err(Obstacle::OnTheWay),
+            "the ray meets an edge"
+        );
+        assert!(parity([0.3, 0.6, 2.5], [0.1, 0.0, 1.0]).is_err(), "the ray starts on the patch");
+    }
+
+    /// Heights above a plane through the ray's ends count beyond twice the margin.
+    #[test]
+    fn planes_that_separate_a_patch_from_the_ends_decide() {
+        let ray = Ray::new(DVec3::ZERO, DVec3::Z, 1e-3);
+        let tilted = DVec3::new(0.0, -0.6, 0.8);
+        let between = |ray: &Ray, heights: [f64; 2]| {
+            // Points at these heights above the tilted plane, far to either side of the ray.
+            let points = [(-9.0, heights[0]), (9.0, heights[1])].map(|(aside, height)| {
+                let point = aside * DVec3::Y;
+                point + (height - tilted.dot(point)) * tilted
+            });
+            [tilted, -tilted].map(|normal| ray.beyond_plane(normal, points.into_iter()))
+        };
+        assert_eq!(between(&ray, [0.0021, 3.0]), [Some(true); 2]);
+        assert_eq!(between(&ray, [-0.0021, -3.0]), [Some(false); 2]);
+        // Heights within twice the margin are on either side, and so are those of different signs.
+        for heights in [[0.0019, 3.0], [-0.0019, -3.0], [-0.1, 0.1]] {
+            assert_eq!(between(&ray, heights), [None; 2], "{heights:?}");
+        }
+        // The segment ends at a height of 0.8 × 5 above the plane.
+        let segment = Ray::segment(DVec3::ZERO, 5.0 * DVec3::Z, 1e-3);
+        assert_eq!(between(&segment, [0.0021, 3.9979]), [Some(true); 2]);
+        assert_eq!(between(&segment, [4.0021, 9.0]), [Some(false); 2]);
+        for heights in [[0.0021, 3.9981], [3.9981, 9.0], [2.0, 9.0]] {
+            assert_eq!(between(&segment, heights), [None; 2], "{heights:?}");
+        }
+        assert_eq!(ray.beyond_plane(DVec3::ZERO, [DVec3::ONE].into_iter()), None);
+        assert_eq!(ray.beyond_plane(tilted, [DVec3::ONE, DVec3::NAN].into_iter()), None);
     }
 }

@@ -76,6 +76,31 @@ impl Ray {
         range.is_aside(self.margin) || range.high.z < -self.margin || range.low.z > self.length + self.margin
     }
 
+    /// Returns where the hull of some points lies, if planes of this normal, of length 1 or 0, through the
+    /// ray's ends separate it from these: true for between both planes, where all crossings with the
+    /// ray's line are ones with the ray, and false where the ray certainly does not meet it.
+    pub(super) fn beyond_plane(&self, normal: DVec3, points: impl Iterator<Item = DVec3>) -> Option<bool> {
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        let [low, high] = points.fold(none, |[low, high], point| {
+            let height = normal.dot(point);
+            // Points that overflowed may be anywhere.
+            if height.is_nan() {
+                [f64::NEG_INFINITY, f64::INFINITY]
+            } else {
+                [low.min(height), high.max(height)]
+            }
+        });
+        // A height has at most √3 times the error of a coordinate, and its own rounding.
+        let margin = 2.0 * self.margin;
+        let [low, high, slope] = if high < 0.0 { [-high, -low, -normal.z] } else { [low, high, normal.z] };
+        let is_away = slope <= 0.0 || low > slope * self.length + margin;
+        match low > margin {
+            true if is_away => Some(false),
+            true if high < slope * self.length - margin => Some(true),
+            _ => None,
+        }
+    }
+
     /// Returns true only if the hull lies between the planes across the start and the end.
     pub(super) fn is_ahead(&self, range: &Range) -> bool {
         range.low.z > self.margin && range.high.z < self.length - self.margin

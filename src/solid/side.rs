@@ -1,7 +1,7 @@
 //! The side of a solid's boundary on which a point lies.
 
 use super::Boundary;
-use super::parity::patch_parity;
+use super::parity::{Obstacle, patch_parity};
 use super::ray::Ray;
 use crate::closest::Target;
 use crate::rounding::gamma;
@@ -43,9 +43,10 @@ impl Boundary {
         }
         for direction in (0..MAX_RAYS).map(direction) {
             match self.parity(target, &Ray::new(point, direction, self.margin_at(point) + error)) {
-                Some(true) => return Side::Inside,
-                Some(false) => return Side::Outside,
-                None => {}
+                Ok(true) => return Side::Inside,
+                Ok(false) => return Side::Outside,
+                Err(Obstacle::OnTheWay) => {}
+                Err(Obstacle::AtTheEnd) => return Side::Undecided,
             }
         }
         Side::Undecided
@@ -57,8 +58,8 @@ impl Boundary {
     pub(crate) fn side_beside(&self, target: &Target, point: DVec3, (other, side): (DVec3, Side)) -> Side {
         let margin = self.margin_at(point) + self.margin_at(other);
         match (side, self.parity(target, &Ray::segment(point, other, margin))) {
-            (Side::Inside, Some(false)) | (Side::Outside, Some(true)) => Side::Inside,
-            (Side::Outside, Some(false)) | (Side::Inside, Some(true)) => Side::Outside,
+            (Side::Inside, Ok(false)) | (Side::Outside, Ok(true)) => Side::Inside,
+            (Side::Outside, Ok(false)) | (Side::Inside, Ok(true)) => Side::Outside,
             _ => self.side(target, point, 0.0),
         }
     }
@@ -68,18 +69,18 @@ impl Boundary {
         self.margin + gamma(COORDINATE_ROUNDINGS) * point.length()
     }
 
-    /// Returns whether the ray crosses the faces an odd number of times; `None` if it may meet a
-    /// strip or an edge of a patch.
-    fn parity(&self, target: &Target, ray: &Ray) -> Option<bool> {
+    /// Returns whether the ray crosses the faces an odd number of times, if it certainly meets no strip
+    /// and no edge of a patch.
+    fn parity(&self, target: &Target, ray: &Ray) -> Result<bool, Obstacle> {
         let strips = ray.leaves(&self.strip_tree);
         if !strips.into_iter().all(|strip| self.strips[strip as usize].is_avoided(ray)) {
-            return None;
+            return Err(Obstacle::OnTheWay);
         }
         let mut parity = false;
         for patch in ray.leaves(&target.tree) {
             parity ^= patch_parity(&target.patches.patch(patch as usize), ray)?;
         }
-        Some(parity)
+        Ok(parity)
     }
 }
 

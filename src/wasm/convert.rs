@@ -4,6 +4,7 @@ use super::failure::to_object;
 use crate::engine::{
     ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions, DistanceOptions,
     DistanceResult, FaceDeviations, FieldOptions, GapOptions, NamedOptions, Signs, Statistics,
+    StatisticsOptions,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -46,6 +47,16 @@ pub(super) fn clearance_options(options: &JsValue, transform: &JsValue) -> Resul
     let transform = rigid_transform(transform)?;
     let options: ClearanceOptions = properties(options).map_err(invalid)?;
     Ok(ClearanceOptions { transform, ..options })
+}
+
+/// The options of statistics, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn statistics_options(options: &JsValue, transform: &JsValue) -> Result<StatisticsOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: StatisticsOptions = properties(options).map_err(invalid)?;
+    Ok(StatisticsOptions { transform, ..options })
 }
 
 /// The options of gaps, as [`options`].

@@ -64,6 +64,15 @@ impl Engine {
         call.run(async move |monitor| to_object(&engine.diff(&a, &b, &options?).monitored(monitor).await?))
     }
 
+    /// Statistics of the distances from `a` to `b`, as intervals.
+    pub fn statistics(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
+        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
+        let options = call.options(convert::statistics_options);
+        call.run(async move |monitor| {
+            to_object(&engine.statistics(&a, &b, &options?).monitored(monitor).await?)
+        })
+    }
+
     /// The least distance of two models, and whether solids overlap.
     pub fn clearance(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());

@@ -65,3 +65,24 @@ fn groups_of_a_mesh_are_compared_by_their_names() {
     let result = printed(&run(&["distance", &mesh, &a, "--deviations", "--json"]));
     assert!(result["statistics"]["mean"].as_f64().unwrap() < 1e-12, "{result}");
 }
+
+/// A sheet from height 1 to 3 over a plane, whose distances are uniform.
+#[test]
+fn statistics_are_intervals() {
+    let slope = "v -1 -1 1\nv 1 -1 3\nv 1 1 3\nv -1 1 1\nf 1 2 3 4\n";
+    let (slope, ground) =
+        (file("statistics.obj", slope), file("statistics-plane.json", &plane(0.0).to_string()));
+    let result = printed(&run(&["statistics", &slope, &ground, "--limit", "1.5", "--json"]));
+    let holds = |interval: &serde_json::Value, expected: f64| {
+        let end = |name: &str| interval[name].as_f64().unwrap();
+        assert!(end("lower") <= expected && expected <= end("upper"), "{expected} {interval}");
+    };
+    assert_eq!((&result["over"], &result["converged"]), (&"area".into(), &true.into()));
+    holds(&result["mean"], 2.0);
+    holds(&result["rms"], (13.0_f64 / 3.0).sqrt());
+    holds(&result["percentiles"][1]["distance"], 2.9);
+    holds(&result["beyond"]["part"], 0.75);
+    let text = String::from_utf8_lossy(&run(&["statistics", &slope, &ground]).stdout).into_owned();
+    assert!(text.contains("mean       between") && text.contains("part 0.95  within"), "{text}");
+    assert_eq!(status(&run(&["statistics", &slope, &ground, "--part-tolerance", "0"])), 2);
+}

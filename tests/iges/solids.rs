@@ -123,6 +123,26 @@ fn a_cylinder_has_its_seam() {
     }
 }
 
+/// A seam that ends 0.02 from the rims, at their vertices: the loop keeps the order of the file.
+#[test]
+fn curves_follow_their_vertices_where_they_end_beside_them() {
+    let mut text = IgesText::new();
+    let ends = vertices(&mut text, &[[2.0, 0.0, 0.0], [2.0, 0.0, 5.0]]);
+    let rims = [0.0, 5.0].map(|height| text.arc(height, [[2.0, 0.0]; 2]));
+    let side = text.line([2.0, 0.0, 0.02], [2.0, 0.0, 4.98]);
+    let edges = edges(&mut text, ends, &[(rims[0], [1, 1]), (rims[1], [2, 2]), (side, [1, 2])]);
+    let (origin, up) = (text.point([0.0; 3]), text.direction([0.0, 0.0, 1.0]));
+    let x = text.direction([1.0, 0.0, 0.0]);
+    let surface = text.add(192, 1, format!("{origin},{up},2.,{x}"));
+    let path =
+        edge_loop(&mut text, edges, &[(1, true, None), (3, true, None), (2, false, None), (3, false, None)]);
+    face(&mut text, surface, &[path]);
+    let (model, _) = read(&text);
+    assert_near(areas(&model)[0], TAU * 2.0 * 5.0, 1e-9);
+    let gap = model.gap();
+    assert!((0.02..0.03).contains(&gap), "{gap}");
+}
+
 /// Half of the cylinder by curves in the parameters alone, in degrees and lengths.
 #[test]
 fn the_parameters_of_a_cylinder_are_degrees() {
@@ -175,6 +195,42 @@ fn spheres_are_read_in_both_parts() {
     assert_near(found[1], 2.0 * TAU * 25.0, 1e-9);
     let reversed: Vec<bool> = model.faces().map(|face| face.to_arrays().reversed).collect();
     assert_eq!(reversed, [false, true]);
+}
+
+/// The tip of a cone below a rim with an overhang, along the seam to the apex and back: from whichever
+/// edge its loop begins, no line to the apex crosses the rim.
+#[test]
+fn a_cone_is_read_to_its_apex_from_every_edge() {
+    let at = |u: f64, radius: f64| [radius * u.cos(), radius * u.sin(), radius];
+    let corners =
+        [at(0.0, 3.0), at(2.0, 3.0), at(2.0, 2.0), at(2.5, 2.0), at(2.5, 1.0), at(1.0, 1.0), at(1.0, 3.0)];
+    for start in 0..9 {
+        let mut text = IgesText::new();
+        let mut points = corners.to_vec();
+        points.push([0.0; 3]);
+        let ends = vertices(&mut text, &points);
+        // Vertices are numbered from 1. Arcs run counter-clockwise.
+        let edges: Vec<(Id, [usize; 2])> = [[2, 1], [2, 3], [3, 4], [4, 5], [6, 5], [6, 7], [1, 7], [1, 8]]
+            .map(|[from, to]| {
+                let [a, b] = [points[from - 1], points[to - 1]];
+                let is_arc = a[2] == b[2];
+                let arc = [a, b].map(|[x, y, _]| [x, y]);
+                (if is_arc { text.arc(a[2], arc) } else { text.line(a, b) }, [from, to])
+            })
+            .to_vec();
+        let edges = self::edges(&mut text, ends, &edges);
+        let mut uses = [1, 2, 3, 4, 5, 6, 7, 8, 8].map(|edge| (edge, ![1, 5, 7].contains(&edge), None));
+        uses[8].1 = false;
+        uses.rotate_left(start);
+        let path = edge_loop(&mut text, edges, &uses);
+        let (origin, up) = (text.point([0.0, 0.0, 1.0]), text.direction([0.0, 0.0, 1.0]));
+        let x = text.direction([1.0, 0.0, 0.0]);
+        let surface = text.add(194, 1, format!("{origin},{up},1.,45.,{x}"));
+        face(&mut text, surface, &[path]);
+        // Half of the squared radius, a radian; the notch is 1 wide from 1 to 3 and 0.5 from 1 to 2.
+        let expected = 2.0_f64.sqrt() * (TAU * 4.5 - 4.0 - 0.75);
+        assert_near(areas(&read(&text).0)[0], expected, 1e-9);
+    }
 }
 
 /// An edge along a composite curve, and one whose curve is longer than it.

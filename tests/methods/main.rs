@@ -11,5 +11,6 @@ mod iteration;
 mod mesh_faces;
 mod meshes;
 mod queries;
+mod statistics;
 mod threads;
 mod trimmed;

@@ -77,6 +77,32 @@ fn a_cylinder_and_its_prism_are_a_sagitta_apart() {
 }
 
 /// An octahedron whose triangles are quartered `levels` times, with its corners on a sphere.
+/// A prism with caps in fans of long triangles, and a prism of other triangles: the reaches of the
+/// facets of B cut its triangles into slivers.
+#[test]
+fn prisms_of_other_triangles_are_apart_by_the_farthest_corner() {
+    let turn = 0.1;
+    let prism = |count: usize, turn: f64| {
+        let rings = [ring(1.0, 0.0, count), ring(1.0, 10.0, count)];
+        let (mut vertices, mut triangles) = strips(&rings, false);
+        for base in [0, count as u32] {
+            triangles.extend((1..count as u32 - 1).map(|k| [base, base + k, base + k + 1]));
+        }
+        let turned = DQuat::from_rotation_z(turn);
+        vertices.iter_mut().for_each(|vertex| *vertex = turned * *vertex);
+        mesh(&vertices, &triangles)
+    };
+    let apothem = (PI / 13.0).cos();
+    // A corner is as far from a side of B as its height above it, inwards or not.
+    let height = |k: usize| {
+        let side = 2.0 * PI / 13.0;
+        let from_middle = (2.0 * PI * k as f64 / 40.0 - turn).rem_euclid(side) - 0.5 * side;
+        from_middle.cos() - apothem
+    };
+    let expected = (0..40).map(height).fold(0.0, f64::max);
+    contains(&prism(40, 0.0), &prism(13, turn), expected);
+}
+
 fn polyhedron(radius: f64, levels: u32) -> Vec<[DVec3; 3]> {
     let mut triangles: Vec<[DVec3; 3]> = Vec::new();
     for [x, y, z] in
@@ -310,4 +336,69 @@ fn closed_meshes_have_sides_in_every_result() {
         assert_eq!(open.side(outside), Side::Undecided);
         assert_eq!(of_points(&open, &inside).signs, Signs::Faces);
     }
+}
+
+/// The corners of a tetrahedron whose middle is inside, with each triangle's own copies of them.
+fn tetrahedron_soup() -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    let triangles = [[0, 2, 1], [0, 3, 1], [1, 3, 2], [2, 0, 3]];
+    let vertices = triangles.as_flattened().iter().map(|&corner: &usize| corners[corner]).collect();
+    (vertices, (0..4).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect())
+}
+
+/// Edges are joined where their ends are equal, where they are nearly so, where one lies on others,
+/// and where two bodies share one; a wider crack stays open.
+#[test]
+fn meshes_close_where_edges_are_equal_or_near() {
+    let (inside, outside) = ([0.1, 0.2, 0.3], [0.6, 0.6, 0.1]);
+    let is_solid = |model: &PreparedModel| {
+        assert_eq!(model.side(inside), Side::Inside);
+        assert_eq!(model.side(outside), Side::Outside);
+        model.solid().closed
+    };
+    let (vertices, triangles) = tetrahedron_soup();
+    assert!(is_solid(&mesh(&vertices, &triangles)));
+    for (crack, closed) in [(1e-9, true), (1e-3, false)] {
+        let mut vertices = vertices.clone();
+        vertices[0].z += crack;
+        let model = mesh(&vertices, &triangles);
+        assert_eq!(model.solid().closed, closed, "{crack}");
+        assert!(!closed || is_solid(&model));
+        // The corner moves off its triangle's plane: two edges have no partner on either side of the crack.
+        assert_eq!(model.solid().free_edges.len(), if closed { 0 } else { 4 });
+    }
+    // The edge of the first triangle from 0 to 1 ends at its middle, on the second one's.
+    let mut divided = vertices.clone();
+    divided.push(0.5 * DVec3::X);
+    let mut parts = triangles.clone();
+    parts[0] = [0, 1, 12];
+    parts.push([12, 1, 2]);
+    assert!(is_solid(&mesh(&divided, &parts)));
+    // A second body beyond the edge from 0 to 1, which then has four triangles.
+    let mirrored = vertices.iter().map(|&point| DVec3::new(point.x, -point.y, -point.z));
+    let both: Vec<DVec3> = vertices.iter().copied().chain(mirrored).collect();
+    let of_both: Vec<[u32; 3]> = triangles.iter().flat_map(|&t| [t, t.map(|corner| corner + 12)]).collect();
+    let model = mesh(&both, &of_both);
+    assert!(is_solid(&model));
+    assert_eq!(model.side([0.1, -0.2, -0.3]), Side::Inside);
+    assert_eq!(model.side([0.1, 0.2, -0.3]), Side::Outside);
+}
+
+/// Shells are those of triangles that edges connect, whatever else lies beside them.
+#[test]
+fn shells_of_a_mesh_are_its_connected_parts() {
+    let (vertices, triangles) = tetrahedron_soup();
+    let beside: Vec<DVec3> = vertices.iter().map(|&point| point + 3.0 * DVec3::X).collect();
+    let all: Vec<[u32; 3]> = triangles.iter().flat_map(|&t| [t, t.map(|corner| corner + 12)]).collect();
+    let solid = mesh(&[vertices, beside].concat(), &all).solid();
+    let shells: Vec<_> = solid.shells.iter().map(|shell| shell.faces.clone()).collect();
+    let mut sorted: Vec<Vec<usize>> = shells
+        .into_iter()
+        .map(|mut faces| {
+            faces.sort_unstable();
+            faces
+        })
+        .collect();
+    sorted.sort_unstable();
+    assert_eq!(sorted, [[0, 2, 4, 6], [1, 3, 5, 7]]);
 }

@@ -8,6 +8,7 @@ mod bezier;
 mod boxes;
 mod closest;
 pub(crate) mod cut;
+mod deadline;
 mod frame;
 pub(crate) mod interval;
 mod least;
@@ -16,6 +17,11 @@ mod target;
 mod upper;
 mod vector;
 
+#[allow(
+    unused_imports,
+    reason = "the benchmarks and tests prove cuts in the time that `check` measures"
+)]
+pub(crate) use deadline::Deadline;
 pub(crate) use frame::Motion;
 pub(crate) use least::{LeastClaim, check_least};
 pub(crate) use surface::{Model, Surface};

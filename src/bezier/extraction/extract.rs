@@ -41,12 +41,6 @@ pub struct PatchGrid {
 }
 
 impl PatchGrid {
-    /// Returns the grid of a surface that is one patch of degree 1 in both directions.
-    pub(crate) fn of_bilinear(first: usize) -> Self {
-        let breaks = [0, 1].map(|_| vec![0.0, 1.0]);
-        Self { first, breaks, multiplicities: [0, 1].map(|_| vec![2; 2]), shares: [1.0; 2] }
-    }
-
     /// Returns the numbers of patches along u and v.
     #[must_use]
     pub fn counts(&self) -> [usize; 2] {

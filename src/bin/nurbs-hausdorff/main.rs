@@ -17,7 +17,7 @@ const FAILED: u8 = 2;
 
 fn main() -> std::process::ExitCode {
     use arguments::Command;
-    use commands::{clearance, completions, convert, diff, distance, info};
+    use commands::{clearance, completions, convert, diff, distance, info, statistics};
     let arguments = match arguments::usage::arguments() {
         Ok(arguments) => arguments,
         Err(status) => return status,
@@ -27,6 +27,7 @@ fn main() -> std::process::ExitCode {
         Command::Convert(arguments) => convert::run(&arguments).map(|()| 0),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Clearance(arguments) => clearance::run(&arguments),
+        Command::Statistics(arguments) => statistics::run(&arguments).map(|()| 0),
         Command::Batch(arguments) => batch::run(&arguments),
         Command::Info(arguments) => info::run(&arguments).map(|()| 0),
         Command::Completions { shell } => completions::run(shell).map(|()| 0),

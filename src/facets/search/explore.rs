@@ -8,7 +8,7 @@ use super::patch_cell::{CellStep, MIN_LENGTH, PatchCell};
 use super::source::{Measured, Source, Start};
 use crate::bezier::PatchSet;
 use crate::bvh::Aabb;
-use crate::rounding::upper_max;
+use crate::rounding::{upper_max, upper_min};
 
 /// The number of nodes that a thread bounds below one of the frontier, depth first: enough to make
 /// the frontier's part of the time small.
@@ -137,7 +137,7 @@ impl FacetSearch<'_> {
     ) {
         if part.level >= MAX_LEVELS {
             explored.exhausted = true;
-            explored.decide(node.upper);
+            explored.decide(upper_min(node.upper, part.upper(b)));
             return;
         }
         match part.step(b, threshold) {

@@ -1,7 +1,7 @@
 //! Parts of triangles: their upper bounds, and cuts along the reach of a facet of B.
 
 use super::super::{FacetFoot, FacetTarget};
-use crate::rounding::upper_max;
+use crate::rounding::{upper_max, upper_min};
 use glam::DVec3;
 
 /// The share of a part's area that a cut must decide; where it would decide less, the part is
@@ -17,6 +17,10 @@ const REACH_PART: f64 = 0.5;
 
 /// The largest number of cuts of a triangle after each other: rounding moves its points at each.
 pub(super) const MAX_LEVELS: u32 = 128;
+
+/// The cuts after each other beyond which every other one is a halving: cuts that each decide their
+/// share of the area may leave parts as long as they were.
+const MAX_CUT_LEVELS: u32 = 12;
 
 /// A triangle within one of A, moved.
 #[derive(Debug, Clone, Copy)]
@@ -63,6 +67,12 @@ impl TrianglePart {
         self.corners.map(|corner| b.distance_squared(facet, corner))
     }
 
+    /// Returns the least bound on the distance of the part by the facets of its corners.
+    pub(super) fn upper(&self, b: &FacetTarget) -> f64 {
+        let bound = |foot: FacetFoot| self.squares_to(b, foot.facet).into_iter().fold(0.0, upper_max);
+        self.feet.map(bound).into_iter().fold(f64::INFINITY, upper_min).sqrt()
+    }
+
     /// Bounds the part, or splits it where its corners have different facets.
     pub(super) fn step(&mut self, b: &FacetTarget, threshold: f64) -> Step {
         let threshold_squared = threshold * threshold;
@@ -94,9 +104,14 @@ impl TrianglePart {
             }
         }
         match cut {
-            Some(cut) if cut.share >= MIN_DECIDED_SHARE => self.split(&cut, b),
+            Some(cut) if cut.share >= MIN_DECIDED_SHARE && self.may_be_cut() => self.split(&cut, b),
             _ => Step::Split { decided: 0.0, parts: self.halves(b).map(Some) },
         }
+    }
+
+    /// Whether a cut along a reach is tried: deep parts are halved in turn, so that they become short.
+    fn may_be_cut(&self) -> bool {
+        self.level < MAX_CUT_LEVELS || self.level.is_multiple_of(2)
     }
 
     /// Finds the nearest facets of the corners that are not known yet.

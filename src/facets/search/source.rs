@@ -77,7 +77,7 @@ impl Source<'_> {
     }
 
     /// Returns the distance of computed points from the exact ones, before they are moved.
-    pub(super) fn error(&self) -> f64 {
+    pub(crate) fn error(&self) -> f64 {
         match self {
             Self::Facets { error, .. } | Self::Patches { error, .. } => *error,
         }

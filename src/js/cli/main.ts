@@ -12,6 +12,7 @@ import { convert } from "./commands/convert.js";
 import { diff } from "./commands/diff.js";
 import { distance } from "./commands/distance.js";
 import { info } from "./commands/info.js";
+import { statistics } from "./commands/statistics.js";
 import { version } from "./output/json.js";
 import { print } from "./output/output.js";
 import { delayTiering } from "./tiering.js";
@@ -28,7 +29,8 @@ async function run({ command, values }: Invocation): Promise<number> {
     const native = "completions are printed by the native command, cargo install nurbs-hausdorff";
     throw new HausdorffError("OPTION_INVALID", native);
   }
-  await (command.name === "convert" ? convert(values) : info(values));
+  if (command.name === "statistics") await statistics(values);
+  else await (command.name === "convert" ? convert(values) : info(values));
   return 0;
 }
 

@@ -8,6 +8,7 @@ import type { DiffOptions, DiffResult } from "./diff.js";
 import type { DeviationField, FieldOptions } from "./field.js";
 import type { DistanceOptions } from "./options.js";
 import type { Results } from "./result.js";
+import type { CertifiedStatistics, StatisticsOptions } from "./statistics.js";
 
 /**
  * The methods of both classes `Hausdorff`: that of the main entry, and
@@ -81,6 +82,14 @@ export interface DistanceEngine<Model> {
    * @throws {HausdorffError} as `clearance`.
    */
   gaps(a: Model, b: Model, options?: GapOptions): Promise<GapsResult>;
+
+  /**
+   * Statistics of the distances from all points of `a`, moved by `transform`, to `b`, each an
+   * interval that holds it: of a cloud by count, else by area. Those of `field` are estimates.
+   *
+   * @throws {HausdorffError} as `field`; `NO_AREA` for an `a` whose area may be 0.
+   */
+  statistics(a: Model, b: Model, options?: StatisticsOptions): Promise<CertifiedStatistics>;
 
   /**
    * The closest points of `model` to `points` (x, y, z each, such as the vertices of

@@ -20,6 +20,7 @@ import type { DistanceEngine } from "../measure/engine.js";
 import type { DeviationField, FieldOptions } from "../measure/field.js";
 import { type DistanceOptions, split } from "../measure/options.js";
 import type { Results } from "../measure/result.js";
+import type { CertifiedStatistics, StatisticsOptions } from "../measure/statistics.js";
 import type { MeshArrays } from "../model/mesh.js";
 import {
   type BrepText,
@@ -188,6 +189,14 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
 
   async diff(a: NurbsModel, b: NurbsModel, options: DiffOptions = {}): Promise<DiffResult> {
     return this.#measure("diff", [this.#id(a, "a"), this.#id(b, "b")], options);
+  }
+
+  async statistics(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: StatisticsOptions = {},
+  ): Promise<CertifiedStatistics> {
+    return this.#measure("statistics", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
 
   async clearance(

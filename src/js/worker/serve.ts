@@ -108,6 +108,8 @@ class Server {
       this.#open.field(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     diff: ([, a, b, options], watch) =>
       this.#open.diff(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
+    statistics: ([, a, b, options], watch) =>
+      this.#open.statistics(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     clearance: ([, a, b, options], watch) =>
       this.#open.clearance(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     gaps: ([, a, b, options], watch) =>

@@ -185,3 +185,30 @@ test("a mesh is displayed by its own triangles, and a cloud by its points", () =
   const cloud = hd.mesh({ positions: corners }).tessellate();
   assert.deepEqual([cloud.positions.length, cloud.indices.length], [9, 0]);
 });
+
+test("statistics are intervals, of points by count and else by area", async () => {
+  const holds = ({ lower, upper }, expected) =>
+    assert.ok(lower <= expected && expected <= upper, `${expected}: [${lower}, ${upper}]`);
+  const [slope, ground] = [
+    hd.mesh({ positions: [0, 0, 1, 1, 0, 3, 1, 1, 3, 0, 1, 1], triangles: [0, 1, 2, 0, 2, 3] }),
+    hd.model([square(0)]),
+  ];
+  const found = await hd.statistics(slope, ground, { limit: 1.5, percentiles: [0.25] });
+  assert.ok(found.converged && found.over === "area");
+  holds(found.mean, 2);
+  holds(found.rms, Math.sqrt(13 / 3));
+  holds(found.percentiles[0].distance, 1.5);
+  holds(found.beyond.part, 0.75);
+  const points = hd.mesh({ positions: [0, 0, 1, 0.5, 0.5, 2, 1, 1, 6] });
+  const counted = await hd.statistics(points, ground);
+  assert.equal(counted.over, "count");
+  holds(counted.mean, 3);
+  await assert.rejects(hd.statistics(points, ground, { below: 1 }), withCode("OPTION_INVALID"));
+  const there = await away.Hausdorff.create({ backend: "cpu" });
+  try {
+    const [a, b] = [await there.mesh({ positions: [0, 0, 4] }), await there.model([square(0)])];
+    holds((await there.statistics(a, b)).mean, 4);
+  } finally {
+    there.dispose();
+  }
+});

@@ -1,13 +1,11 @@
 //! Proofs of cuts: right ones are proved, and each kind of wrong one is refuted.
 
 use crate::cuts::cut;
-use crate::proof::Surface;
-use crate::proof::Verdict;
 use crate::proof::cut::{Cut, Finding, Map, Piece, Ruled, check};
+use crate::proof::{Deadline, Surface, Verdict};
 use crate::support::trims::{arcs, circle, face, plane, rectangle, reversed};
 use nurbs_hausdorff::internals::model::trim::TrimCurveArrays;
 use nurbs_hausdorff::{Model, ModelArrays};
-use std::time::{Duration, Instant};
 
 /// Below the sizes of what is changed, and large enough for proofs of seconds.
 const SLACK: f64 = 1e-2;
@@ -26,7 +24,7 @@ fn ring() -> Cut {
 }
 
 fn verdict(cut: &Cut) -> Finding {
-    check(cut, SLACK, Instant::now() + Duration::from_secs(60))
+    check(cut, SLACK, &Deadline::after(60.0))
 }
 
 #[track_caller]

@@ -28,7 +28,7 @@ const MARGIN: f64 = 0.02;
 /// or faces.
 const MAX_CONTROL_POINTS: usize = 2000;
 const MAX_OF_PARTS: usize = 20_000;
-const MAX_FACES: usize = 300;
+const MAX_FACES: usize = 600;
 
 /// A model with its samples.
 pub(super) struct Subject {

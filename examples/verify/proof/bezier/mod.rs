@@ -6,4 +6,4 @@ mod net;
 
 pub(super) use curvature::SecondDerivatives;
 pub(super) use extract::{Patch, patches, patches_of};
-pub(super) use net::{Net, project};
+pub(super) use net::{Homogeneous, Net, project};

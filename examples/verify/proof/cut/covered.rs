@@ -5,6 +5,7 @@
 
 use super::curve::Outline;
 use super::map::Map;
+use super::strip::{Side, Strip};
 use super::{Box2, Face, Finding};
 use crate::proof::Verdict;
 use crate::proof::interval::Interval;
@@ -23,7 +24,7 @@ struct Part {
 }
 
 /// Proves the statement.
-pub(super) fn check(face: &Face, maps: &[&Map]) -> Finding {
+pub(super) fn check(face: &Face<'_>, maps: &[&Map]) -> Finding {
     let outlines: Vec<Outline> = maps.iter().map(|map| map.outline()).collect();
     let parameters = face.loops.bounds().map(|bounds| [bounds.lo, bounds.hi]);
     let mut open = vec![Part { parameters, pieces: (0..maps.len()).collect(), halvings: 0 }];
@@ -35,31 +36,32 @@ pub(super) fn check(face: &Face, maps: &[&Map]) -> Finding {
             continue;
         }
         has_area |= winding.is_some();
+        let enlarged = face.enlarged(&target);
         let (mut touching, mut is_covered) = (Vec::new(), false);
         for &piece in &part.pieces {
-            match outlines[piece].winding(&target) {
+            match outlines[piece].winding(&enlarged) {
                 None => touching.push(piece),
                 Some(0) => {}
                 Some(_) => is_covered = true,
             }
         }
-        // A point of an image in a small part is near all of it.
-        if is_covered || (!touching.is_empty() && face.is_small(&target)) {
+        if is_covered {
             continue;
         }
-        let is_decided = winding.is_some() && touching.is_empty();
-        if (is_decided || face.is_small(&target)) && !is_near(face, &outlines, &target) {
+        let is_small = face.is_small(&target);
+        if touching.is_empty() && (winding.is_some() || is_small) {
             let [u, v] = target.map(Interval::mid);
             return Finding::refuted(format!("no piece covers the face at ({u}, {v})"));
         }
-        if face.is_small(&target) {
+        // A point of an image in a small part is near all of it.
+        if is_small || is_covered_beside_strip(face, &outlines, &touching, &enlarged) {
             continue;
         }
         if part.halvings == MAX_HALVINGS || face.is_late() {
             found = Finding::OPEN;
             continue;
         }
-        // Pieces that do not touch the part do not touch its halves, but may touch what is near.
+        // Pieces that do not touch the part with what is near do not touch that of its halves.
         open.extend(halves(face, &part, touching));
     }
     if has_area || found.verdict != Verdict::Proved {
@@ -77,14 +79,35 @@ pub(super) fn check(face: &Face, maps: &[&Map]) -> Finding {
     }
 }
 
-/// Whether some image meets the box with what is near it.
-fn is_near(face: &Face, outlines: &[Outline], target: &Box2) -> bool {
-    let enlarged = face.enlarged(target);
-    outlines.iter().any(|outline| outline.winding(&enlarged) != Some(0))
+/// Whether all curves near a box lie in a strip, beside which pieces cover the region.
+///
+/// On a side of the strip no winding number changes. The strip's points are near a side that is covered.
+fn is_covered_beside_strip(
+    face: &Face<'_>,
+    outlines: &[Outline],
+    touching: &[usize],
+    enlarged: &Box2,
+) -> bool {
+    let curves: Vec<&Outline> = touching.iter().map(|&piece| &outlines[piece]).chain([&face.loops]).collect();
+    let Some(strip) = Strip::around(face, &curves, enlarged) else { return false };
+    let Some(sides) = strip.sides(enlarged) else { return false };
+    let mut some_covered = false;
+    for Side { corner, .. } in &sides {
+        if touching.iter().any(|&piece| outlines[piece].winding(corner).is_some_and(|winding| winding != 0)) {
+            some_covered = true;
+        } else if face.loops.winding(corner) != Some(0) {
+            return false;
+        }
+    }
+    some_covered
 }
 
-fn halves(face: &Face, part: &Part, pieces: Vec<usize>) -> [Part; 2] {
-    let size = |axis: usize| (part.parameters[axis][1] - part.parameters[axis][0]) / face.small[axis];
+fn halves(face: &Face<'_>, part: &Part, pieces: Vec<usize>) -> [Part; 2] {
+    let size = |axis: usize| {
+        let mut vector = [0.0; 2];
+        vector[axis] = part.parameters[axis][1] - part.parameters[axis][0];
+        face.size(vector)
+    };
     let axis = usize::from(size(1) > size(0));
     let [low, high] = part.parameters[axis];
     let middle = 0.5 * (low + high);

@@ -1,11 +1,12 @@
 //! Closed outlines of rational Bézier curves, and winding numbers about boxes.
 
 use super::{Box2, Controls};
+use crate::proof::bezier::Net;
 use crate::proof::interval::Interval;
 use std::cell::OnceCell;
 
 /// The halvings of a curve after which it counts as touching a box.
-const MAX_HALVINGS: u32 = 40;
+pub(super) const MAX_HALVINGS: u32 = 40;
 
 /// The halvings of each curve for the area: a relative error of about 1e-3.
 const AREA_HALVINGS: u32 = 9;
@@ -17,16 +18,16 @@ const HALF: Interval = Interval { lo: 0.5, hi: 0.5 };
 
 /// A closed outline, the union of closed loops.
 pub(super) struct Outline {
-    chains: Vec<Node>,
+    pub(super) chains: Vec<Node>,
 }
 
 /// A part of a curve, or of a chain of them, with its box, and its halves once they are needed.
-struct Node {
+pub(super) struct Node {
     /// The control points of a curve, none of a chain.
     controls: Vec<Point>,
-    hull: Box2,
+    pub(super) hull: Box2,
     /// Points in the enclosures of the ends: parts that meet have the same one there.
-    ends: [[f64; 2]; 2],
+    pub(super) ends: [[f64; 2]; 2],
     halves: OnceCell<Box<[Node; 2]>>,
 }
 
@@ -40,14 +41,54 @@ fn middle(point: Point) -> [f64; 2] {
 
 impl Node {
     fn new(controls: Vec<Point>, ends: [[f64; 2]; 2]) -> Self {
-        let points = ends.iter().map(|end| end.map(Interval::point));
-        let hull = controls
-            .iter()
-            .map(|&point| project(point))
-            .chain(points)
-            .reduce(|a, b| std::array::from_fn(|axis| a[axis].hull(b[axis])));
-        let hull = hull.unwrap_or([Interval::ENTIRE; 2]);
-        Self { controls, hull, ends, halves: OnceCell::new() }
+        let mut node = Self { controls, hull: [Interval::ENTIRE; 2], ends, halves: OnceCell::new() };
+        let hull = node.points().reduce(|a, b| std::array::from_fn(|axis| a[axis].hull(b[axis])));
+        node.hull = hull.unwrap_or(node.hull);
+        node
+    }
+
+    /// A side of a map, whose ends meet no other curve.
+    pub(super) fn side(controls: Vec<Point>) -> Self {
+        let ends = [controls[0], controls[controls.len() - 1]].map(middle);
+        Self::new(controls, ends)
+    }
+
+    pub(super) fn controls(&self) -> &[Point] {
+        &self.controls
+    }
+
+    /// The start (0) or the end (1) of a curve.
+    pub(super) fn end(&self, end: usize) -> Box2 {
+        project(self.controls[end * (self.controls.len() - 1)])
+    }
+
+    /// One coordinate of a curve, as a patch that does not depend on its first parameter.
+    pub(super) fn coordinate(&self, axis: usize) -> Net {
+        let point = |point: &Point| [point[axis], Interval::ZERO, Interval::ZERO, point[2]];
+        Net { degree: [0, self.controls.len() - 1], points: self.controls.iter().map(point).collect() }
+    }
+
+    /// The points whose convex hull contains the curve: the control points and its ends.
+    pub(super) fn points(&self) -> impl Iterator<Item = Box2> {
+        let ends = self.ends.map(|end| end.map(Interval::point));
+        self.controls.iter().map(|&point| project(point)).chain(ends)
+    }
+
+    /// The part of the curve over this part of [0, 1], which halvings make.
+    pub(super) fn over(&self, part: [f64; 2]) -> &Self {
+        let (mut node, mut range) = (self, [0.0, 1.0]);
+        while range != part {
+            let middle = 0.5 * (range[0] + range[1]);
+            let half = usize::from(part[0] >= middle);
+            range[1 - half] = middle;
+            node = &node.halves()[half];
+        }
+        node
+    }
+
+    /// Whether the box of the curve meets another.
+    pub(super) fn meets(&self, target: &Box2) -> bool {
+        (0..2).all(|axis| self.hull[axis].hi >= target[axis].lo && self.hull[axis].lo <= target[axis].hi)
     }
 
     /// The chain of curves that each begin where the one before ends.
@@ -62,11 +103,11 @@ impl Node {
         Self { controls: Vec::new(), hull, ends, halves: OnceCell::from(Box::new([low, high])) }
     }
 
-    fn is_chain(&self) -> bool {
+    pub(super) fn is_chain(&self) -> bool {
         self.controls.is_empty()
     }
 
-    fn halves(&self) -> &[Node; 2] {
+    pub(super) fn halves(&self) -> &[Node; 2] {
         self.halves.get_or_init(|| {
             let (mut low, mut high) = (self.controls.clone(), self.controls.clone());
             for round in 1..low.len() {

@@ -12,8 +12,12 @@ mod covered;
 mod curve;
 mod inside;
 mod map;
+mod region;
+mod same;
+mod strip;
 mod values;
 
+use super::deadline::Deadline;
 use super::frame::{Frame, Motion};
 use super::interval::Interval;
 use super::surface::{Model, Surface};
@@ -21,7 +25,7 @@ use super::{Verdict, bezier};
 use bezier::{Patch, SecondDerivatives};
 use curve::Outline;
 pub(crate) use map::{Map, Ruled};
-use std::time::Instant;
+use region::Region;
 
 /// The homogeneous controls (w u, w v, w) of a rational Bézier curve of parameters.
 pub(crate) type Controls = Vec<[f64; 3]>;
@@ -57,6 +61,14 @@ impl Finding {
         Self { verdict: Verdict::Refuted, note: Some(note) }
     }
 
+    /// The same, with the statement if that is not proved.
+    fn of(self, statement: &str) -> Self {
+        match self.verdict {
+            Verdict::NotProved => Self { note: Some(statement.to_owned()), ..self },
+            _ => self,
+        }
+    }
+
     /// The worse of two: refuted, then not proved.
     fn and(self, other: impl FnOnce() -> Self) -> Self {
         match self.verdict {
@@ -71,10 +83,12 @@ impl Finding {
 }
 
 /// What the three statements need of a face.
-struct Face {
+struct Face<'a> {
     /// The surface's patches, in the frame, and their derivatives' bounds.
     patches: Vec<Patch>,
     bends: Vec<SecondDerivatives>,
+    /// Those bounds over parts of the patches.
+    regions: Vec<Region>,
     frame: Frame,
     /// Half of the limit, in the frame: what a piece may be off the surface by, and what a place on
     /// the surface may be off the region by.
@@ -83,11 +97,13 @@ struct Face {
     /// other on the surface: such a box, and one about it that is larger by as much on each side.
     small: [f64; 2],
     loops: Outline,
-    deadline: Instant,
+    /// The size of the loops' box.
+    extents: [f64; 2],
+    deadline: &'a Deadline,
 }
 
 /// Proves that face and pieces are within `deviation + slack` times the diagonal of each other.
-pub(crate) fn check(cut: &Cut, slack: f64, deadline: Instant) -> Finding {
+pub(crate) fn check(cut: &Cut, slack: f64, deadline: &Deadline) -> Finding {
     if cut.pieces.is_empty() {
         return Finding::refuted("the face has no pieces".to_owned());
     }
@@ -100,13 +116,20 @@ pub(crate) fn check(cut: &Cut, slack: f64, deadline: Instant) -> Finding {
     let bends: Vec<SecondDerivatives> =
         patches.iter().map(|patch| SecondDerivatives::of(&patch.net)).collect();
     let Some(slopes) = slopes(&patches, &bends) else { return Finding::OPEN };
-    let small = slopes.map(|slope| 0.25 * limit / slope.max(f64::MIN_POSITIVE));
     let loops = Outline::new(cut.loops.iter().cloned());
-    let face = Face { patches, bends, frame, limit, small, loops, deadline };
+    let extents = loops.bounds().map(|bounds| bounds.hi - bounds.lo);
+    // What is small is small beside the loops, too, where the surface hardly moves with a parameter.
+    let small = std::array::from_fn(|axis| {
+        let moves = 0.25 * limit / slopes[axis].max(f64::MIN_POSITIVE);
+        if extents[axis] > 0.0 { moves.min(MAX_SMALL * extents[axis]) } else { moves }
+    });
+    let regions = patches.iter().map(|patch| Region::whole(&patch.net)).collect();
+    let face = Face { patches, bends, regions, frame, limit, small, loops, extents, deadline };
     let maps: Vec<&Map> = cut.pieces.iter().map(|piece| &piece.map).collect();
     inside::check(&face, &maps)
-        .and(|| covered::check(&face, &maps))
-        .and(|| values::check(&face, &pieces, &maps))
+        .of("that pieces lie in the face")
+        .and(|| covered::check(&face, &maps).of("that pieces cover the face"))
+        .and(|| values::check(&face, &pieces, &maps).of("that pieces lie on the surface"))
 }
 
 /// Bounds of the surface's first derivatives by u and v; `None` where a weight may be 0.
@@ -122,10 +145,13 @@ fn slopes(patches: &[Patch], bends: &[SecondDerivatives]) -> Option<[f64; 2]> {
     slopes.iter().all(|slope| slope.is_finite()).then_some(slopes)
 }
 
+/// The largest part of the loops' box that is called small.
+const MAX_SMALL: f64 = 1.0 / 64.0;
+
 /// A box of parameters (u, v).
 type Box2 = [Interval; 2];
 
-impl Face {
+impl Face<'_> {
     /// Whether two points of the box are always near on the surface.
     fn is_small(&self, parameters: &Box2) -> bool {
         (0..2).all(|axis| parameters[axis].hi - parameters[axis].lo <= self.small[axis])
@@ -139,7 +165,16 @@ impl Face {
         })
     }
 
+    /// Returns the size of a vector of parameters, relative to the loops' box: 0 where it is small.
+    ///
+    /// It decides what is halved. Small sizes may be far apart in u and v where one knot rectangle of many is
+    /// narrow, and boundaries are not.
+    fn size(&self, vector: [f64; 2]) -> f64 {
+        let sizes = (0..2).filter(|&axis| vector[axis].abs() > self.small[axis]);
+        sizes.map(|axis| vector[axis].abs() / self.extents[axis]).fold(0.0, f64::max)
+    }
+
     fn is_late(&self) -> bool {
-        Instant::now() > self.deadline
+        self.deadline.is_over()
     }
 }

@@ -4,7 +4,8 @@
 //! corners' values by at most (h² |f_ss| + k² |f_tt|) / 8, and that function is at most as large as
 //! the largest value. The second derivatives are bounded by the control nets.
 
-use super::map::{Map, Ruled};
+use super::map::Map;
+use super::same::is_same;
 use super::{Box2, Face, Finding};
 use crate::proof::bezier::{Net, Patch, SecondDerivatives, patches};
 use crate::proof::frame::Motion;
@@ -18,77 +19,101 @@ const MAX_HALVINGS: u32 = 40;
 /// The part of a knot rectangle by which a map may leave it: its patch is continued there.
 const MAX_EXCESS: f64 = 1e-6;
 
-/// Upper bound on (1 + 2 MAX_EXCESS)^60, by which the bounds of a patch of degrees up to 15, of its
-/// quotients and of their derivatives grow where it is continued.
-const GROWTH: f64 = 1.001;
+/// Upper bound on (1 + 2 MAX_EXCESS 2^region::MAX_HALVINGS)^60, by which the bounds of a region's patch of
+/// degrees up to 15, of its quotients and of their derivatives grow where it is continued.
+const GROWTH: f64 = 1.01;
 
-/// The piece's patch in its parameters over [0, 1]², with the map from there.
+/// A patch of a piece over [0, 1]².
 struct Place<'a> {
-    net: &'a Net,
     map: &'a Map,
     /// The box of the piece's parameters that the patch is over.
     ranges: [[f64; 2]; 2],
 }
 
+/// A part of a patch with its own control points.
+struct Part {
+    parameters: [[f64; 2]; 2],
+    net: Net,
+    halvings: u32,
+}
+
 /// Proves the statement for all pieces.
-pub(super) fn check(face: &Face, pieces: &Model, maps: &[&Map]) -> Finding {
+pub(super) fn check(face: &Face<'_>, pieces: &Model, maps: &[&Map]) -> Finding {
     let mut found = Finding::PROVED;
     for Patch { net, surface, ranges } in &patches(pieces, &face.frame, &Motion::IDENTITY) {
         let map = maps[*surface];
-        let place = Place { net, map, ranges: *ranges };
-        found = found.and(|| patch(face, &place, *surface));
+        if matches!(map, Map::Ruled(_)) && *ranges != [[0.0, 1.0]; 2] {
+            return found.and(|| Finding::OPEN);
+        }
+        if matches!(map, Map::Identity { .. }) && is_same(face, net, *ranges) {
+            continue;
+        }
+        let place = Place { map, ranges: *ranges };
+        found = found.and(|| patch(face, &place, net, *surface));
     }
     found
 }
 
-fn patch(face: &Face, place: &Place<'_>, index: usize) -> Finding {
+fn patch(face: &Face<'_>, place: &Place<'_>, net: &Net, index: usize) -> Finding {
     let mut found = Finding::PROVED;
-    let mut open: Vec<([[f64; 2]; 2], u32)> = vec![([[0.0, 1.0]; 2], 0)];
-    while let Some((part, halvings)) = open.pop() {
-        let corners = place.corners(face, part);
+    let mut open = vec![Part { parameters: [[0.0, 1.0]; 2], net: net.clone(), halvings: 0 }];
+    while let Some(part) = open.pop() {
+        let corners = place.distance_at_corners(face, &part);
         if corners.lo > face.limit {
-            let at = place.parameters(part.map(|range| Interval::point(range[0]))).map(Interval::mid);
+            let at = place.corners(part.parameters)[0].map(Interval::mid);
             return Finding::refuted(format!("piece {index} is off the surface near ({}, {})", at[0], at[1]));
         }
-        let bends = place.bends(face, part);
+        let bends = place.bends(face, &part);
         if corners.hi + bends[0] + bends[1] <= face.limit {
             continue;
         }
-        if halvings == MAX_HALVINGS || face.is_late() {
+        if part.halvings == MAX_HALVINGS || face.is_late() {
             found = Finding::OPEN;
             continue;
         }
-        let axis = usize::from(bends[1] > bends[0] || (bends[1] == bends[0] && halvings % 2 == 1));
-        let [low, high] = part[axis];
+        let axis = usize::from(bends[1] > bends[0] || (bends[1] == bends[0] && part.halvings % 2 == 1));
+        let [low, high] = part.parameters[axis];
         let middle = 0.5 * (low + high);
-        for range in [[low, middle], [middle, high]] {
-            let mut half = part;
-            half[axis] = range;
-            open.push((half, halvings + 1));
+        for (net, range) in part.net.split(axis).into_iter().zip([[low, middle], [middle, high]]) {
+            let mut parameters = part.parameters;
+            parameters[axis] = range;
+            open.push(Part { parameters, net, halvings: part.halvings + 1 });
         }
     }
     found
 }
 
 impl Place<'_> {
-    /// The face's parameters over a part of the patch.
-    fn parameters(&self, part: Box2) -> Box2 {
-        self.map.image(std::array::from_fn(|axis| {
-            let [start, end] = self.ranges[axis].map(Interval::point);
-            start + part[axis] * (end - start)
-        }))
+    /// The piece's parameters at a part of a range of the patch.
+    fn at(&self, axis: usize, part: f64) -> Interval {
+        let [start, end] = self.ranges[axis].map(Interval::point);
+        start + Interval::point(part) * (end - start)
+    }
+
+    /// The face's parameters at the corners of a part.
+    fn corners(&self, part: [[f64; 2]; 2]) -> [Box2; 4] {
+        if let Map::Ruled(_) = self.map {
+            return self.map.corners(part);
+        }
+        [[0, 0], [0, 1], [1, 0], [1, 1]].map(|ends| [0, 1].map(|axis| self.at(axis, part[axis][ends[axis]])))
+    }
+
+    /// The box of the face's parameters over a part.
+    fn image(&self, part: [[f64; 2]; 2]) -> Box2 {
+        if let Map::Ruled(_) = self.map {
+            return self.map.hull(part);
+        }
+        [0, 1].map(|axis| self.at(axis, part[axis][0]).hull(self.at(axis, part[axis][1])))
     }
 
     /// The largest distance at the corners: the lower end holds for one of them.
-    fn corners(&self, face: &Face, part: [[f64; 2]; 2]) -> Interval {
+    fn distance_at_corners(&self, face: &Face<'_>, part: &Part) -> Interval {
         let mut largest = Interval::ZERO;
-        for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-            let at = [part[0][i], part[1][j]].map(Interval::point);
-            let (own, image) = (self.net.evaluate(at), self.parameters(at));
+        for (own, image) in part.net.corners().iter().zip(self.corners(part.parameters)) {
             let Some(other) = on_surface(face, &image) else {
                 return Interval { lo: 0.0, hi: f64::INFINITY };
             };
-            let distance = norm(&difference(&own, &other));
+            let distance = norm(&difference(own, &other));
             largest = Interval { lo: largest.lo.max(distance.lo), hi: largest.hi.max(distance.hi) };
         }
         largest
@@ -96,36 +121,31 @@ impl Place<'_> {
 
     /// Bounds of `h² |f_ss| / 8` and `k² |f_tt| / 8`, infinite where the part's image leaves the
     /// knot rectangle of its middle.
-    fn bends(&self, face: &Face, part: [[f64; 2]; 2]) -> [f64; 2] {
-        let sizes = part.map(|[low, high]| high - low);
-        let own = SecondDerivatives::of(&self.net.restrict(0, part[0]).restrict(1, part[1]));
-        let Some(image) = self.image_bends(face, part) else { return [f64::INFINITY; 2] };
-        // The net over the part has the part's size for its unit.
+    fn bends(&self, face: &Face<'_>, part: &Part) -> [f64; 2] {
+        let own = SecondDerivatives::of(&part.net);
+        let Some(image) = self.image_bends(face, part.parameters) else { return [f64::INFINITY; 2] };
         std::array::from_fn(|axis| {
-            let curve = Interval::point(own.pure[axis])
-                + Interval::point(sizes[axis]).square() * Interval::point(image[axis]);
-            (curve * Interval::point(0.125)).hi
+            ((Interval::point(own.pure[axis]) + Interval::point(image[axis])) * Interval::point(0.125)).hi
         })
     }
 
-    /// Bounds of the second derivatives of surface∘map by the patch's parameters.
-    fn image_bends(&self, face: &Face, part: [[f64; 2]; 2]) -> Option<[f64; 2]> {
-        let image = self.parameters(part.map(|[low, high]| Interval { lo: low, hi: high }));
+    /// Bounds of the second derivatives of surface∘map by the parameters of a part over [0, 1]².
+    fn image_bends(&self, face: &Face<'_>, part: [[f64; 2]; 2]) -> Option<[f64; 2]> {
+        let image = self.image(part);
         let number = rectangle(face, image.map(Interval::mid))?;
         let patch = &face.patches[number];
-        let local: Vec<Interval> = (0..2)
-            .map(|axis| {
-                let [start, end] = patch.ranges[axis].map(Interval::point);
-                (image[axis] - start) / (end - start)
-            })
-            .collect();
+        let local: Box2 = std::array::from_fn(|axis| {
+            let [start, end] = patch.ranges[axis].map(Interval::point);
+            (image[axis] - start) / (end - start)
+        });
         if local.iter().any(|at| at.lo < -MAX_EXCESS || at.hi > 1.0 + MAX_EXCESS) {
             return None;
         }
-        let surface = &face.bends[number];
+        let (surface, parts) = face.regions[number].around(&local);
         let steps = self.steps(part);
         let lengths: [Interval; 2] = std::array::from_fn(|axis| {
-            Interval::point(patch.ranges[axis][1]) - Interval::point(patch.ranges[axis][0])
+            let [start, end] = patch.ranges[axis].map(Interval::point);
+            Interval::point(parts[axis]) * (end - start)
         });
         Some(std::array::from_fn(|axis| {
             let [first, second] = &steps[axis];
@@ -141,41 +161,34 @@ impl Place<'_> {
         }))
     }
 
-    /// Bounds of the first and second derivatives of the face's u and v by the patch's parameters,
-    /// `[axis][order][u or v]`.
+    /// Bounds of the first and second derivatives of the face's u and v by the parameters of a part over
+    /// [0, 1]², `[axis][order][u or v]`.
     fn steps(&self, part: [[f64; 2]; 2]) -> [[[f64; 2]; 2]; 2] {
-        let scale: [f64; 2] = std::array::from_fn(|axis| {
-            let [start, end] = self.ranges[axis].map(Interval::point);
-            (end - start).hi
-        });
-        let Map::Ruled(Ruled { sides, domain, transposed, .. }) = self.map else {
-            return [[[scale[0], 0.0], [0.0; 2]], [[0.0, scale[1]], [0.0; 2]]];
+        let Map::Ruled(ruled) = self.map else {
+            let image = self.image(part);
+            let [u, v] = image.map(|range| (Interval::point(range.hi) - Interval::point(range.lo)).hi);
+            return [[[u, 0.0], [0.0; 2]], [[0.0, v], [0.0; 2]]];
         };
-        let lengths = domain.map(|[start, end]| (Interval::point(end) - Interval::point(start)).hi);
-        let along = usize::from(!*transposed);
-        let nets = sides.each_ref().map(|side| side.restrict(1, part[along]));
-        let boxes = nets.each_ref().map(Net::bounding_box);
-        let size = part[along][1] - part[along][0];
-        let mut across_first = [0.0; 2];
-        let (mut along_first, mut along_second) = ([0.0; 2], [0.0; 2]);
-        for k in 0..2 {
-            let unit = if *transposed { 1 - k } else { k };
-            across_first[k] = (boxes[1][unit] - boxes[0][unit]).magnitude() * lengths[k];
-            for net in &nets {
-                let bounds = SecondDerivatives::of(net);
-                along_first[k] = f64::max(along_first[k], bounds.first[1] / size * lengths[k] * GROWTH);
-                along_second[k] =
-                    f64::max(along_second[k], bounds.pure[1] / (size * size) * lengths[k] * GROWTH);
+        let (sides, s) = ruled.over(part);
+        let size = Interval::point(s[1]) - Interval::point(s[0]);
+        let across = [0, 1].map(|k| (size * (sides[1].hull[k] - sides[0].hull[k])).magnitude());
+        let (mut first, mut second) = ([0.0; 2], [0.0; 2]);
+        for side in sides {
+            for k in 0..2 {
+                let bounds = SecondDerivatives::of(&side.coordinate(k));
+                first[k] = f64::max(first[k], bounds.first[1]);
+                second[k] = f64::max(second[k], bounds.pure[1]);
             }
         }
-        let (across, along_both) = ([across_first, [0.0; 2]], [along_first, along_second]);
-        if *transposed { [along_both, across] } else { [across, along_both] }
+        let mut steps = [[across, [0.0; 2]]; 2];
+        steps[ruled.along()] = [first, second];
+        steps
     }
 }
 
 /// The number of the surface's patch over the knot rectangle that contains these parameters, or
 /// of the nearest one.
-fn rectangle(face: &Face, parameters: [f64; 2]) -> Option<usize> {
+pub(super) fn rectangle(face: &Face<'_>, parameters: [f64; 2]) -> Option<usize> {
     let outside = |&number: &usize| {
         let patch = &face.patches[number];
         (0..2)
@@ -189,7 +202,7 @@ fn rectangle(face: &Face, parameters: [f64; 2]) -> Option<usize> {
 }
 
 /// The surface's point; parameters that leave the domain by rounding are moved onto it.
-fn on_surface(face: &Face, parameters: &Box2) -> Option<Vector> {
+fn on_surface(face: &Face<'_>, parameters: &Box2) -> Option<Vector> {
     let patch = &face.patches[rectangle(face, parameters.map(Interval::mid))?];
     let local = std::array::from_fn(|axis| {
         let [start, end] = patch.ranges[axis].map(Interval::point);

@@ -11,7 +11,8 @@ use clap_complete::Shell;
 use motion::{Rotation, Translation};
 use nurbs_hausdorff::options::{Culling, Flatness, Projection, SamplingRule};
 use nurbs_hausdorff::{
-    Backend, ClearanceOptions, DiffOptions, DistanceOptions, MethodName, NamedOptions, Result, RigidTransform,
+    Backend, ClearanceOptions, DiffOptions, DistanceOptions, MethodName, NamedOptions, Result,
+    RigidTransform, StatisticsOptions,
 };
 use std::path::PathBuf;
 
@@ -43,6 +44,13 @@ pub(crate) enum Command {
     /// is less or solids overlap, 2 for bad input, 3 if --limit was not decided or
     /// faces were left out.
     Clearance(ClearanceArguments),
+    /// Computes statistics of the distances from A to B, each as an interval that holds it.
+    ///
+    /// Of a cloud of points they are over its points, else over the area of A: the mean, the root
+    /// mean square, the percentiles 50, 95 and 99, and the part beyond --limit.
+    ///
+    /// Exit status: 0 if they were computed, 2 for bad input.
+    Statistics(StatisticsArguments),
     /// Answers many pairs of files: lines of JSON in, lines of JSON out, in their order.
     ///
     /// A line has an id, the files a and b, a command (distance, diff or clearance; distance if
@@ -278,6 +286,57 @@ impl ClearanceArguments {
             max_cells: self.max_cells,
             scale_units: self.placement.scale_units,
             transform: self.placement.transform()?,
+        })
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct StatisticsArguments {
+    /// The model A, whose points are measured; - is standard input.
+    pub(crate) a: PathBuf,
+    /// The model B, which they are measured to; - is standard input.
+    pub(crate) b: PathBuf,
+    /// Permitted width of the intervals of lengths, in model units.
+    #[arg(long, value_name = "LENGTH")]
+    tolerance: Option<f64>,
+    /// The same as a fraction of the larger diagonal; 1e-4 if neither is given.
+    #[arg(long, value_name = "FRACTION")]
+    relative_tolerance: Option<f64>,
+    /// Adds the part of A that is farther from B than LIMIT.
+    #[arg(long, value_name = "LIMIT")]
+    limit: Option<f64>,
+    /// Permitted width of the interval of that part.
+    #[arg(long, value_name = "PART", default_value_t = 1e-3)]
+    part_tolerance: f64,
+    /// Seconds after which the intervals reached are the result.
+    #[arg(long, value_name = "SECONDS")]
+    max_seconds: Option<f64>,
+    /// Parts of A after which the intervals reached are the result.
+    #[arg(long, value_name = "CELLS", default_value_t = 1_000_000)]
+    max_cells: usize,
+    #[command(flatten)]
+    placement: Placement,
+    /// Prints the result as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+impl StatisticsArguments {
+    /// The library's options.
+    ///
+    /// # Errors
+    /// As [`RigidTransform::new`]; the library checks the ranges.
+    pub(crate) fn options(&self) -> Result<StatisticsOptions> {
+        Ok(StatisticsOptions {
+            tolerance: self.tolerance,
+            relative_tolerance: self.relative_tolerance,
+            limit: self.limit,
+            part_tolerance: self.part_tolerance,
+            max_seconds: self.max_seconds,
+            max_cells: self.max_cells,
+            scale_units: self.placement.scale_units,
+            transform: self.placement.transform()?,
+            ..StatisticsOptions::default()
         })
     }
 }

@@ -6,3 +6,4 @@ pub(crate) mod convert;
 pub(crate) mod diff;
 pub(crate) mod distance;
 pub(crate) mod info;
+pub(crate) mod statistics;

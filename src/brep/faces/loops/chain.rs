@@ -26,11 +26,13 @@ pub(super) struct Chain {
 /// tolerances of the edges and of their common vertex allow; those of [`order::circuit`].
 pub(super) fn chain(uses: Vec<TrimUse>, surface: &Surface) -> Result<Chain, FaceFault> {
     let frame = Frame::of(&uses, surface);
-    let Circuit { uses: circuit, is_placed } = order::circuit(uses, &frame)?;
+    let Circuit { uses: mut circuit, is_placed } = order::circuit(uses, &frame)?;
     let (start, end) = (circuit[0].curve.start(), circuit[circuit.len() - 1].curve.end());
     // A chain whose ends are one point in space, as at a pole, closes along that and does not turn.
     let ends = [&circuit[circuit.len() - 1], &circuit[0]];
-    let closes = is_placed || frame.reach(end, start) <= frame.allowed(ends);
+    let closes = is_placed
+        || frame.reach(end, start) <= frame.allowed(ends)
+        || turned_at_pole(&mut circuit, frame.turns(start, end), &frame);
     let turns = if closes { [0, 0] } else { frame.turns(start, end) };
     let moved = |point: DVec3| {
         let shift = [0, 1].map(|axis| f64::from(turns[axis]) * frame.closures[axis].unwrap_or(0.0));
@@ -48,6 +50,26 @@ pub(super) fn chain(uses: Vec<TrimUse>, surface: &Surface) -> Result<Chain, Face
         chain.bridge(&frame, [next, after], [from, to])?;
     }
     Ok(chain)
+}
+
+/// Turns a chain that passes a pole back there, so that it closes; returns whether it did.
+///
+/// Around its pole a surface has all parameters in one point, so that a loop without an edge of it, as
+/// along a cone's seam to the apex and back, may be taken to turn there.
+fn turned_at_pole(circuit: &mut [TrimUse], turns: [i32; 2], frame: &Frame<'_>) -> bool {
+    let [u, v] = [0, 1].map(|axis| -f64::from(turns[axis]) * frame.closures[axis].unwrap_or(0.0));
+    let back = DVec3::new(u, v, 0.0);
+    let is_pole = |[last, next]: [&TrimUse; 2]| {
+        let end = last.curve.end();
+        frame.reach(end, end + back) <= frame.allowed([last, next])
+    };
+    let Some(place) = (1..circuit.len()).find(|&next| is_pole([&circuit[next - 1], &circuit[next]])) else {
+        return false;
+    };
+    for after in &mut circuit[place..] {
+        after.curve = after.curve.clone().translated(back);
+    }
+    true
 }
 
 impl Chain {

@@ -69,7 +69,7 @@ pub(super) fn circuit(uses: Vec<TrimUse>, frame: &Frame<'_>) -> Result<Circuit, 
         let why = format!("{} curves are out of order, expected at most {MAX_DISORDERED}", uses.len());
         return Err(FaceFault::new("BREP_LOOP_OPEN", why));
     }
-    let mut order = if search.follows(&in_file) { in_file } else { search.walks(Meeting::OnSurface) };
+    let mut order = search.order_on_surface(in_file);
     // A seam whose ends meet in space alone is not where a circuit begins.
     let edge = |index: usize| uses[index].edge;
     if order.len() > 2 && edge(order[0]).is_some() && edge(order[0]) == edge(order[order.len() - 1]) {
@@ -127,6 +127,29 @@ impl Search<'_> {
     fn follows(&self, order: &[usize]) -> bool {
         let meet = |pair: &[usize]| self.meet(&self.uses[pair[0]], &self.uses[pair[1]], Meeting::OnSurface);
         order.windows(2).all(meet)
+    }
+
+    /// Returns the order of the file if its curves follow each other on the surface, else that of a walk.
+    ///
+    /// Where no walk follows them, as their ends are farther from common vertices than neighbours are, the
+    /// vertices decide; on a surface closed both ways they may all be one.
+    fn order_on_surface(&self, in_file: Vec<usize>) -> Vec<usize> {
+        if self.follows(&in_file) {
+            return in_file;
+        }
+        let walk = self.walks(Meeting::OnSurface);
+        let is_linked = self.whole.is_none() && self.is_linked(&in_file);
+        if is_linked && !self.follows(&walk) { in_file } else { walk }
+    }
+
+    /// Returns whether each curve begins in the vertex in which the one before it ends, and the first where
+    /// the last does.
+    fn is_linked(&self, order: &[usize]) -> bool {
+        let next = order.iter().cycle().skip(1);
+        order.iter().zip(next).all(|(&last, &next)| {
+            let vertex = self.uses[last].vertices[1];
+            vertex.is_some() && vertex == self.uses[next].vertices[0]
+        })
     }
 
     fn distance(&self, last: &TrimUse, next: &TrimUse, meeting: Meeting) -> f64 {

@@ -1,0 +1,72 @@
+"""Statistics of distances, as intervals that contain them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from .common import Seconds, table
+
+
+@dataclass(frozen=True)
+class Bounded:
+    """Interval that contains a number."""
+
+    lower: float
+    upper: float
+
+
+@dataclass(frozen=True)
+class CertifiedStatistics:
+    """Statistics of the distances from the points of A to B; every number is in its interval.
+
+    Attributes
+    ----------
+    over : {"count", "area"}
+        What they are over: the points of a cloud, each once, or the area.
+    total : Bounded
+        The number of points, or the area in squares of the model unit.
+    mean, rms : Bounded
+        The mean distance and the root of the mean square.
+    percentiles : dict of float to Bounded
+        For each part of A the least distance that it is within.
+    beyond : Bounded or None
+        With ``limit``, the part of A that is farther than it, between 0 and 1.
+    converged : bool
+        Whether all intervals are as narrow as requested. A percentile at which distances jump stays
+        as wide as the jump.
+    """
+
+    over: Literal["count", "area"]
+    total: Bounded
+    mean: Bounded
+    rms: Bounded
+    percentiles: dict[float, Bounded]
+    converged: bool
+    tolerance: float
+    diagonal: float
+    cells: int
+    seconds: Seconds
+    beyond: Bounded | None = None
+    unit: float | None = None
+
+    def _repr_html_(self) -> str:
+        named = [("mean", self.mean), ("rms", self.rms)]
+        named += [(f"part {part!r} within", found) for part, found in self.percentiles.items()]
+        if self.beyond is not None:
+            named.append(("part beyond the limit", self.beyond))
+        return table([(name, f"{found.lower!r} to {found.upper!r}") for name, found in named])
+
+
+def statistics_result(data: dict[str, Any]) -> CertifiedStatistics:
+    """Make the result of a native dictionary in snake case."""
+    for name in ("total", "mean", "rms"):
+        data[name] = Bounded(**data[name])
+    data["percentiles"] = {
+        found["part"]: Bounded(**found["distance"]) for found in data["percentiles"]
+    }
+    beyond = data.pop("beyond", None)
+    data["seconds"] = Seconds(**data["seconds"])
+    return CertifiedStatistics(
+        **data, beyond=None if beyond is None else Bounded(**beyond["part"])
+    )

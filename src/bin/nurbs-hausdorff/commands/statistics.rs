@@ -1,0 +1,48 @@
+//! The command `statistics`.
+
+use crate::arguments::StatisticsArguments;
+use crate::failure::Failure;
+use crate::input::read;
+use crate::output::json::{OfFiles, print_json};
+use crate::output::print;
+use crate::output::progress::Bar;
+use nurbs_hausdorff::{Bounded, CertifiedStatistics, Engine, Measure};
+use std::fmt::{Result, Write};
+
+/// Computes the statistics and prints them.
+pub(crate) fn run(arguments: &StatisticsArguments) -> std::result::Result<(), Failure> {
+    let options = arguments.options()?;
+    options.validate()?;
+    let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
+    let engine = Engine::cpu();
+    let mut bar = Bar::new();
+    let result = engine.statistics(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
+    drop(bar);
+    if arguments.json {
+        return print_json(&OfFiles::new(&result, &a, &b));
+    }
+    let mut text = String::new();
+    // Writing to a string does not fail.
+    let _ = lines(&mut text, &result);
+    print(&text)
+}
+
+fn lines(out: &mut String, result: &CertifiedStatistics) -> Result {
+    let between = |Bounded { lower, upper, .. }: Bounded| format!("between {lower:?} and {upper:?}");
+    let total = match result.over {
+        Measure::Count => "points",
+        _ => "area",
+    };
+    writeln!(out, "{total:<10} {}", between(result.total))?;
+    writeln!(out, "mean       {}", between(result.mean))?;
+    writeln!(out, "rms        {}", between(result.rms))?;
+    for percentile in &result.percentiles {
+        writeln!(out, "part {:<5} within a distance {}", percentile.part, between(percentile.distance))?;
+    }
+    if let Some(beyond) = result.beyond {
+        writeln!(out, "beyond     {:?}: a part {}", beyond.limit, between(beyond.part))?;
+    }
+    let stop = if result.converged { "converged" } else { "not converged" };
+    writeln!(out, "search     {stop}, {} parts", result.cells)?;
+    writeln!(out, "seconds    {:.3} prepare, {:.3} solve", result.seconds.prepare, result.seconds.solve)
+}

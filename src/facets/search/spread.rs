@@ -1,0 +1,306 @@
+//! Bounds on the distances of all points of a part of A, and on their means, for statistics.
+
+use super::super::FacetTarget;
+use super::super::rounding::sag_rounding;
+use super::Goal;
+use super::part::{MAX_LEVELS, TrianglePart};
+use super::patch_cell::{MIN_LENGTH, PatchCell};
+use super::source::{Measured, Source, Start};
+use crate::area::{Area, area_of_part};
+use crate::bezier::PatchSet;
+use crate::facets::Facet;
+use crate::model::RigidTransform;
+use crate::rounding::{UNIT_ROUNDOFF, gamma, lower_min, upper_max, upper_min};
+use glam::DVec3;
+
+/// The number of facets near a part beyond which it is bounded by its middle alone: it is halved
+/// before it is narrow.
+const MAX_NEAR: usize = 128;
+
+/// The roundings of linear bounds at corners, and of means of three, relative to the largest length
+/// (lemma F8 of docs/meshes.md).
+const SPREAD_ROUNDINGS: f64 = 64.0;
+
+/// The roundings of the reach beyond which no facet matters.
+const REACH_ROUNDINGS: f64 = 4.0;
+
+/// Bounds on the distances of all points of a part from B, and on their mean and the mean of their
+/// squares over its area.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Spread {
+    pub(crate) lower: f64,
+    pub(crate) upper: f64,
+    pub(crate) mean: [f64; 2],
+    pub(crate) square: [f64; 2],
+}
+
+/// A set of points of A with bounds.
+pub(crate) trait Weighted {
+    /// Returns its area, or its number of points.
+    fn weight(&self) -> Area;
+    /// Returns the bounds of its distances.
+    fn spread(&self) -> Spread;
+}
+
+/// Bounds on the distance of a point of A: little memory, as clouds are large.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BoundedPoint {
+    lower: f64,
+    upper: f64,
+}
+
+/// A part of a triangle or a patch of A with its area.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WeightedPart {
+    region: WeightedRegion,
+    weight: Area,
+    /// A facet of B that may be near.
+    start: u32,
+    spread: Spread,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum WeightedRegion {
+    Triangle([DVec3; 3], u32),
+    Cell(PatchCell),
+}
+
+/// The parts of A, bounded before B.
+pub(crate) struct Parts<'a> {
+    a: Source<'a>,
+    b: Measured<'a>,
+    transform: RigidTransform,
+    goal: Goal,
+    /// What is added to both sides of every bound.
+    rounding: f64,
+}
+
+impl Spread {
+    fn exact([lower, upper]: [f64; 2]) -> Self {
+        let lower = if lower > 0.0 { lower } else { 0.0 };
+        Self { lower, upper, mean: [lower, upper], square: [lower * lower, upper * upper] }
+    }
+
+    /// Returns bounds that hold for all points of both.
+    fn union(self, other: Self) -> Self {
+        Self::exact([lower_min(self.lower, other.lower), upper_max(self.upper, other.upper)])
+    }
+
+    /// Returns bounds that hold where distances are off by this.
+    fn widened(self, by: f64) -> Self {
+        let [mean, square] = [self.mean, self.square];
+        let below = |value: f64| if value > by { value - by } else { 0.0 };
+        let low = below(mean[0]);
+        Self {
+            lower: below(self.lower),
+            upper: self.upper + by,
+            mean: [low, mean[1] + by],
+            // (d + e)² is d² + 2 d e + e², and the mean of d at most the root of that of d².
+            square: [low * low, square[1] + 2.0 * square[1].sqrt() * by + by * by],
+        }
+    }
+}
+
+impl Weighted for BoundedPoint {
+    fn weight(&self) -> Area {
+        Area { lower: 1.0, upper: 1.0 }
+    }
+
+    fn spread(&self) -> Spread {
+        Spread::exact([self.lower, self.upper])
+    }
+}
+
+impl Weighted for WeightedPart {
+    fn weight(&self) -> Area {
+        self.weight
+    }
+
+    fn spread(&self) -> Spread {
+        self.spread
+    }
+}
+
+impl<'a> Parts<'a> {
+    /// `excess` is a bound on the difference of distances to B from those to the model that it stands
+    /// for.
+    pub(crate) fn new(a: Source<'a>, b: Measured<'a>, transform: RigidTransform, excess: f64) -> Self {
+        let goal = Goal::new(&a, &b, &transform, 0.0, None);
+        let rounding = goal.bounds
+            + goal.points
+            + gamma(SPREAD_ROUNDINGS) * goal.length
+            + excess * (1.0 + UNIT_ROUNDOFF);
+        Self { a, b, transform, goal, rounding }
+    }
+
+    /// The number of parts at first.
+    pub(crate) fn len(&self) -> usize {
+        match self.a {
+            Source::Facets { facets, .. } => facets.len(),
+            Source::Patches { patches, .. } => patches.len(),
+        }
+    }
+
+    /// What rounding, and the mesh that stands for B, add to both sides of every bound on a distance.
+    pub(crate) fn rounding(&self) -> f64 {
+        self.rounding
+    }
+
+    /// Returns the bounds of a point of A, at most `gap` apart where rounding allows, searched from a
+    /// place on B that may be near, and the place found; `None` for a B without pieces.
+    pub(crate) fn point(&self, place: u32, start: Start, gap: f64) -> Option<(BoundedPoint, Start)> {
+        let Source::Facets { facets, .. } = self.a else { return None };
+        let Facet::Point(point) = facets.facet(place) else { return None };
+        let closest = self.b.certified(self.transform.apply(point), start, gap, self.goal.length)?;
+        let Spread { lower, upper, .. } =
+            Spread::exact([closest.lower, closest.upper]).widened(self.rounding);
+        Some((BoundedPoint { lower, upper }, closest.start))
+    }
+
+    /// Returns the bounds of a triangle or a patch, searched from a place on B that may be near, and
+    /// the place found; `None` for a B without pieces.
+    pub(crate) fn first(&self, place: u32, start: Start) -> Option<(WeightedPart, Start)> {
+        let (region, weight) = match self.a {
+            Source::Facets { facets, .. } => {
+                let Facet::Triangle(corners) = facets.facet(place) else { return None };
+                let moved = corners.map(|corner| self.transform.apply(corner));
+                (WeightedRegion::Triangle(moved, 0), facets.area(place))
+            }
+            Source::Patches { patches, .. } => {
+                let cell = PatchCell::whole(place);
+                (WeightedRegion::Cell(cell), self.area(patches, &cell))
+            }
+        };
+        let part = self.bounded(region, weight, start.piece)?;
+        Some((part, Start { piece: part.start, ..start }))
+    }
+
+    /// Returns the halves of a part; `None` for a part that float64 does not halve.
+    pub(crate) fn halves(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
+        let Measured::Facets { facets: b, .. } = self.b else { return None };
+        let bounded = |region, weight| self.bounded(region, weight, part.start);
+        let [one, other] = match (part.region, self.a) {
+            (WeightedRegion::Triangle(corners, level), _) if level < MAX_LEVELS => {
+                let half = Area { lower: 0.5 * part.weight.lower, upper: 0.5 * part.weight.upper };
+                let halves = TrianglePart::new(corners, part.start).halves(b);
+                halves.map(|of| bounded(WeightedRegion::Triangle(of.corners, level + 1), half))
+            }
+            (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => {
+                let axis = cell.net(patches, &self.transform).halved_axis(true);
+                if cell.range.lengths()[axis as usize] < MIN_LENGTH {
+                    return None;
+                }
+                cell.range.halves(axis).map(|range| {
+                    let half = PatchCell { range, ..cell };
+                    bounded(WeightedRegion::Cell(half), self.area(patches, &half))
+                })
+            }
+            _ => return None,
+        };
+        Some([one?, other?])
+    }
+
+    fn area(&self, patches: &PatchSet, cell: &PatchCell) -> Area {
+        area_of_part(&patches.patch(cell.patch as usize), cell.range)
+    }
+
+    fn bounded(&self, region: WeightedRegion, weight: Area, start: u32) -> Option<WeightedPart> {
+        let Measured::Facets { facets: b, .. } = self.b else { return None };
+        let allowance = self.rounding;
+        let (spread, start) = match (region, self.a) {
+            (WeightedRegion::Triangle(corners, _), _) => spread_of_triangle(b, &corners, start, allowance),
+            (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => {
+                let net = cell.net(patches, &self.transform);
+                let [a, b_corner, c, d] = net.corners();
+                let (one, start) = spread_of_triangle(b, &[a, b_corner, c], start, allowance);
+                let (other, start) = spread_of_triangle(b, &[a, c, d], start, allowance);
+                (one.union(other).widened(net.sag() + sag_rounding(self.goal.length)), start)
+            }
+            _ => return None,
+        };
+        Some(WeightedPart { region, weight, start, spread: spread.widened(self.rounding) })
+    }
+}
+
+/// Returns bounds on the distances of all points of a triangle, which rounding has not been added
+/// to, and the facet nearest to its middle (lemmas F5 and F8 of docs/meshes.md).
+fn spread_of_triangle(b: &FacetTarget, corners: &[DVec3; 3], start: u32, allowance: f64) -> (Spread, u32) {
+    let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    let radius = corners.iter().fold(0.0, |radius, corner| upper_max(radius, corner.distance(middle)));
+    let foot = b.nearest(middle, start, 0.0);
+    let to_middle = foot.distance_squared.sqrt();
+    let (mut upper, mut mean, mut square) = (to_middle + radius, to_middle + radius, f64::INFINITY);
+    let mut tried = [foot.facet; 4];
+    for index in 0..4 {
+        let facet = match index {
+            0 => foot.facet,
+            _ => b.nearest(corners[index - 1], foot.facet, 0.0).facet,
+        };
+        if index > 0 && tried[..index].contains(&facet) {
+            continue;
+        }
+        tried[index] = facet;
+        let squares = corners.map(|corner| b.distance_squared(facet, corner));
+        let distances = squares.map(f64::sqrt);
+        upper = upper_min(upper, distances.into_iter().fold(0.0, upper_max));
+        mean = upper_min(mean, (distances[0] + distances[1] + distances[2]) / 3.0);
+        square = upper_min(square, (squares[0] + squares[1] + squares[2]) / 3.0);
+    }
+    let least = least_at_corners(b, corners, middle, upper, radius, allowance).unwrap_or_else(|| {
+        let (_, _, lower) = b.certified(middle, foot.facet);
+        [lower - radius; 3]
+    });
+    let lower = least.into_iter().fold(f64::INFINITY, lower_min);
+    let low_mean = (least[0] + least[1] + least[2]) / 3.0;
+    let positive = |value: f64| if value > 0.0 { value } else { 0.0 };
+    let low = positive(low_mean);
+    let spread = Spread {
+        lower: positive(lower),
+        upper,
+        mean: [low, mean],
+        square: [low * low, upper_min(square, upper * upper)],
+    };
+    (spread, foot.facet)
+}
+
+/// Returns the values at the corners of a concave function that no distance of a point of the
+/// triangle is below, at most `upper`: the least of linear functions, one for each facet that may be
+/// nearest to a point (lemma F8 of docs/meshes.md); `None` if too many may be.
+fn least_at_corners(
+    b: &FacetTarget,
+    corners: &[DVec3; 3],
+    middle: DVec3,
+    upper: f64,
+    radius: f64,
+    allowance: f64,
+) -> Option<[f64; 3]> {
+    let reach = (upper + radius + allowance) * (1.0 + REACH_ROUNDINGS * UNIT_ROUNDOFF);
+    let reach_squared = reach * reach;
+    let (mut least, mut count) = ([upper; 3], 0);
+    b.visit(middle, reach_squared, |place| {
+        let facet = b.facet(place);
+        let nearest = facet.nearest(middle);
+        let (mut farthest, mut largest, mut best) = (0.0, f64::NEG_INFINITY, least);
+        facet.for_each_plane(middle, &nearest, |normal, distance| {
+            if distance > farthest {
+                farthest = distance;
+            }
+            let mut under = least;
+            for (under, corner) in under.iter_mut().zip(corners) {
+                *under = lower_min(*under, distance - normal.dot(*corner - middle));
+            }
+            // Any plane of the facet is valid: the one that takes least off.
+            let sum = under[0] + under[1] + under[2];
+            if sum > largest {
+                (largest, best) = (sum, under);
+            }
+        });
+        // A facet that far is nearest to no point of the triangle.
+        if farthest <= reach {
+            count += 1;
+            least = best;
+        }
+        (reach_squared, count > MAX_NEAR)
+    });
+    (count <= MAX_NEAR).then_some(least)
+}

@@ -1,0 +1,174 @@
+//! Statistics as intervals, where integrals and order statistics have formulas.
+
+use glam::DVec3;
+use nurbs_hausdorff::shapes::sphere;
+use nurbs_hausdorff::{
+    Bounded, CertifiedStatistics, Engine, Facets, Measure, PointCloud, PreparedModel, RigidTransform,
+    StatisticsOptions, TriangleMesh,
+};
+use std::f64::consts::{PI, SQRT_2};
+
+fn statistics(a: &PreparedModel, b: &PreparedModel, options: &StatisticsOptions) -> CertifiedStatistics {
+    Engine::cpu().statistics(a, b, options).wait().unwrap()
+}
+
+fn with_limit(limit: f64) -> StatisticsOptions {
+    StatisticsOptions {
+        relative_tolerance: Some(1e-3),
+        percentiles: vec![0.1, 0.5, 0.95],
+        limit: Some(limit),
+        ..StatisticsOptions::default()
+    }
+}
+
+/// Checks that an interval holds a number and is as narrow as requested.
+fn holds(of: Bounded, value: f64, width: f64) {
+    assert!(of.lower <= value && value <= of.upper && of.upper - of.lower <= width, "{value} {of:?}");
+}
+
+/// Checks all intervals: the mean, the root mean square, percentiles, and the part beyond the limit.
+fn are(
+    found: &CertifiedStatistics,
+    [mean, rms, beyond]: [f64; 3],
+    part_tolerance: f64,
+    percentile: impl Fn(f64) -> f64,
+) {
+    assert!(found.converged, "{found:?}");
+    holds(found.mean, mean, found.tolerance);
+    holds(found.rms, rms, found.tolerance);
+    for of in &found.percentiles {
+        holds(of.distance, percentile(of.part), found.tolerance);
+    }
+    holds(found.beyond.unwrap().part, beyond, part_tolerance);
+}
+
+/// The square [low, high]² in triangles, at heights.
+fn sheet([low, high]: [f64; 2], count: usize, height: impl Fn(f64, f64) -> f64) -> PreparedModel {
+    let at = |k: usize| low + (high - low) * k as f64 / count as f64;
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    for i in 0..=count {
+        vertices.extend((0..=count).map(|j| DVec3::new(at(i), at(j), height(at(i), at(j)))));
+    }
+    for i in 0..count {
+        for j in 0..count {
+            let place = |i: usize, j: usize| (i * (count + 1) + j) as u32;
+            let [a, b, c, d] = [place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    let mesh = TriangleMesh::new(&vertices, &triangles).unwrap();
+    PreparedModel::of_facets(&Facets::Mesh(mesh), None).unwrap()
+}
+
+fn cloud(points: &[DVec3]) -> PreparedModel {
+    PreparedModel::of_facets(&Facets::Cloud(PointCloud::new(points.to_vec()).unwrap()), None).unwrap()
+}
+
+fn ball(radius: f64) -> PreparedModel {
+    PreparedModel::new(&sphere(DVec3::ZERO, radius).unwrap()).unwrap()
+}
+
+#[test]
+fn parallel_sheets_have_one_distance() {
+    let [one, other] = [sheet([0.0, 1.0], 3, |_, _| 0.0), sheet([-1.0, 2.0], 1, |_, _| 0.375)];
+    let found = statistics(&one, &other, &with_limit(0.3));
+    are(&found, [0.375, 0.375, 1.0], 1e-3, |_| 0.375);
+    assert_eq!(found.over, Measure::Area);
+    holds(found.total, 1.0, 1e-12);
+    // The bounds are attained: each triangle lies above one of B, and none is halved.
+    assert_eq!(found.cells, 18);
+    let up = RigidTransform::translation(DVec3::new(0.0, 0.0, 0.25)).unwrap();
+    let found = statistics(&one, &other, &StatisticsOptions { transform: up, ..with_limit(0.3) });
+    are(&found, [0.125, 0.125, 0.0], 1e-3, |_| 0.125);
+}
+
+/// Above a plane the distance of a slope is uniform between its ends.
+#[test]
+fn a_slope_above_a_plane_has_a_uniform_distance() {
+    let [slope, ground] = [sheet([0.0, 1.0], 4, |x, _| x), sheet([-2.0, 3.0], 3, |_, _| 0.0)];
+    let found = statistics(&slope, &ground, &with_limit(0.25));
+    are(&found, [0.5, (1.0 / 3.0_f64).sqrt(), 0.75], 1e-3, |part| part);
+    holds(found.total, SQRT_2, 1e-12);
+}
+
+/// On a sphere the squared distance from a point is uniform, as its height is (Archimedes).
+#[test]
+fn a_sphere_has_the_distances_of_archimedes_from_a_point() {
+    let (radius, height) = (1.0_f64, 2.5_f64);
+    let point = cloud(&[DVec3::new(0.0, 0.0, height)]);
+    let squared = |part: f64| (height - radius).powi(2) + 4.0 * radius * height * part;
+    let limit = 2.0_f64;
+    let beyond = 1.0 - (limit * limit - squared(0.0)) / (squared(1.0) - squared(0.0));
+    let options = StatisticsOptions { relative_tolerance: Some(1e-2), ..with_limit(limit) };
+    let options = StatisticsOptions { part_tolerance: 1e-2, ..options };
+    let found = statistics(&ball(radius), &point, &options);
+    assert!(found.converged, "{found:?}");
+    holds(found.total, 4.0 * PI * radius * radius, 1e-3);
+    holds(found.mean, height + radius * radius / (3.0 * height), found.tolerance);
+    holds(found.rms, (radius * radius + height * height).sqrt(), found.tolerance);
+    for of in &found.percentiles {
+        holds(of.distance, squared(of.part).sqrt(), found.tolerance);
+    }
+    holds(found.beyond.unwrap().part, beyond, 1e-2);
+}
+
+#[test]
+fn points_are_counted() {
+    let distances = [0.5, 0.125, 0.75, 0.25, 1.0, 0.0];
+    let points: Vec<DVec3> = distances.iter().map(|distance| DVec3::X * (1.0 + distance)).collect();
+    for b in [ball(1.0), cloud(&[DVec3::X])] {
+        let options = StatisticsOptions {
+            percentiles: vec![0.5, 0.51, 0.99],
+            limit: Some(0.6),
+            ..StatisticsOptions::default()
+        };
+        let found = statistics(&cloud(&points), &b, &options);
+        assert!(found.converged && found.over == Measure::Count, "{found:?}");
+        holds(found.total, 6.0, 1e-12);
+        holds(found.mean, distances.iter().sum::<f64>() / 6.0, found.tolerance);
+        let squares: f64 = distances.iter().map(|distance| distance * distance).sum();
+        holds(found.rms, (squares / 6.0).sqrt(), found.tolerance);
+        for (of, expected) in found.percentiles.iter().zip([0.25, 0.5, 1.0]) {
+            holds(of.distance, expected, found.tolerance);
+        }
+        holds(found.beyond.unwrap().part, 2.0 / 6.0, 1e-9);
+    }
+}
+
+/// Surfaces as B are measured by a mesh that stands for them, whose error is in the intervals.
+#[test]
+fn a_square_in_a_sphere_has_the_distances_of_its_points() {
+    let square = sheet([0.25, 0.75], 2, |_, _| 0.0);
+    let options =
+        StatisticsOptions { relative_tolerance: Some(5e-3), part_tolerance: 0.025, ..with_limit(1.25) };
+    let found = statistics(&square, &ball(2.0), &options);
+    let count = 1000;
+    let at = |k: usize| 0.25 + 0.5 * (k as f64 + 0.5) / count as f64;
+    let mut distances: Vec<f64> =
+        (0..count * count).map(|k| 2.0 - at(k / count).hypot(at(k % count))).collect();
+    distances.sort_by(f64::total_cmp);
+    let mean =
+        |of: &dyn Fn(f64) -> f64| distances.iter().map(|&d| of(d)).sum::<f64>() / distances.len() as f64;
+    let rms = mean(&|d| d * d).sqrt();
+    let beyond = mean(&|d| f64::from(u8::from(d > 1.25)));
+    are(&found, [mean(&|d| d), rms, beyond], 0.025, |part| {
+        distances[(part * distances.len() as f64) as usize]
+    });
+}
+
+#[test]
+fn a_budget_leaves_valid_intervals_and_no_area_is_an_error() {
+    let [slope, ground] = [sheet([0.0, 1.0], 1, |x, _| x), sheet([-2.0, 3.0], 1, |_, _| 0.0)];
+    for max_cells in [1, 10, 100] {
+        let options = StatisticsOptions { max_cells, ..with_limit(0.25) };
+        let found = statistics(&slope, &ground, &options);
+        assert!(!found.converged && found.cells <= max_cells.max(2));
+        holds(found.mean, 0.5, 1.0 + 1e-9);
+        found.percentiles.iter().for_each(|of| holds(of.distance, of.part, 1.0 + 1e-9));
+        holds(found.beyond.unwrap().part, 0.75, 1.0);
+    }
+    let line = TriangleMesh::new(&[DVec3::ZERO, DVec3::X, 2.0 * DVec3::X], &[[0, 1, 2]]).unwrap();
+    let line = PreparedModel::of_facets(&Facets::Mesh(line), None).unwrap();
+    let refused = Engine::cpu().statistics(&line, &ground, &StatisticsOptions::default()).wait();
+    assert_eq!(refused.unwrap_err().code(), "NO_AREA");
+}
