@@ -1,0 +1,158 @@
+//! What is known of a prepared model.
+
+use super::PreparedModel;
+use crate::area::{Area, area};
+use crate::bezier::{BezierModel, PatchGrid};
+use crate::bvh::Aabb;
+use crate::error::{Error, Result};
+use crate::facets::PreparedFacets;
+use crate::pieces::FacePieces;
+use crate::solid::{Boundary, Edges};
+use crate::threads::computed;
+use crate::threads::parallel::map;
+
+impl PreparedModel {
+    /// Returns the model's name, if it has one.
+    #[must_use]
+    pub fn name(&self) -> Option<&str> {
+        self.name.as_deref()
+    }
+
+    /// Returns the distance, in model units, between the model and its source as its reader states
+    /// it: see [`Model::gap`].
+    #[must_use]
+    pub fn gap(&self) -> f64 {
+        self.gap
+    }
+
+    /// Returns the gap of each face.
+    pub(crate) fn face_gaps(&self) -> &[f64] {
+        &self.face_gaps
+    }
+
+    /// Returns whether [`Self::gap`] is an upper bound: see [`Model::is_gap_proven`].
+    #[must_use]
+    pub fn is_gap_proven(&self) -> bool {
+        self.is_gap_proven
+    }
+
+    /// Returns an upper bound on the Hausdorff distance between the trimmed faces and the
+    /// pieces that are measured in their place; 0 for a model without trims. It is part of
+    /// every interval.
+    #[must_use]
+    pub fn deviation(&self) -> f64 {
+        self.pieces.deviation()
+    }
+
+    /// Returns the numbers of Bézier patches along u and v, one entry per piece, in the
+    /// order of the faces; an untrimmed face is one piece.
+    pub fn patch_counts(&self) -> impl ExactSizeIterator<Item = [usize; 2]> {
+        self.bezier.grids.iter().map(PatchGrid::counts)
+    }
+
+    /// Returns the numbers of Bézier patches of the faces.
+    pub fn face_patch_counts(&self) -> impl ExactSizeIterator<Item = usize> {
+        self.pieces.faces().iter().map(|pieces| {
+            self.bezier.grids[pieces.clone()].iter().map(|grid| grid.counts().iter().product::<usize>()).sum()
+        })
+    }
+
+    /// Returns the areas of the faces' pieces, in squares of the model unit, as intervals of
+    /// about 1e-7 of the area; surfaces that fold or whose weights are far apart have wider
+    /// ones (docs/area.md).
+    ///
+    /// Computed at first use, in about 20 µs a patch, on all cores.
+    pub fn face_areas(&self) -> &[Area] {
+        computed::<Vec<Area>>(&self.areas, || {
+            if let Some(facets) = &self.facets {
+                return facets.areas();
+            }
+            let (faces, bezier) = (self.pieces.faces(), &self.bezier);
+            map(faces.len(), |face| {
+                let grids = bezier.grids[faces[face].clone()].iter();
+                let patches = grids.flat_map(|grid| {
+                    let [rows, columns] = grid.counts();
+                    (grid.first..grid.first + rows * columns).map(|index| bezier.patches.patch(index))
+                });
+                area(patches)
+            })
+        })
+    }
+
+    /// Returns the sum of [`PreparedModel::face_areas`].
+    pub fn area(&self) -> Area {
+        self.face_areas().iter().fold(Area::default(), |sum, &area| sum + area)
+    }
+
+    /// Returns the edges of the faces, joined where they meet, computed at first use.
+    pub(in crate::engine) fn boundary(&self) -> &Boundary {
+        computed(&self.boundary, || {
+            if let Some(facets) = &self.facets {
+                let edges = Edges::of_triangles(facets.joined_triangles());
+                return Boundary::new(edges, facets.point_error(), &self.control_box, self.gap, 1);
+            }
+            let degrees = self.bezier.patches.iter().flat_map(|patch| patch.degree);
+            let (edges, point_error) = (Edges::of_surfaces(&self.bezier), self.bezier.point_error);
+            Boundary::new(edges, point_error, &self.control_box, self.gap, degrees.max().unwrap_or(0))
+        })
+    }
+
+    /// Returns the number of faces.
+    #[must_use]
+    pub fn face_count(&self) -> usize {
+        self.pieces.face_count()
+    }
+
+    /// Returns the name of a face in its source, if it has one.
+    #[must_use]
+    pub fn face_name(&self, face: usize) -> Option<&str> {
+        self.pieces.face_name(face)
+    }
+
+    /// Returns the pieces of the faces.
+    pub(crate) fn pieces(&self) -> &FacePieces {
+        &self.pieces
+    }
+
+    /// Returns the Bézier patches; those of a mesh are its triangles.
+    pub(crate) fn bezier(&self) -> &BezierModel {
+        self.facets.as_ref().map_or(&self.bezier, PreparedFacets::bezier)
+    }
+
+    /// Returns the triangles or points, if the model is a mesh or a cloud.
+    pub(crate) fn facets(&self) -> Option<&PreparedFacets> {
+        self.facets.as_ref()
+    }
+
+    /// Returns whether the model is a cloud of points.
+    pub(crate) fn is_cloud(&self) -> bool {
+        self.facets.as_ref().is_some_and(|facets| facets.target.is_cloud())
+    }
+
+    /// Refuses a mesh or a cloud for a computation that has none.
+    ///
+    /// # Errors
+    /// [`Error::FacetsUnsupported`].
+    pub(crate) fn require_surfaces(&self, found: &'static str) -> Result<()> {
+        if self.facets.is_some() { Err(Error::FacetsUnsupported { found }) } else { Ok(()) }
+    }
+
+    /// Refuses a cloud of points for a computation that needs faces or triangles.
+    ///
+    /// # Errors
+    /// [`Error::FacetsUnsupported`].
+    pub(in crate::engine) fn require_faces(&self, found: &'static str) -> Result<()> {
+        if self.is_cloud() { Err(Error::FacetsUnsupported { found }) } else { Ok(()) }
+    }
+
+    /// Returns the box of the control points of the model's pieces.
+    #[must_use]
+    pub fn bounding_box(&self) -> Aabb {
+        self.bounding_box
+    }
+
+    /// Returns a box around the model's control points and those of its patches.
+    pub(crate) fn control_box(&self) -> Aabb {
+        self.control_box
+    }
+}

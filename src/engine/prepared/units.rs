@@ -1,0 +1,59 @@
+//! Models in other units.
+
+use super::PreparedModel;
+use crate::error::{Error, Result};
+use crate::limits::is_in_range;
+use crate::rounding::gamma;
+use crate::threads::locked;
+use std::sync::Arc;
+
+/// The roundings of a coordinate scaled to another unit: the factor and the product.
+const SCALE_ROUNDINGS: f64 = 4.0;
+
+impl PreparedModel {
+    /// Returns the metres per coordinate unit, if they are known.
+    #[must_use]
+    pub fn unit(&self) -> Option<f64> {
+        self.unit
+    }
+
+    /// Returns this model in the unit of `other` if both state different units, else
+    /// `None`; the last one is kept.
+    ///
+    /// # Errors
+    /// [`Error::UnitsDiffer`] if the units differ and must not be scaled; those of
+    /// [`Model::scaled_to_unit`] and [`PreparedModel::new`].
+    pub(crate) fn in_unit_of(&self, other: &Self, scale: bool) -> Result<Option<Arc<Self>>> {
+        let (Some(a), Some(b)) = (other.unit, self.unit) else { return Ok(None) };
+        if a == b {
+            return Ok(None);
+        }
+        if !scale {
+            return Err(Error::UnitsDiffer { a, b });
+        }
+        let kept = locked(&self.scaled).clone();
+        if let Some(kept) = kept.filter(|kept| kept.unit == Some(a)) {
+            return Ok(Some(kept));
+        }
+        let prepared = Arc::new(self.scaled_by(b / a, a)?);
+        *locked(&self.scaled) = Some(Arc::clone(&prepared));
+        Ok(Some(prepared))
+    }
+
+    /// Returns this model in the unit `unit`, which is `1 / factor` times as long.
+    fn scaled_by(&self, factor: f64, unit: f64) -> Result<Self> {
+        if let Some(facets) = &self.facets {
+            let scaled = facets.scaled(factor);
+            let length = scaled.target.bounding_box().farthest_from_origin();
+            if !is_in_range(length) {
+                return Err(Error::PointOutOfRange { index: 0, found: length });
+            }
+            return Ok(Self::with_facets(scaled, Some(unit)));
+        }
+        let source = self.source.as_ref().ok_or(Error::EmptyModel)?;
+        let mut prepared = Self::new(&source.scaled_to_unit(unit)?)?;
+        let rounding = gamma(SCALE_ROUNDINGS) * prepared.bounding_box.farthest_from_origin();
+        prepared.bezier.point_error.include_deviation(rounding);
+        Ok(prepared)
+    }
+}
