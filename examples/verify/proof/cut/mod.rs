@@ -117,11 +117,14 @@ pub(crate) fn check(cut: &Cut, slack: f64, deadline: &Deadline) -> Finding {
         patches.iter().map(|patch| SecondDerivatives::of(&patch.net)).collect();
     let Some(slopes) = slopes(&patches, &bends) else { return Finding::OPEN };
     let loops = Outline::new(cut.loops.iter().cloned());
-    let extents = loops.bounds().map(|bounds| bounds.hi - bounds.lo);
-    // What is small is small beside the loops, too, where the surface hardly moves with a parameter.
+    let bounds = loops.bounds();
+    let extents = bounds.map(|bounds| bounds.hi - bounds.lo);
+    // What is small is small beside the loops, too, where the surface hardly moves with a parameter. Loops as
+    // narrow as rounding are around nothing, of which no part is smaller.
     let small = std::array::from_fn(|axis| {
         let moves = 0.25 * limit / slopes[axis].max(f64::MIN_POSITIVE);
-        if extents[axis] > 0.0 { moves.min(MAX_SMALL * extents[axis]) } else { moves }
+        let is_wide = extents[axis] > ROUNDED * bounds[axis].magnitude();
+        if is_wide { moves.min(MAX_SMALL * extents[axis]) } else { moves }
     });
     let regions = patches.iter().map(|patch| Region::whole(&patch.net)).collect();
     let face = Face { patches, bends, regions, frame, limit, small, loops, extents, deadline };
@@ -144,6 +147,9 @@ fn slopes(patches: &[Patch], bends: &[SecondDerivatives]) -> Option<[f64; 2]> {
     }
     slopes.iter().all(|slope| slope.is_finite()).then_some(slopes)
 }
+
+/// The part of parameters that is far above their rounding.
+const ROUNDED: f64 = 1e-9;
 
 /// The largest part of the loops' box that is called small.
 const MAX_SMALL: f64 = 1.0 / 64.0;
