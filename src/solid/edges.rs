@@ -2,6 +2,7 @@
 
 use super::curve::Curve;
 use crate::bezier::{BezierModel, Patch};
+use crate::sorting::sort_by_number;
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -35,26 +36,27 @@ impl Edges {
     pub(crate) fn of_triangles(triangles: impl Iterator<Item = [DVec3; 3]>) -> Self {
         let mut edges = Self::default();
         // By the bits of both ends.
-        let mut open: HashMap<[[u64; 3]; 2], (u32, [DVec3; 2])> = HashMap::new();
+        let mut open: HashMap<[[u64; 3]; 2], (usize, [DVec3; 2])> = HashMap::new();
         for (triangle, [a, b, c]) in triangles.enumerate() {
             edges.surfaces += 1;
-            for ends in [[a, b], [b, c], [c, a]] {
-                let mut key = ends.map(|end| end.to_array().map(f64::to_bits));
-                key.sort_unstable();
-                if key[0] == key[1] {
+            for (side, ends) in [[a, b], [b, c], [c, a]].into_iter().enumerate() {
+                let [first, second] = ends.map(|end| end.to_array().map(f64::to_bits));
+                if first == second {
                     continue;
                 }
+                let key = if first < second { [first, second] } else { [second, first] };
                 match open.remove(&key) {
-                    Some((other, _)) => edges.equal.push([other, triangle as u32]),
-                    None => _ = open.insert(key, (triangle as u32, ends)),
+                    Some((place, _)) => edges.equal.push([(place / 3) as u32, triangle as u32]),
+                    None => _ = open.insert(key, (3 * triangle + side, ends)),
                 }
             }
         }
-        let mut single: Vec<_> = open.into_iter().collect();
-        single.sort_unstable_by_key(|&(key, (triangle, _))| (triangle, key));
-        let edge = |(_, (triangle, ends)): (_, (u32, [DVec3; 2]))| {
+        let mut single: Vec<_> = open.into_values().collect();
+        // A table has no order of its own.
+        sort_by_number(&mut single, |&(place, _)| place as f64);
+        let edge = |(place, ends): (usize, [DVec3; 2])| {
             let controls = ends.map(|end| end.extend(1.0)).to_vec();
-            Edge { surface: triangle as usize, curve: Curve { center: DVec3::ZERO, controls } }
+            Edge { surface: place / 3, curve: Curve { center: DVec3::ZERO, controls } }
         };
         edges.single = single.into_iter().map(edge).collect();
         edges

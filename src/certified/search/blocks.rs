@@ -3,6 +3,7 @@
 use super::super::nearest::{NearestPoint, Sample};
 use super::super::{Block, Cell, Operand, Pair, Sheets};
 use super::{Domain, SearchNode, bounds};
+use crate::sorting::sort_by_number;
 
 /// The number of patches of A from which on they are searched by blocks where A is near B.
 const MIN_BLOCK_PATCHES: usize = 16;
@@ -32,7 +33,7 @@ pub(super) fn by_blocks<'a>(a: &Operand<'a>, threshold: f64) -> Option<Sheets<'a
         .step_by(patches.len().div_ceil(MAX_SIZES))
         .map(|index| 0.5 * patches.patch(index).bounding_box().diagonal())
         .collect();
-    sizes.sort_by(f64::total_cmp);
+    sort_by_number(&mut sizes, |size| *size);
     (SIZE_OF_TWO * sizes[sizes.len() / 2] > threshold).then_some(sheets)
 }
 

@@ -10,6 +10,7 @@ use crate::facets::{
     Measured, Parts, PreparedFacets, Source, Spread, StandIn, Start, Weighted, WeightedPart,
 };
 use crate::progress::{Monitor, Progress};
+use crate::sorting::sort_by_number;
 use crate::threads::parallel::map_ranges;
 use std::ops::Range;
 use web_time::Instant;
@@ -297,7 +298,7 @@ fn take_widest(
 ) {
     let mut found: Vec<(f64, usize)> =
         parts.iter().map(width).zip(0..).filter(|(width, _)| *width > 0.0).collect();
-    found.sort_by(|one, other| other.0.total_cmp(&one.0));
+    sort_by_number(&mut found, |one| -one.0);
     let mut left: f64 = found.iter().map(|(width, _)| width).sum();
     for (width, index) in found {
         if left <= kept {

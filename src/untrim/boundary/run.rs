@@ -3,6 +3,7 @@
 use super::Flat;
 use super::snapper::Snapper;
 use crate::axis::Axis;
+use crate::sorting::sort_by_number;
 use crate::untrim::curve::{Curve, divided, roots};
 use crate::untrim::face::{UnitFace, V_ROUNDING};
 use glam::{DVec2, DVec3};
@@ -126,7 +127,7 @@ pub(super) fn split(face: &UnitFace, curve: &Curve) -> Vec<Curve> {
             }
         }
     }
-    parameters.sort_by(f64::total_cmp);
+    sort_by_number(&mut parameters, |parameter| *parameter);
     parameters.dedup();
     let mut parts: Vec<Curve> =
         parameters.windows(2).map(|pair| curve.restricted(pair[0], pair[1])).collect();

@@ -1,5 +1,6 @@
 //! The moves of coordinates to knots and common values.
 
+use crate::sorting::sort_by_number;
 use crate::untrim::curve::Curve;
 use crate::untrim::face::UnitFace;
 use glam::DVec2;
@@ -22,7 +23,7 @@ impl Snapper {
     pub(super) fn new<'a>(face: &UnitFace, curves: impl Iterator<Item = &'a Curve>) -> Self {
         let snap_v = face.tolerances.snap[1];
         let mut values: Vec<f64> = curves.flat_map(|curve| [curve.start().y, curve.end().y]).collect();
-        values.sort_by(f64::total_cmp);
+        sort_by_number(&mut values, |value| *value);
         values.dedup();
         let mut first = f64::NEG_INFINITY;
         let v: Vec<(f64, f64)> = values
@@ -39,7 +40,7 @@ impl Snapper {
             })
             .collect();
         let mut levels: Vec<f64> = v.iter().map(|&(_, level)| level).collect();
-        levels.sort_by(f64::total_cmp);
+        sort_by_number(&mut levels, |level| *level);
         levels.dedup();
         Self { v, levels, knots: face.breaks[0].clone(), snap: face.tolerances.snap }
     }

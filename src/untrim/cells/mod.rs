@@ -107,7 +107,7 @@ fn levels(face: &UnitFace, boundary: &Boundary, arcs: &[Arc], range: [f64; 2]) -
     let mut levels: Vec<f64> = arcs.iter().flat_map(|arc| arc.v).collect();
     levels.extend(&boundary.crossings);
     levels.extend(face.breaks[1].iter().filter(|&&knot| range[0] < knot && knot < range[1]));
-    levels.sort_by(f64::total_cmp);
+    sort_by_number(&mut levels, |level| *level);
     levels.dedup();
     levels
 }
