@@ -19,7 +19,7 @@ impl PreparedModel {
     }
 
     /// Returns the distance, in model units, between the model and its source as its reader states
-    /// it: see [`Model::gap`].
+    /// it: see [`crate::Model::gap`].
     #[must_use]
     pub fn gap(&self) -> f64 {
         self.gap
@@ -30,7 +30,7 @@ impl PreparedModel {
         &self.face_gaps
     }
 
-    /// Returns whether [`Self::gap`] is an upper bound: see [`Model::is_gap_proven`].
+    /// Returns whether [`Self::gap`] is an upper bound: see [`crate::Model::is_gap_proven`].
     #[must_use]
     pub fn is_gap_proven(&self) -> bool {
         self.is_gap_proven
