@@ -3,7 +3,7 @@
 export type { CadKind } from "./cad/kind.js";
 export type { MeshFormat, MeshOptions } from "./cad/mesh.js";
 export type { CadOptions } from "./cad/options.js";
-export type { PeerLoader } from "./cad/peers/peers.js";
+export type { Libraries, LibraryOptions, PeerLoader } from "./cad/peers/peers.js";
 export type { CadReader, CadReport, FaceNote, SkippedFace } from "./cad/report.js";
 export { type ErrorCode, HausdorffError, type HausdorffErrorOptions } from "./error.js";
 export type { BestFit, BestFitOptions } from "./fit/fit.js";

@@ -3,6 +3,6 @@
 export type { CadKind } from "./kind.js";
 export { type MeshFormat, type MeshOptions, meshFormatOf, readMesh } from "./mesh.js";
 export type { CadOptions } from "./options.js";
-export type { PeerLoader } from "./peers/peers.js";
+export type { Libraries, LibraryOptions, PeerLoader } from "./peers/peers.js";
 export { convertCad, readCad } from "./read.js";
 export type { CadReader, CadReport, FaceNote, SkippedFace } from "./report.js";
