@@ -19,19 +19,21 @@ const REQUIRED = 8;
 
 for (const method of ["certified", "iteration"]) {
   test(`a fast drag shows results of ${method} while moving, and nothing jumps`, async (context) => {
-    await opened.until("done", async () => {
-      await opened.page.selectOption("#method", method);
-      await opened.page.locator("#samples").evaluate((samples) => {
-        samples.value = "16";
-      });
-      await opened.page.selectOption("#preset", { label: "Torus and moved copy" });
+    const { page } = opened;
+    // Each is waited for: the models before have other digits.
+    await opened.until("done", () => page.selectOption("#method", method));
+    await page.locator("#samples").evaluate((samples) => {
+      samples.value = "16";
     });
-    const { results, heights, perSecond } = await drag(opened.page, "#move-x", REQUIRED);
+    await opened.until("done", () =>
+      page.selectOption("#preset", { label: "Torus and moved copy" }),
+    );
+    const { results, heights, perSecond } = await drag(page, "#move-x", REQUIRED);
     context.diagnostic(`${perSecond.toFixed(1)} results a second`);
     assert.ok(results.length >= REQUIRED, `${results.length} results while moving`);
     for (const { computed, text } of results) assert.equal(text, Number(computed).toFixed(5));
     assert.equal(heights.length, 2, heights.join(", "));
-    await opened.page.locator('#result[data-state="done"]').waitFor();
+    await page.locator('#result[data-state="done"]').waitFor();
   });
 }
 
