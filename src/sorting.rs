@@ -2,28 +2,26 @@
 //! about 5 KiB of the module that browsers fetch.
 
 /// Sorts by a number of each item, in the total order of floating-point numbers; items of equal
-/// numbers keep their order. For fewer than 2^32 items. O(n log n), and O(n) memory.
+/// numbers keep their order. O(n log n), and 16 bytes an item.
 pub(crate) fn sort_by_number<T>(items: &mut [T], number: impl Fn(&T) -> f64) {
-    let order = sorted_places(items.iter().map(number));
-    for (place, &from) in order.iter().enumerate() {
-        // What was at an earlier place is where it was swapped to.
-        let mut from = from as usize;
+    let mut order: Vec<(f64, f64)> =
+        items.iter().enumerate().map(|(place, item)| (number(item), place as f64)).collect();
+    sort_pairs(&mut order);
+    for place in 0..items.len() {
+        let mut from = order[place].1 as usize;
+        // The item of an earlier place was swapped to where that place took its own from.
         while from < place {
-            from = order[from] as usize;
+            from = order[from].1 as usize;
         }
+        // What is noted here ends the next walk at once: all walks together are O(n).
+        order[place].1 = from as f64;
         items.swap(place, from);
     }
 }
 
-/// Returns the places of the numbers in their order, equal ones by place.
-fn sorted_places(numbers: impl Iterator<Item = f64>) -> Vec<u32> {
-    let mut keys: Vec<(f64, u32)> = numbers.zip(0..).collect();
-    keys.sort_unstable_by(by_number_and_place);
-    keys.into_iter().map(|(_, place)| place).collect()
-}
-
-fn by_number_and_place(a: &(f64, u32), b: &(f64, u32)) -> std::cmp::Ordering {
-    a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))
+/// Sorts pairs by their first numbers, and those of equal ones by their second, in place. O(n log n).
+pub(crate) fn sort_pairs(pairs: &mut [(f64, f64)]) {
+    pairs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -47,5 +45,14 @@ mod tests {
             };
             assert_eq!(bits(&items), bits(&expected));
         }
+    }
+
+    /// One cycle through all places, whose walks would take hours if each began anew.
+    #[test]
+    fn a_rotation_is_sorted_in_one_walk() {
+        const COUNT: u32 = 1 << 20;
+        let mut items: Vec<u32> = (1..COUNT).chain([0]).collect();
+        sort_by_number(&mut items, |item| f64::from(*item));
+        assert!((0..COUNT).eq(items));
     }
 }

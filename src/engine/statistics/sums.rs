@@ -4,7 +4,7 @@ use super::{Beyond, Bounded, Measure, Percentile, StatisticsOptions};
 use crate::area::Area;
 use crate::facets::{Spread, Weighted};
 use crate::rounding::{UNIT_ROUNDOFF, upper_max, upper_min};
-use crate::sorting::sort_by_number;
+use crate::sorting::sort_pairs;
 
 /// The roundings of a product or a quotient of two numbers, and of a root.
 const QUOTIENT_ROUNDINGS: f64 = 4.0;
@@ -138,6 +138,6 @@ fn percentiles<T: Weighted>(parts: &[T], of: &[f64], total: Area, over: Measure)
 fn sorted<T: Weighted>(parts: &[T], bound: fn(Spread) -> f64) -> Vec<(f64, f64)> {
     let mut sorted: Vec<(f64, f64)> =
         parts.iter().map(|part| (bound(part.spread()), part.weight().upper)).collect();
-    sort_by_number(&mut sorted, |one| one.0);
+    sort_pairs(&mut sorted);
     sorted
 }
