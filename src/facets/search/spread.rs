@@ -280,7 +280,9 @@ fn least_at_corners(
     b.visit(middle, reach_squared, |place| {
         let facet = b.facet(place);
         let nearest = facet.nearest(middle);
-        let (mut farthest, mut largest, mut best) = (0.0, f64::NEG_INFINITY, least);
+        // Planes that overflowed bound nothing.
+        let mut best = [f64::NEG_INFINITY; 3];
+        let (mut farthest, mut largest) = (0.0, f64::NEG_INFINITY);
         facet.for_each_plane(middle, &nearest, |normal, distance| {
             if distance > farthest {
                 farthest = distance;
