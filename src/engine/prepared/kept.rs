@@ -1,6 +1,7 @@
 //! What is computed from a model at first use, and kept.
 
 use super::PreparedModel;
+use crate::area::Area;
 use crate::bezier::{LocalDerivativeBounds, PatchSet};
 use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
@@ -10,10 +11,11 @@ use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{CoveringRadius, Sampling, SamplingRule};
 use crate::progress::Progress;
+use crate::solid::Boundary;
 use crate::surface_point::SurfacePoint;
 use crate::threads::{computed, locked};
 use glam::DVec3;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 
 /// The smallest number of Bézier patches of a model for which method `certified` does not
 /// subdivide them into flat patches.
@@ -27,7 +29,19 @@ const MIN_UNCUT_PATCHES: usize = 1000;
 /// back and forth, its neighbours.
 const MAX_SAMPLINGS: usize = 4;
 
-pub(super) type SamplingKey = (usize, SamplingRule);
+type SamplingKey = (usize, SamplingRule);
+
+/// What a model has computed at first use.
+#[derive(Debug, Default)]
+pub(super) struct Kept {
+    /// The model in another unit, the last one.
+    pub(super) scaled: Mutex<Option<Arc<PreparedModel>>>,
+    pub(super) targets: Mutex<Vec<(Flatness, Arc<PreparedTarget>)>>,
+    samplings: Mutex<Vec<(SamplingKey, Arc<PreparedSampling>)>>,
+    pub(super) cells: Mutex<Option<Arc<PreparedCells>>>,
+    pub(super) areas: OnceLock<Vec<Area>>,
+    pub(super) boundary: OnceLock<Boundary>,
+}
 
 /// Flat patches, with their copy on the GPU.
 #[derive(Debug)]
@@ -138,12 +152,12 @@ impl PreparedModel {
         let known = |targets: &[(Flatness, Arc<PreparedTarget>)]| {
             targets.iter().find(|(known, _)| *known == flatness).map(|(_, target)| Arc::clone(target))
         };
-        if let Some(target) = known(&locked(&self.targets)) {
+        if let Some(target) = known(&locked(&self.kept.targets)) {
             return target;
         }
         let flat = flatten(&self.bezier().patches, flatness);
         let prepared = Arc::new(PreparedTarget::new(flat, Target::new));
-        let mut targets = locked(&self.targets);
+        let mut targets = locked(&self.kept.targets);
         // Another thread may have been first, whose copy on the GPU is to be the only one.
         known(&targets).unwrap_or_else(|| {
             targets.push((flatness, Arc::clone(&prepared)));
@@ -156,7 +170,7 @@ impl PreparedModel {
     /// # Errors
     /// Those of [`GridTree::new`], [`crate::Error::Cancelled`].
     pub(crate) async fn cells(&self, grid: usize, progress: &mut Progress<'_>) -> Result<Arc<PreparedCells>> {
-        let kept = locked(&self.cells).clone();
+        let kept = locked(&self.kept.cells).clone();
         if let Some(kept) = kept.filter(|kept| kept.tree.grid == grid) {
             return Ok(kept);
         }
@@ -165,7 +179,7 @@ impl PreparedModel {
             progress.checkpoint(0.0).await?;
         }
         let prepared = Arc::new(PreparedCells { tree: builder.finish(), resident: Resident::default() });
-        *locked(&self.cells) = Some(Arc::clone(&prepared));
+        *locked(&self.kept.cells) = Some(Arc::clone(&prepared));
         Ok(prepared)
     }
 
@@ -175,13 +189,13 @@ impl PreparedModel {
         let known = |samplings: &[(SamplingKey, Arc<PreparedSampling>)]| {
             samplings.iter().find(|(known, _)| *known == key).map(|(_, sampling)| Arc::clone(sampling))
         };
-        if let Some(sampling) = known(&locked(&self.samplings)) {
+        if let Some(sampling) = known(&locked(&self.kept.samplings)) {
             return sampling;
         }
         let sampling = Sampling::new(&self.bezier, samples, rule);
         let prepared =
             Arc::new(PreparedSampling { sampling, radius: OnceLock::new(), resident: Resident::default() });
-        let mut samplings = locked(&self.samplings);
+        let mut samplings = locked(&self.kept.samplings);
         known(&samplings).unwrap_or_else(|| {
             if samplings.len() == MAX_SAMPLINGS {
                 samplings.remove(0);

@@ -5,23 +5,20 @@ mod kept;
 mod points;
 mod units;
 
-use crate::area::Area;
 use crate::bezier::{BezierModel, PatchSet, PointError, extract, without_removable_knots};
 use crate::bvh::Aabb;
 use crate::certified::TrimmedFaces;
 use crate::error::{Error, Result};
 use crate::facets::{Facets, PreparedFacets};
-use crate::flatness::Flatness;
 use crate::gpu::Resident;
 use crate::model::{Model, is_unit};
 use crate::pieces::{Cuttable, FacePieces};
 use crate::read::ReadReport;
-use crate::solid::Boundary;
 use crate::symmetry::{Revolution, revolutions};
 use crate::threads::locked;
-use kept::SamplingKey;
+use kept::Kept;
 pub(crate) use kept::{PreparedCells, PreparedSampling, PreparedTarget};
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::Arc;
 
 /// A model ready for distance computations: its Bézier patches, and, computed at
 /// first use and kept, its flat patches, its samples and their copies on the GPU.
@@ -31,8 +28,6 @@ pub struct PreparedModel {
     unit: Option<f64>,
     /// The model itself, kept if it states its unit, to be scaled to another.
     source: Option<Model>,
-    /// The model in another unit, the last one.
-    scaled: Mutex<Option<Arc<PreparedModel>>>,
     gap: f64,
     face_gaps: Vec<f64>,
     is_gap_proven: bool,
@@ -44,11 +39,7 @@ pub struct PreparedModel {
     revolutions: Vec<Option<Revolution>>,
     bounding_box: Aabb,
     control_box: Aabb,
-    targets: Mutex<Vec<(Flatness, Arc<PreparedTarget>)>>,
-    samplings: Mutex<Vec<(SamplingKey, Arc<PreparedSampling>)>>,
-    cells: Mutex<Option<Arc<PreparedCells>>>,
-    areas: OnceLock<Vec<Area>>,
-    boundary: OnceLock<Boundary>,
+    kept: Kept,
     /// The number of updates since cuts and trees were chosen.
     refits: u32,
 }
@@ -105,7 +96,6 @@ impl PreparedModel {
             name: None,
             unit,
             source: None,
-            scaled: Mutex::default(),
             gap: 0.0,
             face_gaps: vec![0.0; facets.groups().len()],
             is_gap_proven: true,
@@ -116,11 +106,7 @@ impl PreparedModel {
             bezier: empty,
             bounding_box,
             control_box: bounding_box,
-            targets: Mutex::default(),
-            samplings: Mutex::default(),
-            cells: Mutex::default(),
-            areas: OnceLock::new(),
-            boundary: OnceLock::new(),
+            kept: Kept::default(),
             refits: 0,
         }
     }
@@ -139,7 +125,6 @@ impl PreparedModel {
             name: model.name().map(str::to_owned),
             unit: model.unit(),
             source: model.unit().map(|_| model.clone()),
-            scaled: Mutex::default(),
             gap: model.gap(),
             face_gaps: model.faces().map(|face| face.gap()).collect(),
             is_gap_proven: model.is_gap_proven(),
@@ -150,11 +135,7 @@ impl PreparedModel {
             bezier,
             bounding_box: untrimmed.bounding_box(),
             control_box,
-            targets: Mutex::default(),
-            samplings: Mutex::default(),
-            cells: Mutex::default(),
-            areas: OnceLock::new(),
-            boundary: OnceLock::new(),
+            kept: Kept::default(),
             refits: 0,
         }
     }
@@ -173,13 +154,14 @@ impl PreparedModel {
             return Ok(updated);
         }
         updated.refits = self.refits + 1;
-        for (flatness, kept) in locked(&self.targets).clone() {
+        for (flatness, kept) in locked(&self.kept.targets).clone() {
             let target = kept.refitted(&updated.bezier.patches);
-            locked(&updated.targets).push((flatness, Arc::new(target)));
+            locked(&updated.kept.targets).push((flatness, Arc::new(target)));
         }
-        if let Some(kept) = locked(&self.cells).clone() {
+        if let Some(kept) = locked(&self.kept.cells).clone() {
             let tree = kept.tree.refitted(&updated.bezier);
-            *locked(&updated.cells) = Some(Arc::new(PreparedCells { tree, resident: Resident::default() }));
+            *locked(&updated.kept.cells) =
+                Some(Arc::new(PreparedCells { tree, resident: Resident::default() }));
         }
         Ok(updated)
     }

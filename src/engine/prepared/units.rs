@@ -31,12 +31,12 @@ impl PreparedModel {
         if !scale {
             return Err(Error::UnitsDiffer { a, b });
         }
-        let kept = locked(&self.scaled).clone();
+        let kept = locked(&self.kept.scaled).clone();
         if let Some(kept) = kept.filter(|kept| kept.unit == Some(a)) {
             return Ok(Some(kept));
         }
         let prepared = Arc::new(self.scaled_by(b / a, a)?);
-        *locked(&self.scaled) = Some(Arc::clone(&prepared));
+        *locked(&self.kept.scaled) = Some(Arc::clone(&prepared));
         Ok(Some(prepared))
     }
 
