@@ -65,7 +65,8 @@ fn parts_stand_where_their_assembly_places_them() {
 /// body stands where that is placed, and not at its own place besides. One that stands nowhere else is read.
 #[test]
 fn a_property_of_a_body_is_no_other_body() {
-    for (of_property, expected) in [(false, 6), (true, 12)] {
+    let kinds = ["PROPERTY_DEFINITION", "PRODUCT_DEFINITION_SHAPE"];
+    for (of_property, expected, kind) in kinds.iter().flat_map(|kind| [(false, 6, kind), (true, 12, kind)]) {
         let mut text = StepText::new();
         let context = text.context(UnitsOf::Millimetres);
         let faces = box_faces(&mut text, [1.0, 2.0, 4.0]);
@@ -81,7 +82,7 @@ fn a_property_of_a_body_is_no_other_body() {
         let again = text.representation(&[named], context);
         let shape = text.add(format!("PRODUCT_DEFINITION_SHAPE('','',#{product})"));
         let aspect = text.add(format!("SHAPE_ASPECT('','solid',#{shape},.F.)"));
-        let property = text.add(format!("PROPERTY_DEFINITION('','shape with a volume',#{aspect})"));
+        let property = text.add(format!("{kind}('','shape with a volume',#{aspect})"));
         text.add(format!("SHAPE_DEFINITION_REPRESENTATION(#{property},#{again})"));
         let home = text.placement([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
         let away = text.placement([10.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]);

@@ -35,7 +35,7 @@ struct Assembly<'a> {
     built: HashMap<Group, Option<usize>>,
     /// Groups under construction, in which they cannot stand again.
     open: HashSet<Group>,
-    /// Representations of parts of shapes, of which only what stands nowhere else is read.
+    /// Representations of aspects of shapes. Their items are read only if no other representation has them.
     of_aspects: HashSet<u64>,
     unit_missing: bool,
     /// Relationships that place nothing.
@@ -61,7 +61,7 @@ pub(super) fn read(file: &Exchange<'_>) -> Result<Topology, FaceFault> {
     for &root in all.iter().filter(is_root) {
         uses.extend(assembly.group(root, 0)?);
     }
-    // Groups that only stand in each other have no root, and those of parts of shapes come last.
+    // Groups that only stand in each other have no root, and those of aspects come last.
     for group in all {
         if !assembly.built.contains_key(&group) {
             uses.extend(assembly.group(group, 0)?);
@@ -188,7 +188,7 @@ impl<'a> Assembly<'a> {
         Ok(if swapped { map.inverse() } else { map })
     }
 
-    /// Returns the groups all of whose representations are those of parts of shapes.
+    /// Returns the groups that have representations of aspects alone.
     fn groups_of_aspects(&self) -> HashSet<Group> {
         let is_of_aspects = |representations: &[u64]| {
             representations.iter().all(|representation| self.of_aspects.contains(representation))

@@ -14,8 +14,8 @@ pub(super) struct Relations<'a> {
     pub(super) occurrences: HashMap<u64, u64>,
     /// The representations of definitions of products.
     pub(super) definitions: Vec<(u64, u64)>,
-    /// Representations of parts of shapes, as of those that have a property: they may name bodies that stand
-    /// in others.
+    /// Representations of aspects of shapes, to which properties belong. They may name bodies of other
+    /// representations.
     pub(super) of_aspects: HashSet<u64>,
     /// Relationships that cannot be read, so that parts may not be where they are.
     pub(super) faults: Vec<(u64, FaceFault)>,
@@ -53,12 +53,12 @@ impl<'a> Relations<'a> {
             if let (Some(definition), Some(representation)) =
                 (reference(definition), reference(representation))
             {
-                if let Some(product) = referred(file, definition, "PRODUCT_DEFINITION_SHAPE", 2) {
-                    self.definitions.push((representation, product));
-                } else if let Some(aspect) = referred(file, definition, "PROPERTY_DEFINITION", 2)
-                    && file.keyword(aspect).ends_with("SHAPE_ASPECT")
-                {
+                let shape = referred(file, definition, "PRODUCT_DEFINITION_SHAPE", 2);
+                let defined = shape.or_else(|| referred(file, definition, "PROPERTY_DEFINITION", 2));
+                if defined.is_some_and(|defined| file.keyword(defined).ends_with("SHAPE_ASPECT")) {
                     self.of_aspects.insert(representation);
+                } else if let Some(product) = shape {
+                    self.definitions.push((representation, product));
                 }
             }
         } else if relationship(&record).is_some() {
