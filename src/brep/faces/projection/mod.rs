@@ -118,16 +118,16 @@ impl<'a> Projector<'a> {
     /// Returns the derivative of the parameters of a curve with this tangent in space; `None`
     /// where the surface is singular.
     pub(super) fn velocity(&self, at: DVec3, tangent: DVec3) -> Option<DVec3> {
-        if self.vanishing_tangent(at).is_some() {
-            return None;
-        }
         let [a, b] = self.tangents(at);
-        solved(a, b, tangent)
+        if self.vanishing(&[a, b]).is_some() { None } else { solved(a, b, tangent) }
     }
 
     /// The axis whose tangent vanishes at a singular point, as u at a pole.
     pub(super) fn vanishing_tangent(&self, at: DVec3) -> Option<usize> {
-        let tangents = self.tangents(at);
+        self.vanishing(&self.tangents(at))
+    }
+
+    fn vanishing(&self, tangents: &[DVec3; 2]) -> Option<usize> {
         let tiny = SINGULAR * self.size;
         (0..2).find(|&axis| tangents[axis].length() * self.range(axis) <= tiny)
     }
