@@ -122,8 +122,10 @@ export class Viewport {
   keepBeside(element: HTMLElement): void {
     const observer = new ResizeObserver(([entry]) => {
       const width = entry?.borderBoxSize[0]?.inlineSize ?? 0;
-      const covered = width > 0 ? element.offsetLeft + width : 0;
-      this.#covered = covered <= MAX_COVERED * this.#canvas.clientWidth ? covered : 0;
+      const given = width > 0 ? element.offsetLeft + width : 0;
+      const covered = given <= MAX_COVERED * this.#canvas.clientWidth ? given : 0;
+      if (covered === this.#covered) return;
+      this.#covered = covered;
       this.#resize();
     });
     observer.observe(element, { box: "border-box" });
