@@ -18,12 +18,12 @@ from ._results.common import SurfacePoint, Witness
 from ._results.diff import DiffResult, FaceDifference
 from ._results.distance import DistanceResult
 from ._results.field import Field, FieldPart, Statistics
-from ._results.statistics import Bounded, CertifiedStatistics
+from ._results.statistics import Beyond, Bounded, CertifiedStatistics
 from ._sources import model, read
 from ._transform import Transform
 
 __all__ = [
-    "BestFit", "Bounded", "CertifiedStatistics", "ClearanceResult", "ClosestPoints",
+    "BestFit", "Beyond", "Bounded", "CertifiedStatistics", "ClearanceResult", "ClosestPoints",
     "DiffResult", "DistanceResult", "FaceDifference", "FaceGap", "Field", "FieldPart",
     "FreeEdge", "GapsResult", "Mesh", "MeshReport", "Model", "NurbsHausdorffError", "Overlap",
     "ReadReport", "Remark", "Shell", "Solid", "Statistics", "SurfacePoint", "Transform",

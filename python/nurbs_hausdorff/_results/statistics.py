@@ -17,6 +17,14 @@ class Bounded:
 
 
 @dataclass(frozen=True)
+class Beyond:
+    """Part of A that is farther than a limit, between 0 and 1."""
+
+    limit: float
+    part: Bounded
+
+
+@dataclass(frozen=True)
 class CertifiedStatistics:
     """Statistics of the distances from the points of A to B; every number is in its interval.
 
@@ -30,8 +38,8 @@ class CertifiedStatistics:
         The mean distance and the root of the mean square.
     percentiles : dict of float to Bounded
         For each part of A the least distance that it is within.
-    beyond : Bounded or None
-        With ``limit``, the part of A that is farther than it, between 0 and 1.
+    beyond : Beyond or None
+        With ``limit``, the part of A that is farther than it.
     converged : bool
         Whether all intervals are as narrow as requested. A percentile at which distances jump stays
         as wide as the jump.
@@ -47,14 +55,14 @@ class CertifiedStatistics:
     diagonal: float
     cells: int
     seconds: Seconds
-    beyond: Bounded | None = None
+    beyond: Beyond | None = None
     unit: float | None = None
 
     def _repr_html_(self) -> str:
         named = [("mean", self.mean), ("rms", self.rms)]
         named += [(f"part {part!r} within", found) for part, found in self.percentiles.items()]
         if self.beyond is not None:
-            named.append(("part beyond the limit", self.beyond))
+            named.append(("part beyond the limit", self.beyond.part))
         return table([(name, f"{found.lower!r} to {found.upper!r}") for name, found in named])
 
 
@@ -67,6 +75,6 @@ def statistics_result(data: dict[str, Any]) -> CertifiedStatistics:
     }
     beyond = data.pop("beyond", None)
     data["seconds"] = Seconds(**data["seconds"])
-    return CertifiedStatistics(
-        **data, beyond=None if beyond is None else Bounded(**beyond["part"])
-    )
+    if beyond is not None:
+        beyond = Beyond(limit=beyond["limit"], part=Bounded(**beyond["part"]))
+    return CertifiedStatistics(**data, beyond=beyond)
