@@ -105,7 +105,8 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Halves the parts of the widest areas, of which there are `count`, and returns the sum.
+    /// Halves the parts whose areas have the widest bounds, until the sum is narrow or there are `max_cells`
+    /// parts, and returns the sum. `count` is the number of parts at first.
     fn narrowed(mut self, mut count: usize, max_cells: usize) -> Area {
         let mut work = 0;
         while count < max_cells

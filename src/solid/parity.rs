@@ -65,7 +65,7 @@ fn local(control: &DVec4) -> DVec3 {
     control.xyz() / control.w
 }
 
-/// Returns the normal of the plane of both diagonals; without length, or NaN, where there is none.
+/// Returns the unit normal of the plane that is parallel to both diagonals; it is 0 where they are parallel.
 fn normal([_, q]: [usize; 2], controls: &[DVec4]) -> DVec3 {
     let at = |index: usize| local(&controls[index]);
     let last = controls.len() - 1;

@@ -94,10 +94,12 @@ impl Ray {
         let margin = 2.0 * self.margin;
         let [low, high, slope] = if high < 0.0 { [-high, -low, -normal.z] } else { [low, high, normal.z] };
         let is_away = slope <= 0.0 || low > slope * self.length + margin;
-        match low > margin {
-            true if is_away => Some(false),
-            true if high < slope * self.length - margin => Some(true),
-            _ => None,
+        if !(low > margin) {
+            None
+        } else if is_away {
+            Some(false)
+        } else {
+            (high < slope * self.length - margin).then_some(true)
         }
     }
 

@@ -79,7 +79,7 @@ pub(super) fn check(face: &Face<'_>, maps: &[&Map]) -> Finding {
     }
 }
 
-/// Whether all curves near a box lie in a strip, beside which pieces cover the region.
+/// Whether a strip contains all curves near a box, and pieces cover the region on both sides of it.
 ///
 /// On a side of the strip no winding number changes. The strip's points are near a side that is covered.
 fn is_covered_beside_strip(

@@ -120,7 +120,7 @@ pub(crate) fn check(cut: &Cut, slack: f64, deadline: &Deadline) -> Finding {
     let bounds = loops.bounds();
     let extents = bounds.map(|bounds| bounds.hi - bounds.lo);
     // What is small is small beside the loops, too, where the surface hardly moves with a parameter. Loops as
-    // narrow as rounding are around nothing, of which no part is smaller.
+    // narrow as rounding enclose nothing, and need no smaller boxes.
     let small = std::array::from_fn(|axis| {
         let moves = 0.25 * limit / slopes[axis].max(f64::MIN_POSITIVE);
         let is_wide = extents[axis] > ROUNDED * bounds[axis].magnitude();

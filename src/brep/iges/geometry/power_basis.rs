@@ -28,8 +28,9 @@ pub(super) fn curve(entity: &Entity, scale: Scale) -> Found<Spline> {
 
 /// Reads a surface of bicubic pieces.
 ///
-/// Where pieces miss each other the surface follows the one before. A piece's points are convex combinations of its
-/// control points, of which those on its first sides are moved; so no point is moved by more than the most of them.
+/// Where two pieces miss each other, the later one is moved to the earlier one: the control points on its first
+/// sides are replaced. The points of a piece are convex combinations of its control points, so no point moves farther
+/// than the control point that moves the most.
 pub(super) fn surface(entity: &Entity, scale: Scale) -> Found<Surface> {
     let counts = [entity.count(3, MAX_PIECES)?, entity.count(4, MAX_PIECES)?];
     let first = 5 + counts[0] + 1;
