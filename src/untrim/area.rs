@@ -76,3 +76,31 @@ fn under(curve: &Curve) -> f64 {
 fn rule(curve: &Curve) -> f64 {
     TrimPiece { controls: curve.controls.clone(), curve: 0 }.signed_area(DVec2::ZERO)
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::untrim::testing::{face_within, plane};
+
+    /// A square as one cell between two lines, the right one farther right by `beyond`.
+    fn square(beyond: f64) -> (UnitFace, Ruling) {
+        let face = face_within(&plane(), &[&[[0.25, 0.25], [0.75, 0.25], [0.75, 0.75], [0.25, 0.75]]]);
+        let line = |u: f64| Curve::line(DVec2::new(u, 0.25), DVec2::new(u, 0.75));
+        (face, Ruling::between_lines([line(0.25), line(0.75 + beyond)], [0, 0]))
+    }
+
+    #[test]
+    fn an_area_that_no_move_explains_is_refused() {
+        let (face, exact) = square(0.0);
+        assert_eq!(check(&face, &[(1, &exact)], [0.0; 2]), Ok(()));
+        for beyond in [1e-3, 1e-6, 1e-11] {
+            let (face, ruling) = square(beyond);
+            assert!(check(&face, &[(1, &ruling)], [0.0; 2]).is_err(), "{beyond}");
+            assert_eq!(check(&face, &[(1, &ruling)], [beyond, 0.0]), Ok(()));
+            // A move along the boundary explains nothing of it.
+            assert!(check(&face, &[(1, &ruling)], [0.0, 0.1 * beyond]).is_err(), "{beyond}");
+        }
+        assert!(check(&face, &[(2, &exact)], [0.0; 2]).is_err());
+    }
+}

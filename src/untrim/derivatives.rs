@@ -86,3 +86,31 @@ pub(super) fn bounds<'a>(patches: impl Iterator<Item = (Patch<'a>, ParamBox)>, w
     }
     settled
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::model::{NurbsSurface, SurfaceArrays};
+    use crate::untrim::testing::face_within;
+
+    /// (u, v) ↦ (u², v³), whose derivatives are largest at the end, 2 and 3, and 1 and 0.75 at the
+    /// centre.
+    #[test]
+    fn derivatives_at_the_end_are_within_the_bounds() {
+        let control_points = (0..12)
+            .map(|k| [f64::from(u8::from(k / 4 == 2)), f64::from(u8::from(k % 4 == 3)), 0.0, 1.0])
+            .collect();
+        let knots = [2, 3].map(|degree: usize| {
+            let mut knots = vec![0.0; degree + 1];
+            knots.extend(vec![1.0; degree + 1]);
+            knots
+        });
+        let arrays = SurfaceArrays { degree: [2, 3], knots, counts: [3, 4], control_points };
+        let surface = NurbsSurface::new(0, arrays).unwrap();
+        let face = face_within(&surface, &[&[[0.1, 0.1], [0.9, 0.2], [0.5, 0.9]]]);
+        let whole = [(face.patch([0, 0]), face.rectangle([0, 0]))];
+        let [in_u, in_v] = bounds(whole.into_iter(), ParamBox::UNIT);
+        assert!(in_u >= 2.0 && in_v >= 3.0, "{in_u} {in_v}");
+    }
+}

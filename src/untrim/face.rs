@@ -237,3 +237,21 @@ fn normalized_loops(domain: ParamBox, trim: &Trim, transposed: bool) -> Vec<Vec<
     };
     trim.loops().iter().map(curves).collect()
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::untrim::testing::{face_within, plane};
+
+    /// γ₁₆₀ of lemma T7, of parameters in units of their range.
+    #[test]
+    fn the_rounding_of_parameters_is_that_of_the_lemma() {
+        let mut face = face_within(&plane(), &[&[[0.1, 0.1], [0.9, 0.2], [0.5, 0.9]]]);
+        face.domain = ParamBox::new([-3.0, 1.0], [100.0, 101.0]);
+        face.bound(1e-9);
+        let [in_u, in_v] = face.lipschitz;
+        let expected = 160.0 * 0.5 * f64::EPSILON * ((1.0 + 0.75) * in_u + (1.0 + 101.0) * in_v);
+        // Gamma allows a hundredth for the terms of higher order.
+        assert!((expected..=1.02 * expected).contains(&face.rounding), "{} {expected}", face.rounding);
+    }
+}

@@ -17,6 +17,8 @@ mod face;
 mod patch;
 mod rectangle;
 mod sweep;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod testing;
 
 use crate::error::{Error, Result};
 use crate::model::NurbsSurface;

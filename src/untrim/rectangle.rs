@@ -62,3 +62,43 @@ pub(super) fn cut(surface: &NurbsSurface, part: ParamBox) -> Result<NurbsSurface
     }
     Ok(cut)
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::untrim::testing::{face_within, plane};
+
+    /// A face whose only loop runs through these points in normalised parameters.
+    fn face(points: &[[f64; 2]]) -> UnitFace {
+        let mut face = face_within(&plane(), &[&[[0.1, 0.1], [0.9, 0.1], [0.5, 0.9]]]);
+        let line = |k: usize| Curve::line(points[k].into(), points[(k + 1) % points.len()].into());
+        face.loops = vec![(0..points.len()).map(line).collect()];
+        face.tolerances.snap = [1e-10, 2e-10];
+        face
+    }
+
+    #[test]
+    fn a_loop_that_runs_back_on_itself_bounds_no_rectangle() {
+        let [a, b, c, d] = [[0.2, 0.2], [0.7, 0.2], [0.7, 0.6], [0.2, 0.6]];
+        assert!(rectangle(&face(&[a, b, c, d])).is_some());
+        assert!(rectangle(&face(&[a, b, c, d, c, b])).is_none());
+        assert!(rectangle(&face(&[a, d, c, b])).is_none());
+        assert!(rectangle(&face(&[a, b, c, d, a, b, c, d])).is_none());
+    }
+
+    #[test]
+    fn a_rectangle_states_by_what_its_loop_leaves_it() {
+        let moved = |off: [f64; 2]| {
+            let points = [[0.2, 0.2], [0.7, 0.2 + off[1]], [0.7 + off[0], 0.6], [0.2, 0.6]];
+            rectangle(&face(&points)).map(|(_, moved)| moved)
+        };
+        let [in_u, in_v] = moved([5e-11, 1.5e-10]).unwrap_or_default();
+        assert!((in_u - 5e-11).abs() < 1e-15 && (in_v - 1.5e-10).abs() < 1e-15, "{in_u} {in_v}");
+        assert!(moved([1.5e-10, 0.0]).is_none() && moved([0.0, 2.5e-10]).is_none());
+        // Sides that take the place of the domain's.
+        let near = [[5e-11, 0.2], [1.0, 0.2], [1.0, 1.0 - 1.5e-10], [5e-11, 1.0 - 1.5e-10]];
+        let (sides, [in_u, in_v]) = rectangle(&face(&near)).unwrap_or((ParamBox::UNIT, [0.0; 2]));
+        assert_eq!(sides.intervals(), [[0.0, 1.0], [0.2, 1.0]]);
+        assert!(in_u >= 5e-11 && in_v >= 1.4999e-10, "{in_u} {in_v}");
+    }
+}

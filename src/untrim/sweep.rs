@@ -149,29 +149,18 @@ impl<'a> Sweep<'a> {
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
-    use crate::model::trim::{Trim, TrimCurveArrays};
-    use crate::shapes::figure5_plane;
     use crate::untrim::boundary::graph::Graph;
+    use crate::untrim::testing::{face_within, plane};
 
     /// A plane with a square hole in a square, both turned, as a face ruled along u.
     fn face() -> UnitFace {
-        let plane = figure5_plane().unwrap().surfaces()[0].clone();
         let ring = |radius: f64, sense: f64| {
-            let corner = |k: i32| {
-                let angle = 0.3 + sense * std::f64::consts::FRAC_PI_2 * f64::from(k);
-                let [u, v] = plane.domain().at([0.5 + radius * angle.cos(), 0.5 + radius * angle.sin()]);
-                [u, v, 1.0]
-            };
-            let side = |k: i32| TrimCurveArrays {
-                degree: 1,
-                knots: vec![0.0, 0.0, 1.0, 1.0],
-                control_points: vec![corner(k), corner(k + 1)],
-                ..TrimCurveArrays::default()
-            };
-            (0..4).map(side).collect::<Vec<_>>()
+            [0.0, 1.0, 2.0, 3.0].map(|k| {
+                let angle = 0.3 + sense * std::f64::consts::FRAC_PI_2 * k;
+                [0.5 + radius * angle.cos(), 0.5 + radius * angle.sin()]
+            })
         };
-        let trim = Trim::new(0, &plane, vec![ring(0.4, 1.0), ring(0.2, -1.0)]).unwrap();
-        UnitFace::new(0, &plane, &trim, 1e-9, false).unwrap()
+        face_within(&plane(), &[&ring(0.4, 1.0), &ring(0.2, -1.0)])
     }
 
     #[test]

@@ -170,24 +170,14 @@ impl Boundary {
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
-    use crate::model::trim::{Trim, TrimCurveArrays};
-    use crate::shapes::figure5_plane;
+    use crate::untrim::testing::{face_within, plane};
 
     /// Two corners of a pentagon are at levels that are one within the tolerance.
     #[test]
     fn vertices_that_are_moved_to_one_level_state_the_move() {
         let apart = 1e-11;
-        let plane = figure5_plane().unwrap().surfaces()[0].clone();
         let corners = [[0.5, 0.1], [0.9, 0.5], [0.6, 0.9], [0.2, 0.8], [0.1, 0.5 + apart]];
-        let corners = corners.map(|corner| plane.domain().at(corner));
-        let side = |k: usize| TrimCurveArrays {
-            degree: 1,
-            knots: vec![0.0, 0.0, 1.0, 1.0],
-            control_points: [corners[k], corners[(k + 1) % 5]].map(|[u, v]| [u, v, 1.0]).to_vec(),
-            ..TrimCurveArrays::default()
-        };
-        let trim = Trim::new(0, &plane, vec![(0..5).map(side).collect()]).unwrap();
-        let mut face = UnitFace::new(0, &plane, &trim, 1e-9, false).unwrap();
+        let mut face = face_within(&plane(), &[&corners]);
         face.tolerances.snap = [1e-10; 2];
         let found = boundary(&face).unwrap();
         assert!((0.5 * apart..=2.0 * apart).contains(&found.moved[1]), "{:?}", found.moved);

@@ -203,21 +203,11 @@ fn is_level(left: &Curve, right: &Curve) -> bool {
 #[allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
-    use crate::model::trim::{Trim, TrimCurveArrays};
-    use crate::shapes::figure5_plane;
+    use crate::untrim::testing::{face_within, plane};
 
     /// A trimmed plane, whose domain is one rectangle of knots.
     fn face() -> UnitFace {
-        let plane = figure5_plane().unwrap().surfaces()[0].clone();
-        let corners = [[0.1, 0.1], [0.9, 0.2], [0.5, 0.9]].map(|corner| plane.domain().at(corner));
-        let side = |k: usize| TrimCurveArrays {
-            degree: 1,
-            knots: vec![0.0, 0.0, 1.0, 1.0],
-            control_points: [corners[k], corners[(k + 1) % 3]].map(|[u, v]| [u, v, 1.0]).to_vec(),
-            ..TrimCurveArrays::default()
-        };
-        let trim = Trim::new(0, &plane, vec![(0..3).map(side).collect()]).unwrap();
-        let mut face = UnitFace::new(0, &plane, &trim, 1e-9, false).unwrap();
+        let mut face = face_within(&plane(), &[&[[0.1, 0.1], [0.9, 0.2], [0.5, 0.9]]]);
         face.tolerances.crossing = 1e-9;
         face.tolerances.composite = 1e-9;
         face

@@ -8,6 +8,7 @@ use crate::untrim::curve::{Curve, casteljau, divided, elevated};
 use glam::{DVec2, DVec3};
 
 /// A part of an arc as a curve.
+#[derive(Debug)]
 pub(super) struct ArcPart {
     pub(super) curve: Curve,
     /// Upper bounds on the distances in u and v between the curve and the arc (lemma T3).
@@ -146,6 +147,8 @@ mod tests {
     fn a_part_beyond_its_arc_states_what_it_misses_and_one_that_falls_is_none() {
         let missing = part(&Side::Own(quarter()), [-0.1, 0.3]).unwrap();
         assert_eq!(missing.moved, [0.0, 0.1]);
+        let missing = part(&Side::Own(quarter()), [0.3, 0.75]).unwrap();
+        assert_eq!(missing.moved, [0.0, 0.25]);
         assert!(part(&Side::Own(quarter()), [0.4, 0.2]).is_none());
         assert!(part(&Side::Own(quarter()), [0.3, 0.3]).is_none());
     }
@@ -162,5 +165,46 @@ mod tests {
         let graph = Graph::line([0.2, 0.4], [0.0, 1.0]);
         let beside = Curve::line(DVec2::new(0.2, 0.0), DVec2::new(0.45, 1.0));
         assert!((moves(&graph, &beside)[0] - 0.05).abs() < 1e-15);
+    }
+
+    /// In v beside a steep line, and beside a curved graph in u with the factor of lemma T5.
+    #[test]
+    fn a_curve_beside_a_graph_is_as_far_from_it_as_is_said() {
+        let steep = Graph::line([0.2, 0.8], [0.0, 0.1]);
+        let beside = Curve::line(DVec2::new(0.2, 0.0), DVec2::new(0.8, 0.11));
+        let [in_u, in_v] = moves(&steep, &beside);
+        assert!(in_u == 0.0 && (in_v - 0.01).abs() < 1e-15, "{in_u} {in_v}");
+        // u = v² and its chord are 1/4 apart.
+        let parabola = Graph { v: [0.0, 1.0], coefficients: vec![0.0, 0.0, 1.0] };
+        let [in_u, in_v] = moves(&parabola, &Curve::line(DVec2::ZERO, DVec2::ONE));
+        assert!((0.25..=0.25 * std::f64::consts::SQRT_2).contains(&in_u) && in_v == 0.0, "{in_u}");
+    }
+
+    /// The error is the largest residual at the nodes, times the factor of lemma T5, over the least
+    /// weight's power: the residual is a polynomial after multiplication with that.
+    #[test]
+    fn the_error_of_a_side_that_follows_a_graph_is_that_of_the_lemma() {
+        let graph = Graph { v: [0.0, 1.0], coefficients: vec![0.0, 0.9, 0.1, 1.0] };
+        for weights in [[1.0; 3], [0.5; 3], [0.5, 0.7, 0.4]] {
+            let points = [0.0, 0.4, 1.0];
+            let controls = points.iter().zip(weights).map(|(v, w)| DVec3::new(0.0, v * w, w));
+            let height = Curve { controls: controls.collect() };
+            let part = follow(&graph, &height, 0.05).unwrap();
+            let (own, m) = (part.curve.degree(), graph.degree());
+            assert!(own >= height.degree());
+            let total = (own + height.degree() * (m - 1)).max(height.degree() * m);
+            let least = weights.iter().copied().fold(f64::INFINITY, f64::min);
+            let residual = |t: f64| {
+                let point = part.curve.at(t);
+                let distance = (point.x - point.z * graph.at(point.y / point.z)).abs();
+                distance * point.z.powi(m as i32 - 1) / least.powi(m as i32)
+            };
+            let largest = nodes(2 * total).map(residual).fold(0.0, f64::max);
+            let expected = largest * std::f64::consts::SQRT_2;
+            assert!(
+                largest > 1e-9 && (part.moved[0] - expected).abs() <= 1e-6 * expected,
+                "{weights:?}: {part:?}"
+            );
+        }
     }
 }

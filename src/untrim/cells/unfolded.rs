@@ -134,9 +134,26 @@ mod tests {
             let right = curve(&[[0.6, 0.0, 1.0], [0.55, 0.4, 1.0], [0.5, 1.0, 1.0]]);
             let found = folds(&left, &right, TOLERANCE);
             assert_eq!(found.is_some(), is_small, "{beyond}: {found:?}");
-            if let Some([in_u, _]) = found {
-                assert!((beyond..=1e-10).contains(&in_u), "{in_u}");
+            if let Some([in_u, in_v]) = found {
+                // The sides approach each other in u by 0.9 for each 1 in v.
+                let allowed = beyond..=1e-10;
+                assert!(allowed.contains(&in_u) && allowed.contains(&in_v), "{in_u} {in_v}");
             }
         }
+    }
+
+    /// A fold as high as the cell is none that may stay, however narrow it is.
+    #[test]
+    fn a_narrow_fold_that_is_high_is_refused() {
+        let straight = |u: f64| curve(&[[u, 0.0, 1.0], [u, 1.0, 1.0]]);
+        assert_eq!(folds(&straight(1e-11), &straight(0.0), TOLERANCE), None);
+    }
+
+    /// A width of one unit in the last place is not known to be positive.
+    #[test]
+    fn a_width_within_its_rounding_has_no_sign() {
+        let left = curve(&[[0.1, 0.0, 1.0], [0.7, 1.0, 1.0]]);
+        let right = curve(&[[0.1, 0.0, 1.0], [0.7_f64.next_up(), 1.0, 1.0]]);
+        assert_eq!(folds(&left, &right, TOLERANCE), None);
     }
 }

@@ -135,33 +135,37 @@ fn combined(controls: &[DVec4], basis: &[f64]) -> DVec4 {
 mod tests {
     use super::*;
     use crate::chebyshev::{coefficients, to_bernstein};
-    use crate::model::trim::{Trim, TrimCurveArrays};
     use crate::model::{NurbsSurface, SurfaceArrays};
     use crate::untrim::curve::Curve;
+    use crate::untrim::testing::{face_within, plane};
 
-    /// A rational biquadratic face over [0, 1]², and a map onto a trapezium in it.
-    fn face_and_ruling() -> (UnitFace, Ruling) {
+    /// Two sides of a trapezium.
+    const SIDES: [[[f64; 2]; 2]; 2] = [[[0.1, 0.2], [0.3, 0.8]], [[0.7, 0.2], [0.9, 0.8]]];
+
+    /// A rational biquadratic surface over [0, 1]², whose first corner is this.
+    fn surface(corner: f64) -> NurbsSurface {
         let control_points = (0..9)
             .map(|k| {
                 let (i, j) = (f64::from(k / 3), f64::from(k % 3));
-                [i, j, (i * j).sin(), 1.0 + 0.2 * (i - j)]
+                [corner + i, j, (i * j).sin(), 1.0 + 0.2 * (i - j)]
             })
             .collect();
         let knots = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
         let arrays =
             SurfaceArrays { degree: [2, 2], knots: [knots.clone(), knots], counts: [3, 3], control_points };
-        let surface = NurbsSurface::new(0, arrays).unwrap();
-        let corners = [[0.1, 0.2], [0.7, 0.2], [0.9, 0.8], [0.3, 0.8]];
-        let side = |k: usize| TrimCurveArrays {
-            degree: 1,
-            knots: vec![0.0, 0.0, 1.0, 1.0],
-            control_points: [corners[k], corners[(k + 1) % 4]].map(|[u, v]| [u, v, 1.0]).to_vec(),
-            ..TrimCurveArrays::default()
-        };
-        let trim = Trim::new(0, &surface, vec![(0..4).map(side).collect()]).unwrap();
-        let line = |from: usize, to: usize| Curve::line(corners[from].into(), corners[to].into());
-        let ruling = Ruling::between_lines([line(0, 3), line(1, 2)], [0, 0]);
-        (UnitFace::new(0, &surface, &trim, 1e-9, false).unwrap(), ruling)
+        NurbsSurface::new(0, arrays).unwrap()
+    }
+
+    /// The trapezium in a surface, and a map onto it.
+    fn face_and_ruling_on(surface: &NurbsSurface) -> (UnitFace, Ruling) {
+        let [[a, d], [b, c]] = SIDES;
+        let ruling =
+            Ruling::between_lines(SIDES.map(|[from, to]| Curve::line(from.into(), to.into())), [0, 0]);
+        (face_within(surface, &[&[a, b, c, d]]), ruling)
+    }
+
+    fn face_and_ruling() -> (UnitFace, Ruling) {
+        face_and_ruling_on(&surface(0.0))
     }
 
     /// The point of a patch at the largest value of a Bernstein polynomial.
@@ -264,5 +268,51 @@ mod tests {
         // Twice, as two values are compared; no weight is below the least one.
         let found = composition.deviation([m, n], &exact);
         assert!(found >= 2.0 * rounding * factor, "{found} {rounding}");
+    }
+
+    /// A patch that is moved by h is h away, whatever unit its weights are in.
+    #[test]
+    fn small_weights_do_not_hide_a_move() {
+        let (face, mut ruling) = face_and_ruling();
+        for side in [&mut ruling.left, &mut ruling.right] {
+            side.controls.iter_mut().for_each(|control| *control *= 0.5);
+        }
+        let composed = crate::untrim::patch::composed(&face, &ruling).unwrap();
+        let patch = face.patch([0, 0]);
+        let mut moved = crate::untrim::patch::relative(&composed.surface, patch.center);
+        assert!(moved.iter().all(|control| control.w < 0.25));
+        moved.iter_mut().for_each(|control| control.z += 1e-3 * control.w);
+        let degree = composed.surface.degree();
+        let composition = Composition { face: &face, patch, ruling: &ruling, degree };
+        assert!(composition.deviation(degree, &moved) >= 1e-3);
+    }
+
+    /// The deviation of the patch that is made on the trapezium, and the centre of the surface's.
+    fn deviation_on(face: &UnitFace, ruling: &Ruling) -> (f64, glam::DVec3) {
+        let composed = crate::untrim::patch::composed(face, ruling).unwrap();
+        (composed.deviation, face.patch([0, 0]).center)
+    }
+
+    /// A surface far from the origin loses digits when its centre is added, and in extraction.
+    #[test]
+    fn the_rounding_about_the_centre_is_added() {
+        let (face, ruling) = face_and_ruling_on(&surface(1e6));
+        let (deviation, center) = deviation_on(&face, &ruling);
+        let added = gamma(4.0) * center.length() + face.patches.point_error.after(0);
+        assert!(face.patches.point_error.after(0) > 1e-10 && gamma(4.0) * center.length() > 4e-10);
+        assert!(deviation >= added, "{deviation} {added}");
+    }
+
+    /// Of a plane the corners' affine map is compared: each value is off by the twist, and so are
+    /// both ends of a patch.
+    #[test]
+    fn the_twist_of_a_plane_counts_at_values_and_at_ends() {
+        let (mut face, ruling) = face_and_ruling_on(&plane());
+        assert!(face.affine);
+        face.twist = 0.0;
+        let (without, _) = deviation_on(&face, &ruling);
+        face.twist = 1e-12;
+        let (with, _) = deviation_on(&face, &ruling);
+        assert!(with - without >= 3.0 * face.twist, "{with} {without}");
     }
 }
