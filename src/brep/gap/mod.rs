@@ -15,6 +15,7 @@ mod nearest;
 mod part;
 
 use super::nurbs::{Curve, Surface};
+use crate::sorting::sort_by_number;
 use glam::{DAffine3, DVec3};
 use part::GapPart;
 use std::collections::BinaryHeap;
@@ -104,6 +105,42 @@ impl Lifted<'_> {
         (0..=SAMPLES).map(distance).fold(0.0, f64::max)
     }
 
+    /// As [`Self::measured`], at as many points of each interval on which both curves are analytic.
+    pub(super) fn measured_by_spans(&self) -> f64 {
+        let measured = |part: &[f64]| {
+            let ends = [part[0], part[1]];
+            let edge_range = ends.map(|t| self.corresponding(t));
+            Self { range: ends, edge_range, ..*self }.measured()
+        };
+        self.breaks().windows(2).map(measured).fold(0.0, f64::max)
+    }
+
+    /// Returns the ends of the curve's range and the parameters between them at which it or the edge
+    /// is not analytic, in their order.
+    fn breaks(&self) -> Vec<f64> {
+        let mut breaks = self.range.to_vec();
+        let ([t0, t1], [s0, s1]) = (self.range, self.edge_range);
+        let mut add = |curve: &Curve, range: [f64; 2]| {
+            let mut open = vec![range];
+            while let Some([from, to]) = open.pop() {
+                let (low, high) = (from.min(to), from.max(to));
+                let cell = curve.cell(0.5 * (low + high));
+                for knot in cell.into_iter().filter(|&knot| low < knot && knot < high) {
+                    breaks.push(t0 + (t1 - t0) * ((knot - range[0]) / (range[1] - range[0])));
+                    open.push(if knot == cell[0] { [low, knot] } else { [knot, high] });
+                }
+            }
+        };
+        add(self.curve, [t0, t1]);
+        add(self.edge, [s0, s1]);
+        sort_by_number(&mut breaks, |t| *t);
+        if t1 < t0 {
+            breaks.reverse();
+        }
+        breaks.dedup();
+        breaks
+    }
+
     /// Returns the point on the surface less the point of the edge, in space.
     fn difference(&self, t: f64, s: f64) -> DVec3 {
         self.on_surface(t) - self.on_edge(s)
@@ -132,3 +169,48 @@ impl Lifted<'_> {
 
 /// The points of a curve that the search begins with are one more than this number.
 const SAMPLES: usize = 8;
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::brep::nurbs::{Basis, Frame, SplineCurve};
+    use glam::DVec4;
+
+    /// A polyline through points at these parts of [0, 1] whose point `outlier` is off by 1e-3.
+    fn polyline(knots: &[f64], outlier: Option<usize>) -> Curve {
+        let height = |index: usize| if Some(index) == outlier { 1e-3 } else { 0.0 };
+        let poles = knots.iter().enumerate().map(|(index, &x)| DVec4::new(x, height(index), 0.0, 1.0));
+        let last = knots.len() - 1;
+        let pairs: Vec<(f64, usize)> = knots
+            .iter()
+            .enumerate()
+            .map(|(index, &knot)| (knot, if index % last == 0 { 2 } else { 1 }))
+            .collect();
+        Curve::Spline(SplineCurve::new(Basis::new(1, knots.len(), &pairs, false).unwrap(), poles.collect()))
+    }
+
+    /// Nine points of the whole miss a spike between knots, on the curve as on the edge.
+    #[test]
+    fn a_spike_between_knots_is_measured() {
+        let knots = [0.0, 0.55, 0.56, 0.57, 1.0];
+        let plane = Surface::Plane(Frame { origin: DVec3::ZERO, x: DVec3::X, y: DVec3::Y, z: DVec3::Z });
+        for (on_curve, on_edge) in [(Some(2), None), (None, Some(2))] {
+            let (curve, edge) = (polyline(&knots, on_curve), polyline(&knots, on_edge));
+            for range in [[0.0, 1.0], [1.0, 0.0]] {
+                let lifted = Lifted {
+                    surface: &plane,
+                    surface_location: DAffine3::IDENTITY,
+                    curve: &curve,
+                    range,
+                    edge: &edge,
+                    edge_location: DAffine3::IDENTITY,
+                    edge_range: range,
+                };
+                assert_eq!(lifted.measured(), 0.0);
+                let found = lifted.measured_by_spans();
+                assert!((found - 1e-3).abs() < 1e-5, "{found}");
+            }
+        }
+    }
+}

@@ -4,6 +4,7 @@ use super::{TORUS, TORUS_AREA, torus_area};
 use crate::support::brep::{BrepText, polygon, rectangle};
 use crate::{area_of, assert_near, region};
 use nurbs_hausdorff::Model;
+use nurbs_hausdorff::internals::engine::PreparedModel;
 use std::f64::consts::{PI, TAU};
 
 type Loop = Vec<(String, [f64; 2])>;
@@ -55,6 +56,24 @@ fn a_lone_loop_on_a_torus_bounds_the_region_on_its_left() {
     }
     let both = [rectangle(low, high), hole([4.0, 4.5], [4.5, 6.0])];
     assert_eq!(refused(TORUS, &both), "BREP_LOOP_DIRECTIONS");
+}
+
+/// The places next to the largest hole of two others lie on both sides of it, more than a period
+/// apart: the surface is cut in a gap that all of them leave.
+#[test]
+fn holes_that_lie_around_a_closed_surface_do_not_meet_its_cut() {
+    let holes = [[[1.8, 1.8], [2.6, 2.8]], [[4.9, 4.9], [5.4, 5.3]], [[5.1, 5.5], [5.6, 5.8]]];
+    let area = |[low, high]: [[f64; 2]; 2]| torus_area(low, high);
+    let expected = TORUS_AREA - holes.map(area).iter().sum::<f64>();
+    let exchanged = holes.map(|corners| corners.map(|[u, v]| [v, u]));
+    let expected_exchanged = TORUS_AREA - exchanged.map(area).iter().sum::<f64>();
+    for (holes, expected) in [(holes, expected), (exchanged, expected_exchanged)] {
+        let loops = holes.map(|[low, high]| hole(low, high));
+        let (model, report) = region(TORUS, &loops);
+        assert_eq!(report.skipped, []);
+        let area = PreparedModel::new(&model).unwrap().area();
+        assert!(area.lower <= expected && expected <= area.upper, "{area:?} {expected}");
+    }
 }
 
 /// A strip that winds twice around a cylinder, with a hole in its first turn, whose place in

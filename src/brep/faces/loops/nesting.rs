@@ -106,7 +106,8 @@ pub(super) fn directed(loops: Vec<Vec<TrimUse>>, surface: &Surface) -> Result<Ve
             let why = "loops beside each other on a closed surface turn in opposite directions";
             return Err(FaceFault::new("BREP_LOOP_DIRECTIONS", why));
         }
-        loops.insert(0, whole(surface, &loops));
+        let outer = whole(surface, &mut loops);
+        loops.insert(0, outer);
         depths = depths.into_iter().map(|depth| depth + 1).collect();
         depths.insert(0, 0);
     }
@@ -177,23 +178,48 @@ fn shift(outer: &Loop, one: &Loop, periods: [Option<f64>; 2]) -> Result<DVec2, u
 }
 
 /// Returns the rectangle of a whole closed surface, cut where it does not cross the loops
-/// if their box leaves room.
-fn whole(surface: &Surface, loops: &[Loop]) -> Loop {
-    let bounds = loops.iter().map(Loop::bounds);
-    let [low, high] =
-        bounds.fold([DVec2::INFINITY, DVec2::NEG_INFINITY], |[low, high], [a, b]| [low.min(a), high.max(b)]);
+/// if these leave room, and moves the loops by whole periods into it.
+fn whole(surface: &Surface, loops: &mut [Loop]) -> Loop {
     let natural = surface.natural_ranges();
     let periods = surface.periods();
-    let range = |axis: usize| match (periods[axis], natural[axis]) {
-        (Some(period), _) => {
-            let middle = 0.5 * (low[axis] + high[axis]);
-            [middle - 0.5 * period, middle + 0.5 * period]
+    let mut range = |axis: usize| {
+        let extents = || loops.iter().map(|one| one.bounds().map(|corner| corner[axis]));
+        let Some(period) = periods[axis] else {
+            let ends = |[low, high]: [f64; 2], [a, b]: [f64; 2]| [low.min(a), high.max(b)];
+            return natural[axis].unwrap_or_else(|| extents().fold([f64::INFINITY, f64::NEG_INFINITY], ends));
+        };
+        let cut = widest_gap(extents().collect(), period);
+        for one in loops.iter_mut() {
+            let [low, high] = one.bounds().map(|corner| corner[axis]);
+            let shift = -period * ((0.5 * (low + high) - cut) / period).floor();
+            if shift != 0.0 {
+                one.translate(DVec2::from_array([0, 1].map(|other| if other == axis { shift } else { 0.0 })));
+            }
         }
-        (None, Some(range)) => range,
-        (None, None) => [low[axis], high[axis]],
+        [cut, cut + period]
     };
     let ([u0, u1], [v0, v1]) = (range(0), range(1));
     let corners = [[u0, v0], [u1, v0], [u1, v1], [u0, v1]].map(|[u, v]| DVec3::new(u, v, 0.0));
     let uses = (0..4).map(|index| TrimUse::segment(corners[index], corners[(index + 1) % 4])).collect();
     Loop::new(uses)
+}
+
+/// Returns the middle of the widest gap that intervals leave on a circle of this length; where they
+/// leave none, the middle of their shortest overlap. O(n log n).
+fn widest_gap(mut intervals: Vec<[f64; 2]>, period: f64) -> f64 {
+    for interval in &mut intervals {
+        let shift = -period * (interval[0] / period).floor();
+        *interval = interval.map(|end| end + shift);
+    }
+    intervals.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut covered = f64::NEG_INFINITY;
+    let mut ends = Vec::new();
+    for [low, high] in &intervals {
+        ends.push([covered, *low]);
+        covered = covered.max(*high);
+    }
+    // The first gap begins where the last interval ended, a period before.
+    ends[0][0] = covered - period;
+    let widest = ends.into_iter().max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
+    widest.map_or(0.0, |[from, to]| 0.5 * (from + to))
 }
