@@ -117,7 +117,9 @@ fn prove_cuts() {
                 Some(Err(_)) => uncut += 1,
                 Some(Ok(cut)) => {
                     let deadline = proof::Deadline::after(CUT_SECONDS);
+                    eprint!("face {faces}, {} pieces:", cut.pieces.len());
                     let finding = proof::cut::check(&cut, CUT_SLACK, &deadline);
+                    eprintln!(" {:?} {:.2} s", finding.verdict, deadline.spent());
                     seconds += deadline.spent();
                     slowest = slowest.max(deadline.spent());
                     counts[finding.verdict as usize] += 1;

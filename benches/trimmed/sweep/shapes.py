@@ -78,10 +78,11 @@ def edge_tolerance(shape: TopoDS_Shape) -> float:
 
 @dataclass
 class Area:
-    """An area by quadrature, and how much it may be off."""
+    """An area by quadrature, how much that may be off, and the length of the face's edges."""
 
     value: float
     spread: float
+    rim: float
 
 
 def area(face: TopoDS_Shape) -> Area:
@@ -91,7 +92,9 @@ def area(face: TopoDS_Shape) -> Area:
     results with several accuracies tell such faces from the others.
     """
     values = [_area(face, accuracy) for accuracy in AREA_ACCURACIES]
-    return Area(values[-1], max(values) - min(values))
+    rim = GProp_GProps()
+    BRepGProp.LinearProperties_s(face, rim)
+    return Area(values[-1], max(values) - min(values), rim.Mass())
 
 
 def _area(face: TopoDS_Shape, accuracy: float) -> float:

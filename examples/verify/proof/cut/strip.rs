@@ -33,7 +33,7 @@ pub(super) struct Side {
 impl Strip {
     /// Returns the strip of all curves of some outlines that meet an enlarged box; `None` if none is found.
     pub(super) fn around(face: &Face<'_>, outlines: &[&Outline], enlarged: &Box2) -> Option<Self> {
-        let [u, v] = outlines.iter().find_map(|outline| outline.direction(enlarged))?;
+        let [u, v] = outlines.iter().find_map(|outline| outline.direction(enlarged))??;
         // In units of the small sizes the normal has length 1.
         let along = [u / face.small[0], v / face.small[1]];
         let length = along[0].hypot(along[1]);
@@ -97,8 +97,9 @@ impl Strip {
 }
 
 impl Outline {
-    /// Returns the direction of a part of a curve that may meet a box and is not larger than it.
-    fn direction(&self, target: &Box2) -> Option<[f64; 2]> {
+    /// Returns the direction of a part of a curve that may meet a box and is not larger than it:
+    /// `None` without such a part, `Some(None)` where rounding hides which one it is.
+    fn direction(&self, target: &Box2) -> Option<Option<[f64; 2]>> {
         self.chains.iter().find_map(|chain| chain.direction(target, 0))
     }
 
@@ -109,16 +110,20 @@ impl Outline {
 }
 
 impl Node {
-    fn direction(&self, target: &Box2, halvings: u32) -> Option<[f64; 2]> {
-        if !self.meets(target) || halvings == MAX_HALVINGS {
+    fn direction(&self, target: &Box2, halvings: u32) -> Option<Option<[f64; 2]>> {
+        if !self.meets(target) {
             return None;
+        }
+        // All 2^40 parts of a curve may be larger than a box below its rounding.
+        if halvings == MAX_HALVINGS {
+            return Some(None);
         }
         if self.is_chain() || !self.is_within(target, 1.0) {
             return self.halves().iter().find_map(|half| half.direction(target, halvings + 1));
         }
         let [start, end] = self.ends;
         let along = [end[0] - start[0], end[1] - start[1]];
-        (along != [0.0; 2]).then_some(along)
+        (along != [0.0; 2]).then_some(Some(along))
     }
 
     fn extend(&self, strip: &mut Strip, target: &Box2, halvings: u32) -> bool {
