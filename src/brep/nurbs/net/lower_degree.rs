@@ -164,14 +164,14 @@ impl Lowered {
 mod tests {
     use super::*;
 
-    /// The segment from (-1, 0, 0) to (1, 0, 0) in a degree, with the center and the radius of its ball.
-    fn segment(degree: usize) -> (Lowered, Spline) {
-        let ends = vec![DVec4::new(-1.0, 0.0, 0.0, 1.0), DVec4::new(1.0, 0.0, 0.0, 1.0)];
+    /// The segment of length 2 about (x, 0, 0) in a degree, with the center and the radius of its ball.
+    fn segment(degree: usize, x: f64) -> (Lowered, Spline) {
+        let ends = [-1.0, 1.0].map(|end| DVec4::new(x + end, 0.0, 0.0, 1.0)).to_vec();
         let knots = [vec![0.0; degree + 1], vec![1.0; degree + 1]].concat();
         let line = Spline { degree, knots, controls: elevated(ends, degree) };
         let lowered = Lowered {
             interpolation: Interpolation::new(DEGREE),
-            center: DVec3::ZERO,
+            center: x * DVec3::X,
             radius: 1.0,
             knots: Vec::new(),
             controls: Vec::new(),
@@ -182,7 +182,7 @@ mod tests {
 
     #[test]
     fn the_bound_is_attained_by_a_move_and_by_a_change_of_weights() {
-        let (lowered, line) = segment(20);
+        let (lowered, line) = segment(20, 0.0);
         let fit = lowered.fit(&line);
         assert!(lowered.distance(std::slice::from_ref(&line), std::slice::from_ref(&fit)) < 1e-13);
         // Points moved by (0, 0.03, 0.04) are 0.05 away.
@@ -199,8 +199,72 @@ mod tests {
 
     #[test]
     fn weights_below_zero_bound_nothing() {
-        let (lowered, line) = segment(20);
+        let (lowered, line) = segment(20, 0.0);
         let fit = lowered.fit(&line).iter().map(|control| control.with_w(-1.0)).collect();
         assert_eq!(lowered.distance(&[line], &[fit]), f64::INFINITY);
+    }
+
+    /// Weights are compared about the center: those of 1.25 move the ends 9 and 11 to 7.2 and 8.8.
+    #[test]
+    fn the_bound_is_attained_far_from_the_origin() {
+        let (lowered, line) = segment(20, 10.0);
+        let fit = lowered.fit(&line);
+        let weighted = fit.iter().map(|control| control.with_w(1.25)).collect();
+        let found = lowered.distance(std::slice::from_ref(&line), &[weighted]);
+        assert!((found - 2.2).abs() < 1e-12, "{found}");
+        // Of coordinates of 1e6 the roundings that the lemma counts are left.
+        let (lowered, line) = segment(20, 1e6);
+        let fit = lowered.fit(&line);
+        let found = lowered.distance(&[line], &[fit]);
+        let expected = 96.0 * f64::EPSILON * 2e6;
+        assert!(found >= expected && found < 1.1 * expected, "{found} {expected}");
+    }
+
+    /// Pseudo-random numbers of [0, 1), a linear congruential generator's.
+    fn numbers(seed: u64) -> impl FnMut() -> f64 {
+        let mut state = seed;
+        move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        }
+    }
+
+    /// Surfaces of degrees 16 to 25 along the lines, with knots, weights and a place of their own.
+    #[test]
+    fn points_of_random_surfaces_are_within_the_bound() {
+        let mut attained = 0.0_f64;
+        for seed in 0..60 {
+            let mut next = numbers(seed);
+            let degree = 16 + seed as usize % 10;
+            let spans = 1 + (3.0 * next()) as usize;
+            let mut knots = vec![0.0; degree + 1];
+            knots.extend((1..spans).map(|span| (span as f64 + 0.5 * next()) / (spans as f64 + 1.0)));
+            knots.extend(vec![1.0; degree + 1]);
+            let (spread, place) = (1.0 + 3.0 * next(), 100.0 * next());
+            let mut line = || {
+                let mut control = || {
+                    let point = DVec3::new(place + next(), next(), next());
+                    let weight = spread.powf(next());
+                    (weight * point).extend(weight)
+                };
+                let controls = (0..degree + spans).map(|_| control()).collect();
+                Spline { degree, knots: knots.clone(), controls }
+            };
+            let lines = [line(), line(), line()];
+            let (lowered, error) = Lowered::of(&lines).unwrap_or_default();
+            assert!(error > 0.0 && error < 1e-8, "{seed}: {error}");
+            for _ in 0..400 {
+                let (t, a, b) = (next(), next(), next());
+                let shares = [(1.0 - a) * (1.0 - b), a * (1.0 - b), b];
+                let [from, to] = [&lines[..], &lowered].map(|lines| {
+                    let sum: DVec4 =
+                        lines.iter().zip(shares).map(|(line, share)| share * line.homogeneous(t)).sum();
+                    sum.xyz() / sum.w
+                });
+                attained = attained.max(from.distance(to) / error);
+            }
+        }
+        // The pieces are as far off as is said, within the ratio of a polynomial to its coefficients.
+        assert!(attained <= 1.0 && attained > 0.1, "{attained}");
     }
 }
