@@ -4,15 +4,9 @@ use super::{Box2, Controls};
 use crate::proof::bezier::Net;
 use crate::proof::interval::Interval;
 use std::cell::OnceCell;
-use std::ops::Deref;
-use std::rc::Rc;
 
 /// The halvings of a curve after which it counts as touching a box.
 pub(super) const MAX_HALVINGS: u32 = 40;
-
-/// The halvings whose parts of a curve are kept: all of them take some 10 MiB. Deeper ones, of which a proof
-/// may look at millions, are made again.
-const KEPT_HALVINGS: u32 = 14;
 
 /// The halvings of each curve for the area: a relative error of about 1e-3.
 const AREA_HALVINGS: u32 = 9;
@@ -34,26 +28,7 @@ pub(super) struct Node {
     pub(super) hull: Box2,
     /// Points in the enclosures of the ends: parts that meet have the same one there.
     pub(super) ends: [[f64; 2]; 2],
-    /// The number of halvings that made it.
-    depth: u32,
-    halves: OnceCell<Rc<[Node; 2]>>,
-}
-
-/// A curve, or a half that is kept or was made for its reader.
-pub(super) enum Part<'a> {
-    Whole(&'a Node),
-    Half(Rc<[Node; 2]>, usize),
-}
-
-impl Deref for Part<'_> {
-    type Target = Node;
-
-    fn deref(&self) -> &Node {
-        match self {
-            Self::Whole(node) => node,
-            Self::Half(halves, index) => &halves[*index],
-        }
-    }
+    halves: OnceCell<Box<[Node; 2]>>,
 }
 
 fn project([x, y, w]: Point) -> Box2 {
@@ -65,8 +40,8 @@ fn middle(point: Point) -> [f64; 2] {
 }
 
 impl Node {
-    fn new(controls: Vec<Point>, ends: [[f64; 2]; 2], depth: u32) -> Self {
-        let mut node = Self { controls, hull: [Interval::ENTIRE; 2], ends, depth, halves: OnceCell::new() };
+    fn new(controls: Vec<Point>, ends: [[f64; 2]; 2]) -> Self {
+        let mut node = Self { controls, hull: [Interval::ENTIRE; 2], ends, halves: OnceCell::new() };
         let hull = node.points().reduce(|a, b| std::array::from_fn(|axis| a[axis].hull(b[axis])));
         node.hull = hull.unwrap_or(node.hull);
         node
@@ -75,7 +50,7 @@ impl Node {
     /// A side of a map, whose ends meet no other curve.
     pub(super) fn side(controls: Vec<Point>) -> Self {
         let ends = [controls[0], controls[controls.len() - 1]].map(middle);
-        Self::new(controls, ends, 0)
+        Self::new(controls, ends)
     }
 
     pub(super) fn controls(&self) -> &[Point] {
@@ -100,13 +75,13 @@ impl Node {
     }
 
     /// The part of the curve over this part of [0, 1], which halvings make.
-    pub(super) fn over(&self, part: [f64; 2]) -> Part<'_> {
-        let (mut node, mut range) = (Part::Whole(self), [0.0, 1.0]);
+    pub(super) fn over(&self, part: [f64; 2]) -> &Self {
+        let (mut node, mut range) = (self, [0.0, 1.0]);
         while range != part {
             let middle = 0.5 * (range[0] + range[1]);
             let half = usize::from(part[0] >= middle);
             range[1 - half] = middle;
-            node = Part::Half(node.halves(), half);
+            node = &node.halves()[half];
         }
         node
     }
@@ -125,33 +100,26 @@ impl Node {
         let [low, high] = [nodes, rest].map(Self::chain);
         let hull = std::array::from_fn(|axis| low.hull[axis].hull(high.hull[axis]));
         let ends = [low.ends[0], high.ends[1]];
-        Self { controls: Vec::new(), hull, ends, depth: 0, halves: OnceCell::from(Rc::new([low, high])) }
+        Self { controls: Vec::new(), hull, ends, halves: OnceCell::from(Box::new([low, high])) }
     }
 
     pub(super) fn is_chain(&self) -> bool {
         self.controls.is_empty()
     }
 
-    /// Returns the halves of a curve, or both parts of a chain.
-    pub(super) fn halves(&self) -> Rc<[Node; 2]> {
-        if self.depth < KEPT_HALVINGS {
-            return Rc::clone(self.halves.get_or_init(|| self.halved()));
-        }
-        self.halved()
-    }
-
-    fn halved(&self) -> Rc<[Node; 2]> {
-        let (mut low, mut high) = (self.controls.clone(), self.controls.clone());
-        for round in 1..low.len() {
-            for k in 0..low.len() - round {
-                high[k] = std::array::from_fn(|axis| (high[k][axis] + high[k + 1][axis]) * HALF);
+    pub(super) fn halves(&self) -> &[Node; 2] {
+        self.halves.get_or_init(|| {
+            let (mut low, mut high) = (self.controls.clone(), self.controls.clone());
+            for round in 1..low.len() {
+                for k in 0..low.len() - round {
+                    high[k] = std::array::from_fn(|axis| (high[k][axis] + high[k + 1][axis]) * HALF);
+                }
+                low[round] = high[0];
             }
-            low[round] = high[0];
-        }
-        let joint = middle(high[0]);
-        let [start, end] = self.ends;
-        let depth = self.depth + 1;
-        Rc::new([Self::new(low, [start, joint], depth), Self::new(high, [joint, end], depth)])
+            let joint = middle(high[0]);
+            let [start, end] = self.ends;
+            Box::new([Self::new(low, [start, joint]), Self::new(high, [joint, end])])
+        })
     }
 
     /// Crossings of the curve with the ray from the box to the right, upwards ones positive;
@@ -182,7 +150,7 @@ impl Node {
         if halvings == MAX_HALVINGS || is_smaller || self.ends.iter().any(|&end| within(end)) {
             return None;
         }
-        let [low, high] = &*self.halves();
+        let [low, high] = self.halves();
         Some(low.crossings(target, halvings + 1)? + high.crossings(target, halvings + 1)?)
     }
 }
@@ -191,7 +159,7 @@ impl Node {
     /// The area between the curve and a point.
     fn area(&self, origin: &Box2, halvings: u32) -> Interval {
         if halvings > 0 {
-            let [low, high] = &*self.halves();
+            let [low, high] = self.halves();
             let halvings = if self.is_chain() { halvings } else { halvings - 1 };
             return low.area(origin, halvings) + high.area(origin, halvings);
         }
@@ -217,7 +185,7 @@ impl Outline {
             let next = starts.iter().skip(1).chain(starts.first());
             let ends = starts.iter().zip(next).map(|(&start, &end)| [start, end]);
             Node::chain(
-                curves.into_iter().zip(ends).map(|(controls, ends)| Node::new(controls, ends, 0)).collect(),
+                curves.into_iter().zip(ends).map(|(controls, ends)| Node::new(controls, ends)).collect(),
             )
         };
         Self { chains: loops.filter(|curves| !curves.is_empty()).map(chain).collect() }

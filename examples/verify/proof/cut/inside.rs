@@ -36,15 +36,16 @@ fn piece(face: &Face<'_>, map: &Map, index: usize) -> Finding {
             None if is_inside_beside_strip(face, map, part, &enlarged) => continue,
             None => {}
         }
-        if halvings == MAX_HALVINGS || face.is_late() {
-            found = Finding::OPEN;
-            continue;
-        }
         // Along the longer one of the image's sides.
         let [along_s, along_t] = map.lengths(part, |vector| face.size(vector));
         let axis = usize::from(along_t > along_s);
         let [low, high] = part[axis];
         let middle = 0.5 * (low + high);
+        let is_divisible = low < middle && middle < high;
+        if halvings == MAX_HALVINGS || !is_divisible || face.is_late() {
+            found = Finding::OPEN;
+            continue;
+        }
         for range in [[low, middle], [middle, high]] {
             let mut half = part;
             half[axis] = range;

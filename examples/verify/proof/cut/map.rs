@@ -1,6 +1,6 @@
 //! Maps from the parameters of pieces to those of their face.
 
-use super::curve::{Node, Outline, Part};
+use super::curve::{Node, Outline};
 use super::{Box2, Controls};
 use crate::proof::interval::Interval;
 
@@ -46,7 +46,7 @@ impl Ruled {
     }
 
     /// The sides over a part of the piece, and its ends across.
-    pub(super) fn over(&self, part: [[f64; 2]; 2]) -> ([Part<'_>; 2], [f64; 2]) {
+    pub(super) fn over(&self, part: [[f64; 2]; 2]) -> ([&Node; 2], [f64; 2]) {
         let [s, t] = exchanged(part, self.transposed);
         (self.sides.each_ref().map(|side| side.over(t)), s)
     }
@@ -85,7 +85,7 @@ impl Map {
             }
             Self::Ruled(ruled) => {
                 let (sides, s) = ruled.over(part);
-                blends(s, sides.each_ref().map(|side| hull(&mut side.points())))
+                blends(s, sides.map(|side| hull(&mut side.points())))
             }
         }
     }
@@ -103,7 +103,7 @@ impl Map {
             Self::Ruled(ruled) => {
                 let (sides, s) = ruled.over(part);
                 let [across, along] = exchanged(ends, ruled.transposed);
-                let points = sides.each_ref().map(|side| side.end(along));
+                let points = sides.map(|side| side.end(along));
                 [0, 1].map(|axis| blends([s[across]; 2], points.map(|point| point[axis])))
             }
         })
@@ -122,7 +122,7 @@ impl Map {
                 let across = |end: usize| {
                     size([0, 1].map(|k| (s[1] - s[0]) * (right.ends[end][k] - left.ends[end][k])))
                 };
-                let lengths = [across(0).max(across(1)), along(&left).max(along(&right))];
+                let lengths = [across(0).max(across(1)), along(left).max(along(right))];
                 exchanged(lengths, ruled.transposed)
             }
         }
