@@ -18,10 +18,16 @@ const MAX_WIDTH: f64 = 0.99;
 /// The part of a box below which a curve is not looked at more closely.
 const MIN_PART: f64 = 1.0 / 256.0;
 
+/// The most parts of curves that one strip is tried for: a strip that needs more is found for halves of
+/// its box with less work, and all parts are kept.
+const MAX_PARTS: u32 = 4096;
+
 /// The set of points at which a linear function is in a range.
 pub(super) struct Strip {
     normal: [f64; 2],
     range: Option<Interval>,
+    /// The number of parts of curves that may still be looked at.
+    parts: u32,
 }
 
 /// A side of a strip in a box: its corner that is the farthest from the strip.
@@ -38,7 +44,7 @@ impl Strip {
         let along = [u / face.small[0], v / face.small[1]];
         let length = along[0].hypot(along[1]);
         let normal = [-along[1] / length / face.small[0], along[0] / length / face.small[1]];
-        let mut strip = Self { normal, range: None };
+        let mut strip = Self { normal, range: None, parts: MAX_PARTS };
         let is_whole = normal.iter().all(|component| component.is_finite())
             && outlines.iter().all(|outline| outline.extend(&mut strip, enlarged));
         (is_whole && strip.range.is_some()).then_some(strip)
@@ -130,6 +136,10 @@ impl Node {
         if !self.meets(target) {
             return true;
         }
+        if strip.parts == 0 {
+            return false;
+        }
+        strip.parts -= 1;
         if !self.is_chain() {
             let values = self.points().map(|point| strip.values(&point)).reduce(Interval::hull);
             if values.is_some_and(|values| strip.include(values)) {

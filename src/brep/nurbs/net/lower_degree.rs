@@ -83,13 +83,11 @@ impl Lowered {
     /// Returns the lines of [`DEGREE`] that stand for clamped lines of a higher one with positive
     /// weights, and the bound on the distance of both surfaces.
     fn of(lines: &[Spline]) -> Result<(Vec<Spline>, f64), Unconvertible> {
-        let points = || lines.iter().flat_map(Spline::points);
-        let (low, high) =
-            (points().fold(DVec3::INFINITY, DVec3::min), points().fold(DVec3::NEG_INFINITY, DVec3::max));
+        let (center, radius) = ball(lines);
         let mut lowered = Self {
             interpolation: Interpolation::new(DEGREE),
-            center: 0.5 * (low + high),
-            radius: 0.5 * low.distance(high),
+            center,
+            radius,
             knots: vec![lines[0].domain()[0]; DEGREE + 1],
             controls: vec![Vec::new(); lines.len()],
             error: 0.0,
@@ -160,6 +158,14 @@ impl Lowered {
     }
 }
 
+/// Returns the center and the radius of the ball around the box of all control points.
+fn ball(lines: &[Spline]) -> (DVec3, f64) {
+    let points = || lines.iter().flat_map(Spline::points);
+    let (low, high) =
+        (points().fold(DVec3::INFINITY, DVec3::min), points().fold(DVec3::NEG_INFINITY, DVec3::max));
+    (0.5 * (low + high), 0.5 * low.distance(high))
+}
+
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
@@ -195,6 +201,34 @@ mod tests {
             let found = lowered.distance(std::slice::from_ref(&line), &[weighted]);
             assert!((found - expected).abs() < 1e-13, "{found}");
         }
+    }
+
+    /// The least weight of any control point divides the residual.
+    #[test]
+    fn one_small_weight_makes_the_bound_larger() {
+        let (lowered, line) = segment(20, 0.0);
+        let mut fit = lowered.fit(&line);
+        fit[3].w = 0.5;
+        let change = |(control, raised): (&DVec4, DVec4)| (raised.w - control.w).abs();
+        let largest = line.controls.iter().zip(elevated(fit.clone(), 20)).map(change).fold(0.0, f64::max);
+        let found = lowered.distance(&[line], &[fit]);
+        assert!(largest > 0.1 && (found - largest / 0.5).abs() < 1e-12, "{found} {largest}");
+    }
+
+    #[test]
+    fn all_control_points_are_in_the_ball() {
+        let lines = [[3.0, -1.0, 2.0], [1.0, 5.0, -4.0]].map(|point| {
+            let controls = [1.0, 2.0].map(|w| (w * (w * DVec3::from(point))).extend(w)).to_vec();
+            Spline { degree: 1, knots: vec![0.0, 0.0, 1.0, 1.0], controls }
+        });
+        let (center, radius) = ball(&lines);
+        let distances: Vec<f64> =
+            lines.iter().flat_map(|line| line.points().map(|point| point.distance(center))).collect();
+        assert!(
+            distances.iter().all(|&distance| distance <= radius * (1.0 + 1e-15)),
+            "{distances:?} {radius}"
+        );
+        assert!(distances.iter().any(|&distance| distance > 0.9 * radius), "{distances:?} {radius}");
     }
 
     #[test]
