@@ -20,7 +20,7 @@ const MIN_PART: f64 = 1.0 / 256.0;
 
 /// The most parts of curves that one strip is tried for: a strip that needs more is found for halves of
 /// its box with less work, and all parts are kept.
-const MAX_PARTS: u32 = 4096;
+const MAX_PARTS: u32 = 256;
 
 /// The set of points at which a linear function is in a range.
 pub(super) struct Strip {
