@@ -5,7 +5,9 @@
 //! are refused with an error, and memory stays within a fixed multiple of the file's size; that of
 //! a compressed one within a fixed limit.
 
+mod e57;
 mod gltf;
+mod las;
 mod obj;
 mod ply;
 mod scene;
@@ -37,6 +39,10 @@ pub enum MeshFormat {
     ThreeMf,
     /// Text with three coordinates a line: XYZ, PTS and CSV. It states no unit.
     Text,
+    /// LAS and LAZ, in the unit of the coordinate reference system if it is stated.
+    Las,
+    /// E57, in metres: the points of all scans, with their poses.
+    E57,
 }
 
 /// A mesh or a cloud as its file states it.
@@ -61,6 +67,8 @@ impl MeshFormat {
             "gltf" | "glb" => Self::Gltf,
             "3mf" => Self::ThreeMf,
             "xyz" | "pts" | "csv" | "asc" => Self::Text,
+            "las" | "laz" => Self::Las,
+            "e57" => Self::E57,
             _ => return None,
         })
     }
@@ -75,6 +83,8 @@ impl MeshFormat {
             Self::Gltf => "glTF",
             Self::ThreeMf => "3MF",
             Self::Text => "text of points",
+            Self::Las => "LAS",
+            Self::E57 => "E57",
         }
     }
 
@@ -113,10 +123,16 @@ impl MeshFile {
             MeshFormat::Gltf => gltf::read(bytes)?,
             MeshFormat::ThreeMf => three_mf::read(bytes)?,
             MeshFormat::Text => text::read(bytes)?,
+            MeshFormat::Las => las::read(bytes)?,
+            MeshFormat::E57 => e57::read(bytes)?,
         };
         let groups = soup.groups();
         let Soup { vertices, triangles, unit, .. } = soup;
-        let is_cloud = triangles.is_empty() && matches!(format, MeshFormat::Ply | MeshFormat::Text);
+        let is_cloud = match format {
+            MeshFormat::Text | MeshFormat::Las | MeshFormat::E57 => true,
+            MeshFormat::Ply => triangles.is_empty(),
+            _ => false,
+        };
         let facets = if is_cloud {
             Facets::Cloud(PointCloud::new(vertices)?)
         } else {
