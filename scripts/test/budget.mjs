@@ -9,7 +9,8 @@ import { Failure, say } from "../process.mjs";
  * The largest sizes, in KiB: of the core what is promised, of the others with about 2 % of room. The core has what every use needs: cutting trimmed faces
  * and the proof of every cut, as interchange JSON has them too; the bounds; sides of points, signs, clearances
  * and gaps of solids; distances, fields and comparisons of meshes and points. The readers of CAD files are
- * fetched when a first one comes, those of meshes, with archives and XML, when a mesh comes.
+ * fetched when a first one comes, those of meshes, with archives and XML, when a mesh comes, and those
+ * of scans when a scan comes.
  */
 const budgets = {
   nurbs_hausdorff: { plain: 1800, gzipped: 700 },

@@ -113,9 +113,16 @@ impl MeshFile {
     /// the format, or parts of it that are not read; those of [`TriangleMesh::new`] and
     /// [`PointCloud::new`].
     pub fn read(bytes: &[u8], format: MeshFormat) -> Result<Self> {
-        if bytes.len() as u64 > MAX_BYTES {
-            return Err(Error::FileTooLarge { found: bytes.len() as u64, expected: MAX_BYTES });
+        match format {
+            MeshFormat::Las | MeshFormat::E57 => Self::read_scan(bytes, format),
+            _ => Self::read_mesh(bytes, format),
         }
+    }
+
+    /// Reads a file of any format but those of scans, as [`MeshFile::read`]: a program that calls
+    /// this alone has no code of scans.
+    pub(crate) fn read_mesh(bytes: &[u8], format: MeshFormat) -> Result<Self> {
+        check_size(bytes)?;
         let mut soup = match format {
             MeshFormat::Stl => stl::read(bytes)?,
             MeshFormat::Ply => ply::read(bytes)?,
@@ -123,22 +130,36 @@ impl MeshFile {
             MeshFormat::Gltf => gltf::read(bytes)?,
             MeshFormat::ThreeMf => three_mf::read(bytes)?,
             MeshFormat::Text => text::read(bytes)?,
-            MeshFormat::Las => las::read(bytes)?,
-            MeshFormat::E57 => e57::read(bytes)?,
+            MeshFormat::Las | MeshFormat::E57 => return Err(format.syntax("expected a mesh")),
         };
         let groups = soup.groups();
         let Soup { vertices, triangles, unit, .. } = soup;
-        let is_cloud = match format {
-            MeshFormat::Text | MeshFormat::Las | MeshFormat::E57 => true,
-            MeshFormat::Ply => triangles.is_empty(),
-            _ => false,
-        };
+        let is_cloud = triangles.is_empty() && matches!(format, MeshFormat::Ply | MeshFormat::Text);
         let facets = if is_cloud {
             Facets::Cloud(PointCloud::new(vertices)?)
         } else {
             Facets::Mesh(TriangleMesh::new(&vertices, &triangles)?.with_groups(groups)?)
         };
         Ok(Self { facets, unit })
+    }
+
+    /// Reads a scan, as [`MeshFile::read`].
+    pub(crate) fn read_scan(bytes: &[u8], format: MeshFormat) -> Result<Self> {
+        check_size(bytes)?;
+        let Soup { vertices, unit, .. } = match format {
+            MeshFormat::Las => las::read(bytes)?,
+            MeshFormat::E57 => e57::read(bytes)?,
+            _ => return Err(format.syntax("expected a scan")),
+        };
+        Ok(Self { facets: Facets::Cloud(PointCloud::new(vertices)?), unit })
+    }
+}
+
+/// Checks the size of a file.
+fn check_size(bytes: &[u8]) -> Result<()> {
+    match bytes.len() as u64 {
+        found if found > MAX_BYTES => Err(Error::FileTooLarge { found, expected: MAX_BYTES }),
+        _ => Ok(()),
     }
 }
 
