@@ -143,7 +143,7 @@ fn sizes_beyond_the_file_are_refused() {
         (&plain, 100, " at "),
         (&plain, 243, " at "),
         (&chunked, 247, "points in all chunks"),
-        (&chunked, start, "beyond the file"),
+        (&chunked, start, " at "),
         (&chunked, table + 4, "chunks in"),
         (&layered, layers, "beyond its chunk"),
         (&layered, layers - 4, "a chunk of"),
