@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::model::trim::Trim;
 use crate::model::{Face, Model, NurbsSurface};
 use crate::surface_point::SurfacePoint;
-use crate::threads::parallel::map;
+use crate::threads::parallel::{Watch, map_watched};
 use crate::untrim::{ParameterMap, Piece, Untrimmed, untrim};
 use glam::DVec3;
 use std::borrow::Cow;
@@ -62,7 +62,7 @@ impl FacePieces {
             };
             return Ok((pieces, Cow::Borrowed(model)));
         }
-        let cuts = cuts(model).into_iter().collect::<Result<Vec<_>>>()?;
+        let cuts = cuts(model, None).into_iter().collect::<Result<Vec<_>>>()?;
         let (pieces, untrimmed) = Self::of_cuts(model, cuts)?;
         Ok((pieces, Cow::Owned(untrimmed)))
     }
@@ -73,17 +73,17 @@ impl FacePieces {
     }
 
     /// As [`FacePieces::new`] for the model without its faces that cannot be cut; with that
-    /// model, and the errors of those faces by their index in `model`.
+    /// model, and the errors of those faces by their index in `model`. The listener is told each cut.
     ///
     /// # Errors
     /// [`crate::Error::FaceNotCut`] if no face can be cut.
-    pub(crate) fn of_cuttable(model: Model) -> Result<Cuttable> {
+    pub(crate) fn of_cuttable(model: Model, watch: Watch<'_, Result<Untrimmed>>) -> Result<Cuttable> {
         if !model.is_trimmed() {
             let (pieces, untrimmed) = Self::new(&model)?;
             let untrimmed = untrimmed.into_owned();
             return Ok(Cuttable { model, pieces, untrimmed, refused: Vec::new() });
         }
-        let cuts = cuts(&model);
+        let cuts = cuts(&model, watch);
         Self::without_failures(model, cuts)
     }
 
@@ -222,11 +222,11 @@ fn size(surface: &NurbsSurface) -> [f64; 2] {
     lengths
 }
 
-/// Returns the pieces of every face, or its error, on all cores.
-fn cuts(model: &Model) -> Vec<Result<Untrimmed>> {
+/// Returns the pieces of every face, or its error, on all cores; the listener is told each.
+fn cuts(model: &Model, watch: Watch<'_, Result<Untrimmed>>) -> Vec<Result<Untrimmed>> {
     let max_deviation = MAX_DEVIATION * extent(model).diagonal();
     let faces: Vec<Face<'_>> = model.faces().collect();
-    map(faces.len(), |index| cut(index, &faces[index], max_deviation))
+    map_watched(faces.len(), |index| cut(index, &faces[index], max_deviation), watch)
 }
 
 /// Returns the pieces of a face and their deviation, with the rounding of the loops.
@@ -294,7 +294,7 @@ mod tests {
 
     /// The cuts of the model's faces, with failures at these.
     fn failing(model: &Model, faces: &[usize]) -> Vec<Result<Untrimmed>> {
-        let mut cuts = cuts(model);
+        let mut cuts = cuts(model, None);
         for &surface in faces {
             cuts[surface] = Err(Error::FaceNotCut { surface, found: "a test".to_owned() });
         }

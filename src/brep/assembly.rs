@@ -2,14 +2,15 @@
 
 use super::edges::EdgeUses;
 use super::faces::{Converted, convert};
+use super::outline::outline;
 use super::placed::{Placed, matrix};
 use super::report::{FaceFault, Remark};
 use super::topology::{Face, Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
 use crate::model::{InstanceArrays, ModelArrays};
 use crate::read::{Assembled, FaceCounts, FaceId, Note, Skipped};
-use crate::threads::parallel;
-use glam::DAffine3;
+use crate::threads::parallel::{Watch, map_watched};
+use glam::{DAffine3, DVec3};
 use std::cell::LazyCell;
 use std::collections::{HashMap, HashSet};
 
@@ -21,20 +22,35 @@ const MAX_VISITS: usize = 1 << 22;
 /// copy of its surface, so that a short file may describe more than memory holds.
 const MAX_POLES: usize = 1 << 24;
 
+/// A listener to reading: the part of the faces that is read, and ends of segments along the
+/// edges of the face that was read last.
+pub(crate) type OnFace<'a> = &'a mut dyn FnMut(f64, &[DVec3]);
+
 /// Converts every face below the root once, and lists its placements if any is moved.
-pub(super) fn assemble(file: &Topology) -> Result<Assembled> {
+pub(super) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<Assembled> {
     let placed = placed_faces(file)?;
     let mut seen = HashSet::new();
     let distinct: Vec<(usize, &Placed)> =
         placed.iter().enumerate().filter(|(_, placed)| seen.insert(placed.shape)).collect();
     let sizes = sizes(file, &distinct);
-    let converted = parallel::map(distinct.len(), |index| {
+    let work = |index: usize| {
         if sizes[index] > MAX_POLES {
             let why = "the faces up to this one have more than 16777216 control points";
             return Err(FaceFault::new("BREP_TOO_LARGE", why));
         }
         convert(file, distinct[index].1.shape)
-    });
+    };
+    let converted = match on_face {
+        None => map_watched(distinct.len(), work, None),
+        Some(on_face) => {
+            let mut tell = |index: usize, _: &_| {
+                let part = (index + 1) as f64 / distinct.len() as f64;
+                on_face(part, &outline(file, distinct[index].1));
+            };
+            let watch: Watch<'_, _> = Some(&mut tell);
+            map_watched(distinct.len(), work, watch)
+        }
+    };
     let mut read = Assembled {
         model: ModelArrays { unit: file.unit, ..ModelArrays::default() },
         counts: Vec::new(),

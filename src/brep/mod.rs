@@ -17,6 +17,7 @@ mod format;
 mod gap;
 mod iges;
 mod nurbs;
+mod outline;
 mod placed;
 mod report;
 mod step;
@@ -28,6 +29,7 @@ use crate::model::Model;
 use crate::read::{Assembled, ReadReport, validation};
 #[cfg(feature = "archives")]
 pub use archive::inflated;
+pub(crate) use assembly::OnFace;
 pub use file::FileKind;
 
 impl Model {
@@ -46,7 +48,7 @@ impl Model {
     /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::BrepSyntax`],
     /// [`Error::BrepUnreadable`] if no face can be read, [`Error::EmptyModel`] without faces.
     pub fn from_brep(text: &str) -> Result<(Self, ReadReport)> {
-        validation::into_model(read_brep(text)?)
+        validation::into_model(read_brep(text, None)?)
     }
 }
 
@@ -63,7 +65,7 @@ impl Model {
     /// [`Error::StepUnreadable`], [`Error::BrepUnreadable`] if no face can be read,
     /// [`Error::EmptyModel`] without faces.
     pub fn from_step(bytes: &[u8]) -> Result<(Self, ReadReport)> {
-        validation::into_model(read_step(bytes)?)
+        validation::into_model(read_step(bytes, None)?)
     }
 }
 
@@ -81,7 +83,7 @@ impl Model {
     /// [`Error::IgesUnreadable`], [`Error::BrepUnreadable`] if no face can be read,
     /// [`Error::EmptyModel`] without faces.
     pub fn from_iges(bytes: &[u8]) -> Result<(Self, ReadReport)> {
-        validation::into_model(read_iges(bytes)?)
+        validation::into_model(read_iges(bytes, None)?)
     }
 }
 
@@ -89,27 +91,27 @@ impl Model {
 ///
 /// # Errors
 /// Those of [`Model::from_brep`] on the text.
-pub(crate) fn read_brep(text: &str) -> Result<Assembled> {
+pub(crate) fn read_brep(text: &str, on_face: Option<OnFace<'_>>) -> Result<Assembled> {
     check_length(text.len())?;
-    assembly::assemble(&text::parse(text)?)
+    assembly::assemble(&text::parse(text)?, on_face)
 }
 
 /// Reads a STEP file. The model is not yet validated.
 ///
 /// # Errors
 /// Those of [`Model::from_step`] on the file.
-pub(crate) fn read_step(bytes: &[u8]) -> Result<Assembled> {
+pub(crate) fn read_step(bytes: &[u8], on_face: Option<OnFace<'_>>) -> Result<Assembled> {
     check_length(bytes.len())?;
-    assembly::assemble(&step::parse(bytes)?)
+    assembly::assemble(&step::parse(bytes)?, on_face)
 }
 
 /// Reads an IGES file. The model is not yet validated.
 ///
 /// # Errors
 /// Those of [`Model::from_iges`] on the file.
-pub(crate) fn read_iges(bytes: &[u8]) -> Result<Assembled> {
+pub(crate) fn read_iges(bytes: &[u8], on_face: Option<OnFace<'_>>) -> Result<Assembled> {
     check_length(bytes.len())?;
-    assembly::assemble(&iges::parse(bytes)?)
+    assembly::assemble(&iges::parse(bytes)?, on_face)
 }
 
 fn check_length(length: usize) -> Result<()> {

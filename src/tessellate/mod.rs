@@ -9,6 +9,8 @@ use crate::error::Result;
 use crate::model::Model;
 use crate::pieces::FacePieces;
 use crate::tolerance::PermittedWidth;
+#[cfg(all(feature = "wasm", target_arch = "wasm32"))]
+use crate::untrim::Untrimmed;
 use divisions::Divisions;
 use glam::DVec3;
 use serde::Deserialize;
@@ -18,6 +20,10 @@ use vertex_grid::VertexGrid;
 /// The tolerance, as a fraction of the diagonal, unless the options state one: a fifth of a pixel for a
 /// model that fills a thousand pixels.
 const DEFAULT_RELATIVE_TOLERANCE: f64 = 2e-4;
+
+/// The tolerance of a draft, as a fraction of the face's diagonal: its edges look straight or round.
+#[cfg(all(feature = "wasm", target_arch = "wasm32"))]
+const DRAFT_TOLERANCE: f64 = 4e-3;
 
 /// Options of [`tessellate`]; names in camelCase when deserialized.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize)]
@@ -62,6 +68,17 @@ pub struct Tessellation {
 pub fn tessellate(model: &Model, options: &TessellationOptions) -> Result<Tessellation> {
     let (pieces, untrimmed) = FacePieces::new(model)?;
     tessellate_patches(&extract(&untrimmed), &pieces, options)
+}
+
+/// Returns triangles of one face that was cut, to be drawn until the whole model is tessellated.
+///
+/// # Errors
+/// Those of [`tessellate`], which a face that was cut does not cause.
+#[cfg(all(feature = "wasm", target_arch = "wasm32"))]
+pub(crate) fn draft(face: &Untrimmed) -> Result<Tessellation> {
+    let surfaces = face.pieces.iter().map(|piece| piece.surface.clone()).collect();
+    let relative_tolerance = Some(DRAFT_TOLERANCE);
+    tessellate(&Model::new(None, surfaces)?, &TessellationOptions { tolerance: None, relative_tolerance })
 }
 
 /// Returns the triangles as [`tessellate`] does, for patches already extracted.

@@ -95,3 +95,21 @@ pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send
 pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     (0..count).map(work).collect()
 }
+
+/// A listener that is told each result with its index, in order.
+pub(crate) type Watch<'a, T> = Option<&'a mut dyn FnMut(usize, &T)>;
+
+/// Maps as [`map`] does; with a listener on the calling thread alone, since what it draws is wanted in order.
+pub(crate) fn map_watched<T: Send>(
+    count: usize,
+    work: impl Fn(usize) -> T + Sync + Send,
+    watch: Watch<'_, T>,
+) -> Vec<T> {
+    let Some(watch) = watch else { return map(count, work) };
+    let told = |index| {
+        let item = work(index);
+        watch(index, &item);
+        item
+    };
+    (0..count).map(told).collect()
+}

@@ -10,9 +10,11 @@ use crate::facets::{Facets, MeshGroup, PointCloud, TriangleMesh};
 use crate::model::Model;
 use crate::read::{Assembled, ReadReport, validation};
 use crate::shapes::{list, shape};
-use crate::tessellate::tessellate_patches;
+use crate::tessellate::{draft, tessellate_patches};
+use crate::threads::parallel::Watch;
+use crate::untrim::Untrimmed;
 use glam::DVec3;
-use js_sys::JsString;
+use js_sys::{Function, JsString};
 use serde::Serialize;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
@@ -78,10 +80,28 @@ impl PreparedModel {
     }
 
     /// A model of what the readers' module gave; undefined is an unknown name or unit, and a
-    /// unit that the file states comes before this one.
+    /// unit that the file states comes before this one. The function, if any, is called for every
+    /// face that was cut with the part of the faces that is cut and the face's triangles.
     #[wasm_bindgen(js_name = fromRead)]
-    pub fn from_read(bytes: &[u8], name: Option<String>, unit: Option<f64>) -> Result<PreparedModel> {
-        Self::of_file(read_model(bytes, name, unit)?)
+    pub fn from_read(
+        bytes: &[u8],
+        name: Option<String>,
+        unit: Option<f64>,
+        on_face: Option<Function>,
+    ) -> std::result::Result<PreparedModel, JsValue> {
+        let (model, report) = read_model(bytes, name, unit)?;
+        let Some(on_face) = on_face else { return Ok(Self::of_file((model, report), None)?) };
+        let (count, mut thrown) = (model.faces().len(), None);
+        let mut tell = |index: usize, cut: &Result<Untrimmed>| {
+            let Ok(face) = cut else { return };
+            let part = JsValue::from((index + 1) as f64 / count as f64);
+            let drawn = draft(face).map_err(JsValue::from).and_then(|face| convert::tessellation(&face));
+            if thrown.is_none() {
+                thrown = drawn.and_then(|face| on_face.call2(&JsValue::UNDEFINED, &part, &face)).err();
+            }
+        };
+        let prepared = Self::of_file((model, report), Some(&mut tell))?;
+        thrown.map_or(Ok(prepared), Err)
     }
 
     /// The report on reading the text, or undefined.
@@ -104,7 +124,7 @@ impl PreparedModel {
     /// report, by their index.
     #[wasm_bindgen(js_name = fromReader)]
     pub fn from_reader(text: &JsString) -> Result<PreparedModel> {
-        Self::of_file(reader_model(text)?)
+        Self::of_file(reader_model(text)?, None)
     }
 
     /// `{json, report}` of interchange JSON that a reader made, as [`Self::from_reader`].
@@ -206,8 +226,11 @@ impl PreparedModel {
 
 impl PreparedModel {
     /// Makes the model of a file without the faces that cannot be cut.
-    fn of_file((model, mut report): (Model, ReadReport)) -> Result<Self> {
-        let (source, prepared) = engine::PreparedModel::new_skipping(model, &mut report)?;
+    fn of_file(
+        (model, mut report): (Model, ReadReport),
+        watch: Watch<'_, Result<Untrimmed>>,
+    ) -> Result<Self> {
+        let (source, prepared) = engine::PreparedModel::new_watched(model, &mut report, watch)?;
         Ok(Self { prepared: Rc::new(prepared), source: Some(source), report: Some(report) })
     }
 

@@ -117,7 +117,9 @@ test("the legend's range, kind and steps are the user's", async () => {
   await page.selectOption("#scale-kind", "absolute");
   assert.equal(await text("#scale-high"), "2.00000");
   await page.selectOption("#scale-steps", "5");
-  const gradient = await page.locator("#scale").evaluate(({ style }) => style.background);
+  const gradient = await page
+    .locator("#scale")
+    .evaluate((node) => getComputedStyle(node).backgroundImage);
   const colors = new Set(gradient.match(/rgb\([^)]*\)/g));
   assert.ok(colors.size <= 7, `${colors.size} colours`);
   await page.locator("#scale-range").fill("");

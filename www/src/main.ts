@@ -72,7 +72,7 @@ const faces = new FacesPanel({
 });
 const tree = new FaceTree({
   hide: (side, hidden) => view.hideFaces(side, hidden),
-  look: (side, face) => view.approachFace(side, face),
+  look: (side, faces) => view.approachFaces(side, faces),
 });
 const probing = new Probing(canvas, view, client, () => pose().transform);
 const places = new PlaceView(view, probing, tree);
@@ -144,6 +144,7 @@ onScaleUnits(() => {
 onSource((sources, placement) => {
   resultPanel.hideError();
   setLoading(true);
+  view.models.clearDrafts();
   client.load(sources, placement);
 });
 onExport((format) =>
@@ -222,6 +223,15 @@ function stopLoading(): void {
   pending = formState();
   client.stopLoading(IN_PLACE);
   setLoading(view.models.complete);
+  showBefore();
+}
+
+/** Draws the models again whose replacement was drawn in part; returns whether there was any. */
+function showBefore(): boolean {
+  if (!view.dropDrafts() || !view.models.complete) return false;
+  show();
+  view.fit(true);
+  return true;
 }
 
 function showFitted(reply: FitReply): void {
@@ -234,6 +244,17 @@ function showFitted(reply: FitReply): void {
     moved();
   } else if (reply.state === "failed") resultPanel.showError(reply.code, reply.message);
   showFit(reply, view.models.diagonal);
+}
+
+/** Shows faces of a file as they are read; the result is that of models which are no longer drawn. */
+function showDraft({ side, replaced, draft }: Extract<Reply, { kind: "draft" }>): void {
+  setLoading(true, `reading… ${Math.floor(100 * draft.fraction)} %`);
+  if (!view.isDrafting) {
+    probing.clear();
+    hideResult();
+    resultPanel.clearResult("working");
+  }
+  view.showDraft(side, replaced, draft);
 }
 
 function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): void {
@@ -320,6 +341,8 @@ async function openFirst(): Promise<void> {
 }
 
 function onReply(reply: Reply): void {
+  // What a run found of models that are no longer drawn; they are measured again if they return.
+  if (view.isDrafting && "run" in reply && reply.run !== undefined) return;
   switch (reply.kind) {
     case "ready":
       warnings.showEngine(reply.engine);
@@ -332,8 +355,15 @@ function onReply(reply: Reply): void {
     case "loading":
       setLoading(true, reply.text);
       break;
+    case "draft":
+      showDraft(reply);
+      break;
     case "loaded":
       showLoaded(reply);
+      break;
+    case "closed":
+      view.close(reply.side);
+      show();
       break;
     case "progress":
       resultPanel.showWorking(reply.fraction, reply.interval, view.models.diagonal, {
@@ -378,7 +408,10 @@ function onReply(reply: Reply): void {
     case "failed":
       if (reply.run !== undefined && !client.isNewest(reply.run)) break;
       resultPanel.showError(reply.code, reply.message);
-      if (reply.run === undefined) setLoading(false);
+      if (reply.run === undefined) {
+        setLoading(false);
+        if (showBefore()) measure();
+      }
       // After a file that could not be loaded, the old models and their result stay.
       if (reply.run !== undefined || !view.models.complete) {
         resultPanel.clearResult("failed");

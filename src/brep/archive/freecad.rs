@@ -58,7 +58,9 @@ fn read_object(archive: &mut Archive<'_>, object: &Object, joined: &mut Joined) 
             let text = archive.content(file)?;
             let shape = match text.trim_ascii().is_empty() {
                 true => Err(Error::EmptyModel),
-                false => std::str::from_utf8(&text).map_err(unreadable).and_then(read_brep),
+                false => {
+                    std::str::from_utf8(&text).map_err(unreadable).and_then(|text| read_brep(text, None))
+                }
             };
             match shape {
                 Ok(shape) => return joined.push(&object.name, shape),

@@ -120,7 +120,7 @@ fn what_a_document_has_besides_is_named() {
 fn a_face_of_a_document_is_called_by_its_shape() {
     let mut joined = super::joined::Joined::default();
     for name in ["First", "Second"] {
-        joined.push(name, crate::brep::read_brep(SQUARE).unwrap()).unwrap();
+        joined.push(name, crate::brep::read_brep(SQUARE, None).unwrap()).unwrap();
     }
     let whole = joined.into_assembled().unwrap();
     assert_eq!(whole.counts.iter().map(|face| face.number).collect::<Vec<_>>(), [0, 1]);

@@ -16,6 +16,8 @@ use crate::pieces::{Cuttable, FacePieces};
 use crate::read::ReadReport;
 use crate::symmetry::{Revolution, revolutions};
 use crate::threads::locked;
+use crate::threads::parallel::Watch;
+use crate::untrim::Untrimmed;
 use kept::Kept;
 pub(crate) use kept::{PreparedCells, PreparedSampling, PreparedTarget};
 use std::sync::Arc;
@@ -67,7 +69,19 @@ impl PreparedModel {
     /// # Errors
     /// [`crate::Error::FaceNotCut`] if no face can be cut.
     pub fn new_skipping(model: Model, report: &mut ReadReport) -> Result<(Model, Self)> {
-        let Cuttable { model, pieces, untrimmed, refused } = FacePieces::of_cuttable(model)?;
+        Self::new_watched(model, report, None)
+    }
+
+    /// As [`PreparedModel::new_skipping`]; the listener is told the cut of each face as it is made.
+    ///
+    /// # Errors
+    /// Those of [`PreparedModel::new_skipping`].
+    pub(crate) fn new_watched(
+        model: Model,
+        report: &mut ReadReport,
+        watch: Watch<'_, Result<Untrimmed>>,
+    ) -> Result<(Model, Self)> {
+        let Cuttable { model, pieces, untrimmed, refused } = FacePieces::of_cuttable(model, watch)?;
         report.leave_out(&refused);
         let prepared = Self::of_pieces(&model, pieces, &untrimmed);
         Ok((model, prepared))

@@ -22,6 +22,7 @@ const OPTIONS = [
   "occt",
   "rhino",
   "onLibrary",
+  "onFace",
   "signal",
 ] as const satisfies (keyof CadOptions)[];
 
@@ -47,7 +48,7 @@ export async function readCad(
   const file = await translatedFile(bytes, options);
   requireGoing(options.signal);
   return translating(() => {
-    if ("read" in file) return modelOf(prepareRead(file, options.name));
+    if ("read" in file) return modelOf(prepareRead(file, options));
     if ("model" in file) return modelOf(prepareFaces(file));
     return modelOf(prepareInterchange(file.text));
   });

@@ -30,7 +30,7 @@ export async function translation(
         ? byOcct(bytes, kind, options)
         : ownElseOcct(bytes, kind, options);
     case "brep":
-      return own(bytes, kind, unit);
+      return own(bytes, kind, options);
     case "3dm": {
       const { model, report } = await readRhino(bytes, options);
       const known = report.unit ?? unit;
@@ -45,8 +45,12 @@ export async function translation(
   }
 }
 
-async function own(bytes: Uint8Array, kind: ReadableKind, unit?: number): Promise<ReadFile> {
-  const read = await readFaces(bytes, kind);
+async function own(
+  bytes: Uint8Array,
+  kind: ReadableKind,
+  { unit, onFace }: CadOptions,
+): Promise<ReadFile> {
+  const read = await readFaces(bytes, kind, onFace);
   return { kind, reader: "built-in", read, ...(unit === undefined ? {} : { unit }), declared: 0 };
 }
 
@@ -57,7 +61,7 @@ async function ownElseOcct(
   options: CadOptions,
 ): Promise<ReadFile> {
   try {
-    return await own(bytes, kind, options.unit);
+    return await own(bytes, kind, options);
   } catch (refusal) {
     if (!isRefusal(refusal)) throw refusal;
     const file = await byOcct(bytes, kind, options).catch(() => {
@@ -82,7 +86,7 @@ async function byOcct(
   options: CadOptions,
 ): Promise<ReadFile> {
   const { brep, unit } = await translated(bytes, kind, options);
-  const read = await readFaces(new TextEncoder().encode(brep), "brep");
+  const read = await readFaces(new TextEncoder().encode(brep), "brep", options.onFace);
   const declared = declaredFaces(bytes, kind);
   return { kind, reader: "occt", read, ...(unit === undefined ? {} : { unit }), declared };
 }

@@ -31,7 +31,7 @@ import {
   type SurfaceArrays,
 } from "../model/surface.js";
 import { type CallOptions, Channel } from "./channel.js";
-import type { Listener, ModelFacts, Port, Reply } from "./messages.js";
+import type { Listener, ModelFacts, Port, ReadingReport, Reply } from "./messages.js";
 import { NurbsModel } from "./model.js";
 
 /** Options of `Hausdorff.create` of this entry. */
@@ -92,7 +92,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    * @throws {HausdorffError} `WORKER_FAILED`, and those of the main entry's `create`.
    */
   static async create(options: WorkerCreateOptions = {}): Promise<Hausdorff> {
-    const { worker, module, readers, meshes, ...rest } = options;
+    const { worker, module, readers, meshes, scans, ...rest } = options;
     const channel = new Channel((listener) => connect(listener, worker));
     try {
       await channel.call("create", [
@@ -101,6 +101,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
           module: sendable(module),
           readers: sendable(readers),
           meshes: sendable(meshes),
+          scans: sendable(scans),
         },
       ]);
     } catch (error) {
@@ -152,17 +153,22 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     bytes: Uint8Array | ArrayBuffer | BrepText,
     options: WorkerCadOptions = {},
   ): Promise<NurbsModel> {
-    const { transfer, occt, rhino, onLibrary, signal, ...rest } = options;
+    const { transfer, occt, rhino, onLibrary, onFace, signal, ...rest } = options;
     const libraries = {
       ...(occt === undefined ? {} : { occt: address("occt", occt) }),
       ...(rhino === undefined ? {} : { rhino: address("rhino", rhino) }),
     };
     const buffer = bytes instanceof Uint8Array ? bytes.buffer : bytes;
     const moved = transfer === true && buffer instanceof ArrayBuffer ? [buffer] : [];
-    return this.#newModel("readCad", [bytes, { ...rest, ...libraries }], {
+    const reports = { onLibrary: onLibrary !== undefined, onFace: onFace !== undefined };
+    const report = ({ library, face }: ReadingReport) => {
+      if (library !== undefined) onLibrary?.(library);
+      if (face !== undefined) onFace?.(face);
+    };
+    return this.#newModel("readCad", [bytes, { ...rest, ...libraries }, reports], {
       transfer: moved,
       signal,
-      onProgress: onLibrary,
+      ...((reports.onLibrary || reports.onFace) && { onProgress: report }),
     });
   }
 

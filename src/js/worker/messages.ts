@@ -1,3 +1,4 @@
+import type { CadOptions, FaceDraft } from "../cad/options.js";
 import type { CadReport } from "../cad/report.js";
 import type { ErrorCode } from "../error.js";
 
@@ -39,6 +40,12 @@ export interface Failure {
   message: string;
   /** With `CANCELLED`: the interval reached. */
   interval?: readonly [lower: number, upper: number] | undefined;
+}
+
+/** What the worker reports of a file that it reads: a library that it loads, or a face. */
+export interface ReadingReport {
+  library?: Parameters<NonNullable<CadOptions["onLibrary"]>>[0];
+  face?: FaceDraft;
 }
 
 /** What the worker sends. */

@@ -1,12 +1,12 @@
 import { type MeshFormat, type MeshOptions, readMesh } from "../cad/mesh.js";
-import type { CadOptions } from "../cad/options.js";
+import type { CadOptions, FaceDraft } from "../cad/options.js";
 import type { Libraries } from "../cad/peers/peers.js";
 import { readCad } from "../cad/read.js";
 import { HausdorffError } from "../error.js";
 import { type CreateOptions, Hausdorff } from "../hausdorff.js";
 import type { MeshArrays } from "../model/mesh.js";
 import type { NurbsModel } from "../model/model.js";
-import type { Call, EngineFacts, ModelFacts, Reply, Request } from "./messages.js";
+import type { Call, EngineFacts, ModelFacts, ReadingReport, Reply, Request } from "./messages.js";
 
 type Post = (reply: Reply, transfer: ArrayBuffer[]) => void;
 
@@ -60,7 +60,7 @@ class Server {
     this.#running.set(id, controller);
     const watch: Watch = { signal: controller.signal };
     if (progress) {
-      watch.onProgress = (...progress) => this.#post({ id, progress }, []);
+      watch.onProgress = (...progress) => this.#post({ id, progress }, buffers(progress));
     }
     try {
       const result = await this.#methods[method]?.([id, ...args], watch);
@@ -85,9 +85,18 @@ class Server {
     model: ([id, input]) => this.#keep(id, this.#open.model(input as string)),
     mesh: ([id, input]) => this.#keep(id, this.#open.mesh(input as MeshArrays)),
     shape: ([id, name]) => this.#keep(id, this.#open.shape(name as string)),
-    readCad: async ([id, bytes, options], { signal, onProgress }) => {
-      const watch = { signal, ...(onProgress && { onLibrary: onProgress }) };
-      const given = { ...libraries, ...(options as CadOptions), ...watch };
+    readCad: async ([id, bytes, options, reports], { signal, onProgress }) => {
+      const { onLibrary, onFace } = (reports ?? {}) as { onLibrary?: boolean; onFace?: boolean };
+      const report = (what: ReadingReport) => onProgress?.(what);
+      const given = {
+        ...libraries,
+        ...(options as CadOptions),
+        signal,
+        ...(onLibrary && {
+          onLibrary: (library: NonNullable<ReadingReport["library"]>) => report({ library }),
+        }),
+        ...(onFace && { onFace: (face: FaceDraft) => report({ face }) }),
+      };
       return this.#keep(id, await readCad(bytes as ArrayBuffer, given));
     },
     readMesh: async ([id, bytes, format, options], { signal }) => {

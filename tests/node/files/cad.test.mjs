@@ -13,6 +13,7 @@ import { convertCad, readCad } from "nurbs-hausdorff/cad";
 import startRhino from "rhino3dm";
 import { brepTopology } from "../../../dist/cad/rhino/brep.js";
 import { ChunkReader } from "../../../dist/cad/rhino/chunks.js";
+import { stepSquares } from "../../page/support/models.mjs";
 import { create, interchangeSquare, near, withCode } from "../support.mjs";
 import { bytesOf, missing, sharedFile, sharedGzip, zip } from "./files.mjs";
 
@@ -27,6 +28,39 @@ const loaded = async () => {
   return hd;
 };
 after(() => hd?.dispose());
+
+test("faces are told as they are read, by their edges, and as they are cut, by triangles", async () => {
+  const told = [];
+  const onFace = (face) => told.push(face);
+  const model = await readCad(bytesOf(stepSquares(3)), { onFace });
+  assert.equal(model.faceCount, 3);
+  assert.equal(told.length, 6);
+  const [read, cut] = [told.slice(0, 3), told.slice(3)];
+  for (const [index, { edges, triangles }] of read.entries()) {
+    assert.equal(triangles, undefined);
+    // Four sides of two ends; the square's corner is 2 further along y each.
+    assert.equal(edges.length, 4 * 2 * 3);
+    const ys = edges.filter((_, at) => at % 3 === 1);
+    assert.deepEqual([Math.min(...ys), Math.max(...ys)], [2 * index, 2 * index + 1]);
+  }
+  for (const [index, { edges, triangles }] of cut.entries()) {
+    assert.equal(edges, undefined);
+    const ys = triangles.positions.filter((_, at) => at % 3 === 1);
+    const [low, high] = [Math.min(...ys), Math.max(...ys)].map((y) => y + triangles.origin[1]);
+    near(low, 2 * index, 1e-6);
+    near(high, 2 * index + 1, 1e-6);
+  }
+  const fractions = told.map(({ fraction }) => fraction);
+  assert.deepEqual(
+    fractions,
+    [...fractions].sort((one, other) => one - other),
+  );
+  assert.equal(fractions.at(-1), 1);
+  const failing = () => {
+    throw new RangeError("mine");
+  };
+  await assert.rejects(readCad(bytesOf(stepSquares(2)), { onFace: failing }), /mine/);
+});
 
 /** Files of the shared models: number of faces, and of trimming curves. */
 const files = [
@@ -340,6 +374,7 @@ const refused = [
   ["FORMAT_UNSUPPORTED", "ply\nformat ascii", /a PLY file/],
   ["FORMAT_UNSUPPORTED", "# made by hand\nv 0 0 0", /an OBJ file/],
   ["FORMAT_UNSUPPORTED", "glTF\x02", /a glTF file/],
+  ["FORMAT_UNSUPPORTED", "LASF\0", /a LAS or LAZ file.*points.*readMesh/],
   ["FORMAT_UNSUPPORTED", "**ABCDEFGHIJ", /a Parasolid file.*export it as STEP/],
   ["FORMAT_UNSUPPORTED", "700 0 1 0 \n", /an ACIS file/],
   ["FORMAT_UNSUPPORTED", "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1", /SolidWorks/],

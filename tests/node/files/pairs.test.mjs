@@ -79,9 +79,21 @@ test("both make the same page of one pair: verdict, what is allowed, hashes and 
   const face = /<td>A face 0<\/td><td>changed<\/td><td>(.*?)<\/td><td>(.*?)<\/td>/;
   const [, lower, upper] = face.exec(ours.stdout) ?? [];
   assert.ok(Number(lower) <= 3 && 3 <= Number(upper), `${lower} ${upper}`);
+  // Every face is 3 apart, in the last of the bins up to 3, and 2 is allowed: at two thirds of them.
+  const svg = /<svg class="histogram".*?<\/svg>/s.exec(ours.stdout)?.[0] ?? "";
+  assert.deepEqual(
+    [...svg.matchAll(/<rect x="(\d+)" y="0"[^>]*\/><text[^>]*>(\d+)</g)].map(([, ...bar]) => bar),
+    [["571", "2"]],
+  );
+  const [, at] = /class="limit" d="M(\d+),/.exec(svg) ?? [];
+  assert.ok(Math.abs(Number(at) - 400) <= 1, at);
+  assert.match(svg, /allowed 2\.0</);
   // Without a limit nothing is judged.
-  const [plainly] = both("distance", ...pair, "--format", "html");
+  const named = ["--part", "Bracket <7>", "--operator", "N. N."];
+  const [plainly, theirsPlainly] = both("distance", ...pair, "--format", "html", ...named);
+  assert.equal(plain(plainly.stdout), plain(theirsPlainly.stdout));
   assert.match(plainly.stdout, /NO VERDICT/);
+  assert.match(plainly.stdout, /<dt>Part<\/dt><dd>Bracket &lt;7&gt;<\/dd>\n<dt>Operator/);
 });
 
 test("both print the same JSON of directories", () => {

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { fromOcct } from "nurbs-hausdorff/adapters";
 import { Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
+import { stepSquares } from "../../page/support/models.mjs";
 import { blocksAtMost, createBoth, interchangeSquare, withCode } from "../support.mjs";
 import { missing, sharedGzip } from "./files.mjs";
 
@@ -33,6 +34,19 @@ test("a file's buffer is transferred on request only", async () => {
   assert.ok(kept.length > 0);
   await hd.readCad(kept, { transfer: true });
   assert.equal(kept.length, 0);
+});
+
+test("the faces of a file are told as the main thread's reader tells them", async () => {
+  const told = async (engine) => {
+    const faces = [];
+    await engine.readCad(new TextEncoder().encode(stepSquares(2)), {
+      onFace: (face) => faces.push(face),
+    });
+    return faces;
+  };
+  const [own, worker] = [await told(direct), await told(hd)];
+  assert.equal(own.length, 4);
+  assert.deepEqual(worker, own);
 });
 
 test("errors have the codes of the main thread's reader", async () => {

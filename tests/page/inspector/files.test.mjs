@@ -1,7 +1,7 @@
 // Files of users: meshes and scans, kept over a reload, and a load that is stopped.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { file, modelFile, planes } from "../support/models.mjs";
+import { file, modelFile, planes, stepSquares } from "../support/models.mjs";
 import { open } from "../support/open.mjs";
 
 let opened;
@@ -80,6 +80,58 @@ test("a camera in the address is where the view opens, and a wrong one changes n
     await page.locator('#result[data-state="done"]').waitFor();
     assert.equal(await page.locator("#scale-steps").inputValue(), "0");
   }
+});
+
+/** Notes what the page says of a load, and the result beside it, until it ends. */
+const noteLoading = () =>
+  page.evaluate(() => {
+    window.noted = [];
+    const loading = document.getElementById("loading");
+    new MutationObserver(() => {
+      const percent = /reading… (\d+) %/.exec(loading.textContent)?.[1];
+      const label = document.getElementById("label");
+      if (percent === undefined || loading.hidden) return;
+      // The result goes with the first faces drawn, in the same task.
+      setTimeout(() =>
+        window.noted.push({
+          percent: Number(percent),
+          distance: document.getElementById("distance").textContent,
+          label: label.checkVisibility(),
+        }),
+      );
+    }).observe(loading, { childList: true, characterData: true, subtree: true });
+  });
+
+/** A file of many faces, which is read for a second or more. */
+const manyFaces = (count) => file("squares.step", stepSquares(count, 50));
+
+test("a file's faces are drawn as they are read, and no result of what they replace", async () => {
+  await noteLoading();
+  await opened.until("done", () => page.setInputFiles("#file-a", manyFaces(2500)));
+  assert.equal(await page.locator("#shape-a option:checked").textContent(), "squares.step");
+  const noted = await page.evaluate(() => window.noted);
+  assert.ok(noted.length >= 2, JSON.stringify(noted));
+  const percents = noted.map(({ percent }) => percent);
+  assert.deepEqual(
+    percents,
+    [...percents].sort((one, other) => one - other),
+  );
+  for (const { distance, label } of noted) assert.deepEqual([distance, label], ["–", false]);
+  assert.ok(await page.locator("#loading").isHidden());
+});
+
+test("a file that is stopped while its faces are drawn leaves the models before", async () => {
+  await opened.until("done", () => page.selectOption("#preset", { index: 1 }));
+  const before = await page.locator("#distance").textContent();
+  await page.setInputFiles("#file-b", manyFaces(12_000));
+  await page.waitForFunction(() =>
+    document.getElementById("loading").textContent.startsWith("reading… "),
+  );
+  await opened.until("done", () =>
+    page.evaluate(() => document.getElementById("load-cancel").click()),
+  );
+  assert.equal(await page.locator("#distance").textContent(), before);
+  assert.ok(!(await page.locator("#shape-b option:checked").textContent()).includes("squares"));
 });
 
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

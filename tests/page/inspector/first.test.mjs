@@ -166,6 +166,30 @@ test("a section is capped, and its deviations are drawn along it", async () => {
   await page.selectOption("#section-axis", "1");
   await page.locator("#cut svg").waitFor();
   assert.ok((await page.locator("#cut polygon").count()) > 100);
+  // The base reaches from 0 to 80 mm in A, and to 0.35 more in B.
+  const plot = await page.locator("#cut svg").boundingBox();
+  const ends = await page.locator("#cut line").evaluateAll((lines) => {
+    const all = lines.map((line) => line.getBoundingClientRect());
+    return [
+      all.reduce((one, other) => (other.left < one.left ? other : one)),
+      all.reduce((one, other) => (other.right > one.right ? other : one)),
+    ].map(({ left, right, bottom }, index) => [index === 0 ? left : right, bottom]);
+  });
+  const measured = page.locator("#cut-measured");
+  await page.mouse.move(plot.x + plot.width / 2, plot.y + plot.height - 2);
+  assert.match(await measured.textContent(), /click two points/);
+  await page.mouse.move(...ends[1]);
+  assert.match(await measured.textContent(), /^[AB] ≈ [+−]0\.3500 mm$/);
+  await page.mouse.click(...ends[1]);
+  assert.match(await measured.textContent(), /second point/);
+  await page.mouse.click(...ends[0]);
+  // The ends of both are a pixel apart: which of them was picked is said.
+  const text = await measured.textContent();
+  const [, apart, from, across] = /≈ ([\d.]+) mm from ([AB]) to [AB] \(x −([\d.]+),/.exec(text);
+  assert.equal(await page.locator("#cut .marks circle").count(), 2);
+  const reach = from === "A" ? 80 : 80.35;
+  assert.ok(Math.abs(Number(across) - reach) < 1e-3, text);
+  assert.ok(Number(apart) >= Number(across), text);
   await page.selectOption("#direction", "back");
   await opened.screenshot("first-section");
   await page.selectOption("#section-axis", "");

@@ -139,4 +139,42 @@ test("a limit that is not positive is not compared with", async () => {
   assert.equal(await page.locator("#faces").getAttribute("data-state"), "cancelled");
 });
 
+/** The model of faces with these names, in a row. */
+const named = (...names) => {
+  const { surfaces } = row(...names.map(() => 0));
+  return { surfaces: surfaces.map((surface, index) => ({ ...surface, part: names[index] })) };
+};
+
+test("the faces of an assembly are listed by parts, which are hidden and isolated", async () => {
+  const { page } = opened;
+  const bolt = ["bolt / head", "bolt / shaft"];
+  await openPair(named("plate / top", "plate / side", ...bolt, ...bolt), named("single", "other"));
+  await page.locator("#tree > summary").click();
+  const parts = page.locator("#tree-list .part > div");
+  await parts.first().waitFor();
+  const names = (selector) => page.locator(`#tree-list ${selector}`).allTextContents();
+  assert.deepEqual(await names(".part > div .name"), ["plate", "bolt", "bolt (2)"]);
+  // Parts are folded, and faces that belong to none are listed as they are.
+  assert.deepEqual(await names(".face .name"), ["single", "other"]);
+  await parts.nth(2).locator(".unfold").click();
+  assert.deepEqual(await names(".part .face .name"), ["head", "shaft"]);
+  assert.ok(await page.evaluate(() => document.activeElement.classList.contains("unfold")));
+  await page.locator("#tree-list .part .face input[type=checkbox]").first().uncheck();
+  const box = parts.nth(2).locator("input[type=checkbox]");
+  assert.ok(await box.evaluate((node) => node.indeterminate));
+  await box.check();
+  assert.equal(await page.locator("#tree-list .part .face input:checked").count(), 2);
+  // One part alone: of the others neither a face of A nor one of B is drawn.
+  await parts.nth(1).getByText("only").click();
+  const shown = await page
+    .locator("#tree-list input:checked")
+    .evaluateAll((boxes) => boxes.map((box) => box.getAttribute("aria-label")));
+  assert.deepEqual(shown, ["Show A bolt"]);
+  await page.locator("#tree-all").click();
+  await page.locator("#tree-filter").fill("plate / s");
+  assert.deepEqual(await names(".name"), ["plate", "side"]);
+  await opened.screenshot("parts");
+  await page.locator("#tree-filter").fill("");
+});
+
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

@@ -63,6 +63,45 @@ export const sphereParts = {
   b: spherePart(2.2, [0, 3], [-0.5 * Math.PI, 2], (point) => point),
 };
 
+/** The STEP text of squares of side 1 in a row, each a face of its own shell's body. */
+export function stepSquares(count, width = 1) {
+  const lines = [];
+  const add = (entity) => {
+    lines.push(`#${lines.length + 1}=${entity};`);
+    return `#${lines.length}`;
+  };
+  const point = (x, y) => add(`CARTESIAN_POINT('',(${x}.,${y}.,0.))`);
+  const direction = (...xyz) => add(`DIRECTION('',(${xyz.map((value) => `${value}.`).join()}))`);
+  const [up, along] = [direction(0, 0, 1), direction(1, 0, 0)];
+  const faces = Array.from({ length: count }, (_, index) => {
+    const [x, y] = [2 * (index % width), 2 * Math.floor(index / width)];
+    const corners = [point(x, y), point(x + 1, y), point(x + 1, y + 1), point(x, y + 1)];
+    const vertices = corners.map((corner) => add(`VERTEX_POINT('',${corner})`));
+    const edges = corners.map((corner, at) => {
+      const [dx, dy] = [
+        [1, 0],
+        [0, 1],
+        [-1, 0],
+        [0, -1],
+      ][at];
+      const line = add(`LINE('',${corner},${add(`VECTOR('',${direction(dx, dy, 0)},1.)`)})`);
+      const ends = `${vertices[at]},${vertices[(at + 1) % 4]}`;
+      return add(`ORIENTED_EDGE('',*,*,${add(`EDGE_CURVE('',${ends},${line},.T.)`)},.T.)`);
+    });
+    const bound = add(`FACE_OUTER_BOUND('',${add(`EDGE_LOOP('',(${edges}))`)},.T.)`);
+    const plane = add(`PLANE('',${add(`AXIS2_PLACEMENT_3D('',${corners[0]},${up},${along})`)})`);
+    return add(`ADVANCED_FACE('square ${index}',(${bound}),${plane},.T.)`);
+  });
+  const shell = add(`OPEN_SHELL('',(${faces}))`);
+  const body = add(`SHELL_BASED_SURFACE_MODEL('',(${shell}))`);
+  const millimetre = add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
+  const context = add(
+    `(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((${millimetre}))REPRESENTATION_CONTEXT('',''))`,
+  );
+  add(`MANIFOLD_SURFACE_SHAPE_REPRESENTATION('',(${body}),${context})`);
+  return `ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n${lines.join("\n")}\nENDSEC;\nEND-ISO-10303-21;\n`;
+}
+
 /** A file with this text, for Playwright's file inputs. */
 export const file = (name, text) => ({
   name,

@@ -5,6 +5,7 @@ import { element } from "../common/elements.ts";
 import type { ColorScale } from "../scene/colors/scale.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
+import { forgetMeasured, measureOn } from "./cutMeasure.ts";
 
 const figure = element("cut");
 const factorInput = element("cut-scale", HTMLInputElement);
@@ -25,12 +26,13 @@ export interface CutModels {
 }
 
 /** A piece of a cut in the coordinates of its plane. */
-interface Piece {
+export interface Piece {
+  side: Side;
   from: Vertex;
   to: Vertex;
 }
 
-interface Vertex {
+export interface Vertex {
   x: number;
   y: number;
   deviation: number;
@@ -41,6 +43,7 @@ factorInput.addEventListener("input", () => showCut(current));
 
 /** Shows a cut; without one, none. */
 export function showCut(cut: CutModels | undefined): void {
+  if (cut === undefined || !isSamePlane(cut, current)) forgetMeasured();
   current = cut;
   const pieces = cut === undefined ? [] : SIDES.flatMap((side) => piecesOf(cut, side));
   figure.hidden = pieces.length === 0;
@@ -61,11 +64,20 @@ export function showCut(cut: CutModels | undefined): void {
   drawing.setAttribute("viewBox", box.join(" "));
   drawing.setAttribute("role", "img");
   drawing.setAttribute("aria-label", "The section with its deviations enlarged");
+  measureOn(drawing, pieces, { axes: axesOf(cut.axis), size });
   // Outwards is to the left along a piece, for the axes in this order, and mirrored for y.
   const side = Math.sign(cut.plane.normal.getComponent(cut.axis)) * (cut.axis === 1 ? -1 : 1);
-  for (const piece of pieces) drawing.append(...drawn(piece, side * factor, cut.scale));
+  for (const piece of pieces) drawing.prepend(...drawn(piece, side * factor, cut.scale));
   element("cut-plot").replaceChildren(drawing);
 }
+
+/** Whether two cuts are of the same place, so that what was measured on one is on the other. */
+const isSamePlane = (one: CutModels, other: CutModels | undefined): boolean =>
+  other !== undefined && one.maps === other.maps && one.plane.equals(other.plane);
+
+/** The axes of the plot, to the right and up. */
+const axesOf = (axis: 0 | 1 | 2): [number, number] =>
+  axis === 0 ? [1, 2] : axis === 1 ? [0, 2] : [0, 1];
 
 /** The pieces in which a plane meets the triangles of a map. */
 function piecesOf({ maps, plane, axis, place }: CutModels, side: Side): Piece[] {
@@ -75,7 +87,7 @@ function piecesOf({ maps, plane, axis, place }: CutModels, side: Side): Piece[] 
   const heights = Float64Array.from(distances, (_, vertex) =>
     plane.distanceToPoint(place(side, vertex)),
   );
-  const [across, up] = [(axis + 1) % 3, (axis + 2) % 3].sort();
+  const [across, up] = axesOf(axis);
   const crossing = (one: number, other: number): Vertex => {
     const [from, to] = [heights[one] ?? 0, heights[other] ?? 0];
     const part = from / (from - to || 1);
@@ -85,7 +97,7 @@ function piecesOf({ maps, plane, axis, place }: CutModels, side: Side): Piece[] 
       return Number.isNaN(known) ? (distances[vertex] ?? 0) : known;
     };
     return {
-      ...{ x: point.getComponent(across ?? 0), y: point.getComponent(up ?? 1) },
+      ...{ x: point.getComponent(across), y: point.getComponent(up) },
       deviation: value(one) + part * (value(other) - value(one)),
     };
   };
@@ -102,7 +114,7 @@ function piecesOf({ maps, plane, axis, place }: CutModels, side: Side): Piece[] 
     const rising = edges.find(([from, to]) => isBelow(from) && !isBelow(to));
     const falling = edges.find(([from, to]) => !isBelow(from) && isBelow(to));
     if (rising !== undefined && falling !== undefined) {
-      pieces.push({ from: crossing(...rising), to: crossing(...falling) });
+      pieces.push({ side, from: crossing(...rising), to: crossing(...falling) });
     }
   }
   return pieces;

@@ -38,7 +38,7 @@ export function showLegend(shown: Legend, onBin: (from: number, to: number) => v
   const { scale, absolute, distributions, title } = shown;
   legend.hidden = false;
   element("legend-title").textContent = title;
-  element("scale").style.background = gradient(scale, "to top");
+  element("scale").style.setProperty("--stops", stopsOf(scale));
   element("scale-labels").replaceChildren(...ticksOf(shown).map((tick) => label(tick, scale)));
   const bins = binsOf(distributions, scale, absolute);
   const at = (edge: number) => scale.low + (edge / BINS) * (scale.high - scale.low);
@@ -54,13 +54,13 @@ export function hideLegend(): void {
   legend.hidden = true;
 }
 
-/** Returns the colours of a scale as a gradient of the style sheet. */
-export function gradient(scale: ColorScale, direction: string): string {
+/** The colours of a scale as the stops of a gradient, which the style sheet turns. */
+function stopsOf(scale: ColorScale): string {
   const stops = scale.stops(STOPS).map((color, index) => {
     const [from, to] = [index, index + 1].map((edge) => `${(100 * edge) / STOPS}%`);
     return `${color.getStyle()} ${from} ${to}`;
   });
-  return `linear-gradient(${direction}, ${stops.join(", ")})`;
+  return stops.join(", ");
 }
 
 /** Returns the ticks, the important ones first, without those that would cover each other. */
@@ -97,6 +97,6 @@ function label({ value, text, kind }: Tick, scale: ColorScale): HTMLElement {
   node.dataset.kind = kind;
   if (value === scale.high) node.id = "scale-high";
   else if (value === scale.low) node.id = "scale-low";
-  node.style.bottom = `${(100 * (value - scale.low)) / (scale.high - scale.low)}%`;
+  node.style.setProperty("--at", `${(100 * (value - scale.low)) / (scale.high - scale.low)}%`);
   return node;
 }

@@ -38,7 +38,9 @@ export class ModelMesh {
   readonly #triangles: Mesh;
   readonly #outline: LineSegments;
   readonly #faces: FaceColors;
-  readonly #cap: Cap | undefined;
+  readonly #side: Side;
+  readonly #color: string;
+  #cap: Cap | undefined;
   #hasPaint = false;
   #visibility: Visibility = "solid";
   #hidden: ReadonlySet<number> = new Set();
@@ -48,6 +50,8 @@ export class ModelMesh {
   /** `map` is the colour scale of the paint. */
   constructor(model: DisplayModel, side: Side, color: string, map: Texture) {
     this.model = model;
+    this.#side = side;
+    this.#color = color;
     const { positions, normals, indices } = model.tessellation;
     const isCloud = indices.length === 0;
     const geometry = new BufferGeometry();
@@ -89,15 +93,19 @@ export class ModelMesh {
       ...[this.#surface, this.#painted, this.#faces.mesh],
       ...[this.#outline, this.#triangles],
     );
-    if (model.closed) {
-      // All faces, whichever are hidden: what is counted has to close.
-      const whole = new BufferGeometry();
-      whole.setAttribute("position", geometry.getAttribute("position"));
-      whole.setIndex(new BufferAttribute(indices, 1));
-      this.#cap = new Cap(whole, side, color);
-      this.group.add(this.#cap.group);
-    }
     this.group.matrixAutoUpdate = false;
+  }
+
+  /** Gives the faces of a closed model a cap where they are cut; returns a new one. */
+  close(): Cap | undefined {
+    if (this.#cap !== undefined) return undefined;
+    // All faces, whichever are hidden: what is counted has to close.
+    const whole = new BufferGeometry();
+    whole.setAttribute("position", this.#surface.geometry.getAttribute("position"));
+    whole.setIndex(new BufferAttribute(this.model.tessellation.indices, 1));
+    this.#cap = new Cap(whole, this.#side, this.#color);
+    this.group.add(this.#cap.group);
+    return this.#cap;
   }
 
   /** The face of the cut through the model, which is placed in the scene. */

@@ -11,8 +11,9 @@ import {
   Vector3,
 } from "three";
 import type { MapDisplay } from "../worker/map/display.ts";
-import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
+import { type DisplayModel, type Draft, SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import type { Viewport } from "./camera/viewport.ts";
+import { DraftModel } from "./draft.ts";
 import type { FaceClass } from "./faces.ts";
 import { ModelMesh, type Visibility } from "./mesh.ts";
 import { deviationGeometry } from "./overlays/deviation.ts";
@@ -35,6 +36,9 @@ export class Models {
   readonly #map: Texture;
   #planes: Plane[] = [];
   readonly #meshes: Sides<ModelMesh> = {};
+  #drafts: Sides<DraftModel> = {};
+  /** The sides whose files are being read. */
+  #replaced: readonly Side[] = [];
 
   /** `map` is the colour scale of the deviation. */
   constructor(colors: Record<Side, string>, map: Texture) {
@@ -64,9 +68,54 @@ export class Models {
       const mesh = new ModelMesh(model, side, this.#colors[side], this.#map);
       this.#meshes[side] = mesh;
       this.group.add(mesh.group);
-      if (mesh.cap !== undefined) this.group.add(mesh.cap.plane);
     }
+    this.dropDrafts();
     this.#centre();
+  }
+
+  /** Adds faces of a file that is being read; the models that it replaces are no longer drawn. */
+  showDraft(side: Side, replaced: readonly Side[], draft: Draft): void {
+    this.#replaced = replaced;
+    for (const one of replaced) this.#hide(one);
+    let model = this.#drafts[side];
+    if (model === undefined) {
+      model = new DraftModel(this.#colors[side]);
+      this.#drafts[side] = model;
+      this.group.add(model.group);
+    }
+    model.add(draft, this.center, side === "b" ? this.#scale : 1);
+  }
+
+  /** Whether faces of files that are being read are drawn. */
+  get isDrafting(): boolean {
+    return this.#replaced.length > 0;
+  }
+
+  /** Removes what is drawn of files that are being read, since others are read instead. */
+  clearDrafts(): void {
+    for (const draft of Object.values(this.#drafts)) draft.dispose();
+    this.#drafts = {};
+  }
+
+  /** Ends the drawing of files that are being read; returns whether there was any. */
+  dropDrafts(): boolean {
+    const { isDrafting } = this;
+    this.clearDrafts();
+    this.#replaced = [];
+    return isDrafting;
+  }
+
+  #hide(side: Side): void {
+    const mesh = this.#meshes[side];
+    if (mesh === undefined) return;
+    mesh.group.visible = false;
+    if (mesh.cap !== undefined) mesh.cap.plane.visible = false;
+  }
+
+  /** The faces of a model close: it has a cap where it is cut. */
+  close(side: Side): void {
+    const cap = this.#meshes[side]?.close();
+    if (cap !== undefined) this.group.add(cap.plane);
   }
 
   #centre(): void {
@@ -83,6 +132,7 @@ export class Models {
       mesh.visibility = visibility[side];
       mesh.triangles = triangles;
     }
+    for (const side of this.#replaced) this.#hide(side);
   }
 
   /** Cuts both models open; closed ones are capped. */
@@ -94,6 +144,7 @@ export class Models {
       if (mesh.cap !== undefined) mesh.cap.size = size;
       mesh.clipping = planes;
     }
+    for (const side of this.#replaced) this.#hide(side);
     this.#planes = planes;
   }
 
@@ -245,9 +296,11 @@ export class Models {
     for (const side of SIDES) {
       const mesh = this.#meshes[side];
       if (mesh === undefined) continue;
+      if (this.#replaced.includes(side)) continue;
       mesh.group.updateWorldMatrix(true, true);
       box.union(new Box3().setFromObject(mesh.target));
     }
+    for (const draft of Object.values(this.#drafts)) box.union(draft.box);
     return box;
   }
 

@@ -1,13 +1,13 @@
 // The view of the models and a result. Without WebGL it draws nothing.
 import type { DiffResult, DistanceResult, Vector3 as Point, SurfacePoint } from "nurbs-hausdorff";
-import { Vector3 } from "three";
+import { Box3, Vector3 } from "three";
 import { farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
 import { certifiedText, distanceText } from "../common/numbers.ts";
 import { type Change, classesOf } from "../faces/changes.ts";
 import { Pins } from "../inspection/pins/pins.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
-import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
+import { type DisplayModel, type Draft, SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { ViewCube } from "./camera/cube.ts";
 import { STANDARD_VIEWS, type StandardView } from "./camera/standardViews.ts";
 import { Viewport } from "./camera/viewport.ts";
@@ -68,6 +68,8 @@ export class View {
   #unit = 1;
   #result: DistanceResult | undefined;
   #diff: DiffResult | undefined;
+  /** The box of the files that are being read, as the camera was placed for it. */
+  #drawn = new Box3();
 
   /** Opens a view in some short tasks; calls `withoutWebGl` with the reason if the browser cannot draw. */
   static async open(
@@ -107,7 +109,34 @@ export class View {
   /** Shows models, each in place of the one before. */
   showModels(models: Sides<DisplayModel>): void {
     this.models.show(models);
+    this.#drawn.makeEmpty();
     void this.#viewport?.compile();
+  }
+
+  /** Shows faces of a file that is being read, all of them in view. */
+  showDraft(side: Side, replaced: readonly Side[], draft: Draft): void {
+    this.models.showDraft(side, replaced, draft);
+    if (!this.#drawn.containsBox(this.models.box)) {
+      this.#drawn = this.models.box;
+      this.fit(true);
+    }
+    this.#viewport?.draw();
+  }
+
+  /** Whether a file is being read of which faces are drawn already. */
+  get isDrafting(): boolean {
+    return this.models.isDrafting;
+  }
+
+  /** Shows the models before again, since their replacement was not read; returns whether they were not shown. */
+  dropDrafts(): boolean {
+    this.#drawn.makeEmpty();
+    return this.models.dropDrafts();
+  }
+
+  /** The faces of a model close. */
+  close(side: Side): void {
+    this.models.close(side);
   }
 
   /** Shows both models; `atOnce` without a way to it. */
@@ -185,9 +214,10 @@ export class View {
     this.#viewport?.draw();
   }
 
-  /** Zooms to one face. */
-  approachFace(side: Side, face: number): void {
-    const box = this.models.faceBox(side, face);
+  /** Zooms to faces. */
+  approachFaces(side: Side, faces: readonly number[]): void {
+    const box = new Box3();
+    for (const face of faces) box.union(this.models.faceBox(side, face));
     if (box.isEmpty()) return;
     const size = FACE_RADIUS * box.getSize(new Vector3()).length();
     const radius = Math.max(size, MIN_APPROACH_RADIUS * this.models.diagonal);

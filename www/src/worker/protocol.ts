@@ -95,6 +95,19 @@ export interface Outline {
   ends: number[];
 }
 
+/** Faces of a file that is being read: their edges, and triangles of those that are cut already. */
+export interface Draft {
+  /** About which part of reading is done. */
+  fraction: number;
+  /** The point that coordinates are relative to. */
+  origin: Vector3;
+  /** Two ends a segment. */
+  edges: Float32Array<ArrayBuffer>;
+  positions: Float32Array<ArrayBuffer>;
+  normals: Float32Array<ArrayBuffer>;
+  indices: Uint32Array<ArrayBuffer>;
+}
+
 /** What the page needs to draw a model. */
 export interface DisplayModel {
   source: Source;
@@ -107,8 +120,6 @@ export interface DisplayModel {
   tessellation: Tessellation;
   /** The edges of its faces. */
   outline: Outline;
-  /** Whether its faces close, so that a cut through it has a face. */
-  closed: boolean;
   /** Whether its triangles are the model itself, flat each. */
   isMesh: boolean;
   /** The names of its faces in their source. */
@@ -157,7 +168,11 @@ export type Reply =
   | { kind: "ready"; engine: EngineState; shapes: ShapeInfo[] }
   /** A library is fetched that a file needs. */
   | { kind: "loading"; text: string }
+  /** Faces of a side's file; of the sides `replaced` the models before are no longer of interest. */
+  | { kind: "draft"; side: Side; replaced: Side[]; draft: Draft }
   | { kind: "loaded"; models: Sides<DisplayModel>; placement: Placement }
+  /** The faces of the side's model close, so that a cut through it has a face. */
+  | { kind: "closed"; side: Side }
   | {
       kind: "progress";
       run: number;

@@ -7,8 +7,9 @@ import { codeOf, messageOf } from "./failure.ts";
 import { csvOf } from "./map/csv.ts";
 import { engineState, Measurements } from "./measurements.ts";
 import { load } from "./models/load.ts";
+import { isMesh } from "./models/meshes.ts";
 import { probe } from "./probe.ts";
-import type { Reply, Request } from "./protocol.ts";
+import { type Draft, type Reply, type Request, SIDES } from "./protocol.ts";
 
 const ready = start();
 ready.catch(fail);
@@ -66,9 +67,11 @@ async function replace(
   { sources, placement }: Extract<Request, { kind: "load" }>,
 ): Promise<void> {
   try {
-    const { models, display } = await load(engine, sources, (text) =>
-      reply({ kind: "loading", text }),
-    );
+    const replaced = SIDES.filter((side) => sources[side] !== undefined);
+    const { models, display } = await load(engine, sources, {
+      onLibrary: (text) => reply({ kind: "loading", text }),
+      onDraft: (side, draft) => reply({ kind: "draft", side, replaced, draft }, buffersOf(draft)),
+    });
     comparisons.drop();
     measurements.replace(models);
     const transfer = Object.values(display).flatMap(({ tessellation, outline }) => [
@@ -78,9 +81,25 @@ async function replace(
       outline.edges.buffer,
     ]);
     reply({ kind: "loaded", models: display, placement }, transfer);
+    void reportClosed(measurements);
   } catch (error) {
     fail(error);
   }
+}
+
+/** Says of the models in turn whether they are closed: they are drawn before it is known. */
+async function reportClosed({ models }: Measurements): Promise<void> {
+  for (const side of SIDES) {
+    const model = models[side];
+    if (model === undefined || isMesh(model)) continue;
+    // A model that is replaced meanwhile is nobody's.
+    const solid = await model.solid().catch(() => undefined);
+    if (solid?.closed && models[side] === model) reply({ kind: "closed", side });
+  }
+}
+
+function buffersOf({ edges, positions, normals, indices }: Draft): ArrayBuffer[] {
+  return [edges, positions, normals, indices].map(({ buffer }) => buffer);
 }
 
 async function reportProbe(

@@ -165,6 +165,12 @@ pub(crate) struct Reporting {
     /// Keeps answers in FOLDER, and reads those to pairs of the same content and options from it.
     #[arg(long, value_name = "FOLDER")]
     pub(crate) reuse: Option<PathBuf>,
+    /// The name of the part, which --format html prints.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) part: Option<String>,
+    /// Who compares, which --format html prints.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) operator: Option<String>,
 }
 
 impl Reporting {

@@ -58,7 +58,8 @@ pub(crate) fn run<C: Comparison>(pair: &Pair, reporting: &Reporting, comparison:
         }
     };
     let names = [a, b].map(|path| path.display().to_string());
-    print_report(&Rows::new(C::NAME, names, rows), format)
+    let fields = [("Part", reporting.part.clone()), ("Operator", reporting.operator.clone())];
+    print_report(&Rows::new(C::NAME, names, rows, fields), format)
 }
 
 struct Comparer<'a, C> {

@@ -1,5 +1,6 @@
 //! The section of a report on one pair: verdict, what was allowed and found, where, files and faces.
 
+use super::histogram::histogram;
 use super::{Answer, Outcome, Row, Verdict};
 use quick_xml::escape::escape;
 use serde_json::Value;
@@ -33,6 +34,7 @@ pub(super) fn section(text: &mut String, row: &Row) {
     }
     text.push_str("</dl>\n");
     files(text, &found);
+    text.push_str(&histogram(&upper_ends(&found), answer.limit));
     faces(text, &found);
     text.push_str("</section>\n");
 }
@@ -64,7 +66,7 @@ fn terms(limit: Option<f64>, found: &Value) -> [(&'static str, Option<String>); 
     ]
 }
 
-fn full(value: f64) -> String {
+pub(super) fn full(value: f64) -> String {
     format!("{value:?}")
 }
 
@@ -97,6 +99,12 @@ fn files(text: &mut String, found: &Value) {
         Some(vec![name.to_owned(), path?, sha256?, skipped.to_string()])
     });
     table(text, &["", "File", "SHA-256", "Skipped faces"], rows);
+}
+
+/// How far each face of both models is at most.
+fn upper_ends(found: &Value) -> Vec<f64> {
+    let faces = ["facesOfA", "facesOfB"].into_iter().filter_map(|key| found[key].as_array()).flatten();
+    faces.filter_map(|face| face["upper"].as_f64()).collect()
 }
 
 /// The faces of both models, the largest lower bound first.

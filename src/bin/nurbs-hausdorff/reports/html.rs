@@ -29,6 +29,13 @@ pub(super) fn report(rows: &Rows) -> String {
         escape(&rows.a),
         escape(&rows.b)
     );
+    if !rows.fields.is_empty() {
+        text.push_str("<dl>\n");
+        for (term, of) in &rows.fields {
+            let _ = writeln!(text, "<dt>{term}</dt><dd>{}</dd>", escape(of.as_str()));
+        }
+        text.push_str("</dl>\n");
+    }
     text.push_str("<table>\n<thead><tr><th>File</th><th>Result</th><th></th></tr></thead>\n<tbody>\n");
     rows.rows.iter().for_each(|row| line(&mut text, row));
     text.push_str("</tbody>\n</table>\n");

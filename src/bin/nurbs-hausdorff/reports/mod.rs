@@ -2,6 +2,7 @@
 
 mod answer;
 mod details;
+mod histogram;
 mod html;
 mod junit;
 mod markdown;

@@ -18,6 +18,9 @@ pub(crate) struct Rows {
     pub(crate) b: String,
     #[serde(rename = "pairs")]
     pub(crate) rows: Vec<Row>,
+    /// What the caller states of the comparison, for people: terms with their texts.
+    #[serde(skip)]
+    pub(crate) fields: Vec<(&'static str, String)>,
 }
 
 /// A pair of files, or a file without a partner.
@@ -100,8 +103,14 @@ impl Row {
 }
 
 impl Rows {
-    pub(crate) fn new(command: &'static str, [a, b]: [String; 2], rows: Vec<Row>) -> Self {
-        Self { head: Head::new(), command, a, b, rows }
+    pub(crate) fn new(
+        command: &'static str,
+        [a, b]: [String; 2],
+        rows: Vec<Row>,
+        fields: [(&'static str, Option<String>); 2],
+    ) -> Self {
+        let fields = fields.into_iter().filter_map(|(term, text)| Some((term, text?))).collect();
+        Self { head: Head::new(), command, a, b, rows, fields }
     }
 
     /// The exit status: of a pair that failed, else of one that is beyond the limit, was added or

@@ -1,5 +1,8 @@
+import type { Tessellation } from "../../model/tessellation.js";
 import { PreparedModel } from "../../wasm/nurbs_hausdorff.js";
 import type { CadKind } from "../kind.js";
+import type { CadOptions } from "../options.js";
+import { READING_PART } from "../readers.js";
 import type { CadReader, CadReport, FaceNote, SkippedFace } from "../report.js";
 
 /** What the readers' module gave of a file. */
@@ -38,9 +41,13 @@ export interface ModuleReport extends Omit<CadReport, "kind" | "reader" | "skipp
  */
 export function prepareRead(
   file: ReadFile,
-  name: string | undefined,
+  { name, onFace }: Pick<CadOptions, "name" | "onFace">,
 ): { prepared: PreparedModel; report: CadReport } {
-  const prepared = PreparedModel.fromRead(file.read, name, file.unit);
+  const tell =
+    onFace &&
+    ((part: number, triangles: Tessellation) =>
+      onFace({ fraction: READING_PART + (1 - READING_PART) * part, triangles }));
+  const prepared = PreparedModel.fromRead(file.read, name, file.unit, tell);
   return { prepared, report: completed(file, prepared.report as ModuleReport) };
 }
 

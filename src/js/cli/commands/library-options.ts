@@ -3,7 +3,7 @@ import type { Invocation } from "../arguments/arguments.js";
 
 /** The arguments that are no options of the library. */
 const OWN = new Set([
-  ...["a", "b", "json", "format", "include", "reuse"],
+  ...["a", "b", "json", "format", "include", "reuse", "part", "operator"],
   ...["allow-skipped", "strict-gaps", "translate", "rotate"],
 ]);
 

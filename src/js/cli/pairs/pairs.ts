@@ -18,6 +18,12 @@ export interface Comparison {
   compare(a: Input, b: Input): Promise<Answer>;
 }
 
+/** The terms of what the caller states of the comparison, and the options that state it. */
+const FIELDS = [
+  ["Part", "part"],
+  ["Operator", "operator"],
+] as const;
+
 /** Compares two files, or those of two directories, prints and returns the exit status. */
 export async function comparePairs(
   values: Invocation["values"],
@@ -40,7 +46,10 @@ export async function comparePairs(
   const pairs = directories === 0 ? [{ path: b, a, b }] : await treePairs(a, b, pattern);
   const rows = [];
   for (const pair of pairs) rows.push({ path: pair.path, outcome: await comparer.outcome(pair) });
-  return printReport({ command: comparison.command, a, b, rows }, format);
+  const fields = FIELDS.flatMap(([term, name]): [string, string][] =>
+    values.has(name) ? [[term, String(values.get(name))]] : [],
+  );
+  return printReport({ command: comparison.command, a, b, rows, fields }, format);
 }
 
 function formatOf(values: Invocation["values"]): Format {

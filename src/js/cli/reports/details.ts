@@ -1,6 +1,7 @@
 import { full } from "../output/numbers.js";
 import { type Answer, STATUSES } from "./answer.js";
 import { escapeXml } from "./escape.js";
+import { histogram } from "./histogram.js";
 import type { Row } from "./rows.js";
 
 /** The largest number of faces of one pair in the report; JSON has all. */
@@ -48,6 +49,7 @@ export function details(row: Row): string[] {
     ...terms(answer, found).map(([term, text]) => `<dt>${term}</dt><dd>${escapeXml(text)}</dd>`),
     "</dl>",
     ...files(found),
+    ...histogram(upperEnds(found), answer.limit),
     ...faces(found),
     "</section>",
   ];
@@ -97,6 +99,10 @@ function files({ files, skipped }: Found): string[] {
   });
   return table(["", "File", "SHA-256", "Skipped faces"], rows);
 }
+
+/** How far each face of both models is at most. */
+const upperEnds = ({ facesOfA = [], facesOfB = [] }: Found): number[] =>
+  [...facesOfA, ...facesOfB].map(({ upper }) => upper).filter(Number.isFinite);
 
 /** The faces of both models, the largest lower bound first. */
 function faces({ facesOfA = [], facesOfB = [] }: Found): string[] {

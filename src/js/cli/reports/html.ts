@@ -22,6 +22,7 @@ export function html(rows: Rows): string {
     `<title>${title}</title>`,
     `<h1>${title}</h1>`,
     `<p>A: ${escapeXml(rows.a)} <br>B: ${escapeXml(rows.b)}</p>`,
+    ...(rows.fields.length === 0 ? [] : ["<dl>", ...rows.fields.map(field), "</dl>"]),
     "<table>",
     "<thead><tr><th>File</th><th>Result</th><th></th></tr></thead>",
     "<tbody>",
@@ -36,6 +37,9 @@ export function html(rows: Rows): string {
     "",
   ].join("\n");
 }
+
+const field = ([term, text]: [string, string]): string =>
+  `<dt>${term}</dt><dd>${escapeXml(text)}</dd>`;
 
 function line(row: Row): string {
   const [path, summary] = [row.path, summaryOf(row)].map(escapeXml);

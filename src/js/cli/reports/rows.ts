@@ -21,6 +21,8 @@ export interface Rows {
   a: string;
   b: string;
   rows: Row[];
+  /** What the caller states of the comparison, for people: terms with their texts. */
+  fields: [term: string, text: string][];
 }
 
 /** The outcome in a word. */

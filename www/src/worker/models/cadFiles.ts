@@ -1,8 +1,13 @@
 // CAD files, and the notes while a library is fetched that one of them needs.
+import type { FaceDraft } from "nurbs-hausdorff/cad";
 import type { Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
 
 /** Reads a model from a file's bytes; the name is for errors. */
-export type FileReader = (bytes: ArrayBuffer, name: string) => Promise<NurbsModel>;
+export type FileReader = (
+  bytes: ArrayBuffer,
+  name: string,
+  onFace: (face: FaceDraft) => void,
+) => Promise<NurbsModel>;
 
 const NOTES = {
   occt: "loading OpenCASCADE (5 MB)…",
@@ -11,6 +16,6 @@ const NOTES = {
 
 /** Returns the reader of files, which announces the library that it fetches. */
 export function reader(engine: Hausdorff, onLibrary: (text: string) => void): FileReader {
-  return (bytes, name) =>
-    engine.readCad(bytes, { name, onLibrary: (library) => onLibrary(NOTES[library]) });
+  return (bytes, name, onFace) =>
+    engine.readCad(bytes, { name, onLibrary: (library) => onLibrary(NOTES[library]), onFace });
 }

@@ -4,9 +4,16 @@ import { meshFormatOf } from "nurbs-hausdorff/cad";
 import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff/worker";
 import { example } from "../../examples/index.ts";
 import { faceName } from "../probe.ts";
-import { type DisplayModel, SIDES, type Sides, type Source } from "../protocol.ts";
-import { type FileReader, reader } from "./cadFiles.ts";
-
+import {
+  type DisplayModel,
+  type Draft,
+  SIDES,
+  type Side,
+  type Sides,
+  type Source,
+} from "../protocol.ts";
+import { reader } from "./cadFiles.ts";
+import { Drafts } from "./drafts.ts";
 import { isMesh, noted } from "./meshes.ts";
 import { outline } from "./outline.ts";
 
@@ -16,16 +23,23 @@ export interface Loaded {
   display: Sides<DisplayModel>;
 }
 
+/** What is told while models are loaded. */
+export interface LoadListener {
+  /** A library is fetched that a file needs. */
+  onLibrary: (text: string) => void;
+  /** Faces of a file were read. */
+  onDraft: (side: Side, draft: Draft) => void;
+}
+
 /**
- * Loads all of the models or, if one is invalid, none. Calls `onLibrary` before
- * a library is fetched that a file needs.
+ * Loads all of the models or, if one is invalid, none.
  *
  * @throws {HausdorffError} whose message names the file.
  */
 export async function load(
   engine: Hausdorff,
   sources: Sides<Source>,
-  onLibrary: (text: string) => void,
+  { onLibrary, onDraft }: LoadListener,
 ): Promise<Loaded> {
   const readFile = reader(engine, onLibrary);
   const models: Sides<NurbsModel> = {};
@@ -34,7 +48,10 @@ export async function load(
     for (const side of SIDES) {
       const source = sources[side];
       if (source === undefined) continue;
-      const model = await createModel(engine, source, readFile);
+      const drafts = new Drafts((draft) => onDraft(side, draft));
+      const model = await createModel(engine, source, (bytes, name) =>
+        readFile(bytes, name, (face) => drafts.add(face)),
+      );
       models[side] = model;
       const tessellation = await model.tessellate();
       display[side] = {
@@ -45,7 +62,6 @@ export async function load(
         box: model.boundingBox,
         tessellation,
         outline: outline(tessellation),
-        closed: !isMesh(model) && (await model.solid()).closed,
         isMesh: isMesh(model),
         faceNames: Array.from({ length: model.faceCount }, (_, face) => faceName(model, face)),
       };
@@ -72,7 +88,7 @@ function unpacked(file: File): Promise<ArrayBuffer> {
 async function createModel(
   engine: Hausdorff,
   source: Source,
-  readFile: FileReader,
+  readFile: (bytes: ArrayBuffer, name: string) => Promise<NurbsModel>,
 ): Promise<NurbsModel> {
   if ("shape" in source) {
     const own = example(source.shape);
