@@ -68,8 +68,8 @@
 //! `mesh` reads meshes and clouds of points. `cad` reads CAD files: STEP, IGES and the BREP text of OpenCASCADE;
 //! `archives` those that gzip compressed, and FreeCAD documents, as well.
 //! `shapes`, on by default, is the module [`shapes`]. `cli`, on by default, is the command, which needs `archives` and
-//! `mesh`. `wasm`, `wasm-readers` and `wasm-meshes` are the exports of the three modules
-//! of the npm package: another crate for the web needs neither.
+//! `mesh`. `wasm`, `wasm-readers`, `wasm-meshes` and `wasm-scans` are the exports of the four modules
+//! of the npm package: another crate for the web needs none.
 //!
 //! `internals` shows the remaining modules to the crate's own tests, benchmarks
 //! and examples. It promises no stability.
@@ -122,7 +122,10 @@ mod tolerance;
 #[cfg(any(feature = "archives", feature = "mesh"))]
 mod unpacked;
 mod untrim;
-#[cfg(all(target_arch = "wasm32", any(feature = "wasm", feature = "wasm-meshes", feature = "wasm-readers")))]
+#[cfg(all(
+    target_arch = "wasm32",
+    any(feature = "wasm", feature = "wasm-meshes", feature = "wasm-readers", feature = "wasm-scans")
+))]
 mod wasm;
 
 /// What the crate's own tests, benchmarks and examples see of the private modules.

@@ -14,6 +14,7 @@ import io
 import random
 import re
 import resource
+import struct
 import subprocess
 import sys
 import tempfile
@@ -31,7 +32,10 @@ KIBIBYTES_A_MEBIBYTE = 1024
 # In STEP; in other texts, whole numbers, which references are among.
 REFERENCE = re.compile(rb"#\d+")
 WHOLE_NUMBER = re.compile(rb"(?<![\d.])\d+(?![\d.])")
-MESHES = {".stl", ".ply", ".obj", ".gltf", ".glb", ".3mf", ".xyz", ".pts", ".csv"}
+MESHES = {".stl", ".ply", ".obj", ".gltf", ".glb", ".3mf", ".xyz", ".pts", ".csv", ".las", ".laz", ".e57"}
+# The pages of E57 and the checksum at the end of each, CRC-32C.
+PAGE, CHECKED = 1024, 1020
+CASTAGNOLI = 0x82F63B78
 
 
 def bytes_changed(rng: random.Random, content: bytearray) -> bytearray:
@@ -96,10 +100,24 @@ DAMAGES = (
 )
 
 
+def checksum(content: bytes) -> bytes:
+    total = 0xFFFFFFFF
+    for byte in content:
+        total ^= byte
+        for _ in range(8):
+            total = total >> 1 ^ (CASTAGNOLI if total & 1 else 0)
+    return struct.pack(">I", total ^ 0xFFFFFFFF)
+
+
 def damaged(rng: random.Random, damage: Damage, suffix: str, content: bytes) -> bytes:
-    """Damages a file, or of an archive half of the time what is in it."""
-    if suffix != ".3mf" or rng.random() < 0.5:
+    """Damages a file, or half of the time what is in an archive or what the checksums of E57 are of."""
+    if suffix not in (".3mf", ".e57") or rng.random() < 0.5:
         return bytes(damage(rng, bytearray(content)))
+    if suffix == ".e57":
+        checked = b"".join(content[start : start + CHECKED] for start in range(0, len(content), PAGE))
+        found = bytes(damage(rng, bytearray(checked)))
+        pages = [found[start : start + CHECKED].ljust(CHECKED, b"\0") for start in range(0, len(found), CHECKED)]
+        return b"".join(page + checksum(page) for page in pages)
     made = io.BytesIO()
     with zipfile.ZipFile(io.BytesIO(content)) as source, zipfile.ZipFile(made, "w") as target:
         for name in source.namelist():

@@ -24,10 +24,11 @@ def read(
     ----------
     source : path, bytes or binary file object
         The file. STEP, IGES, OpenCASCADE's BREP text, FreeCAD documents and interchange JSON are
-        known by their content, also where gzip compressed them; STL, PLY, OBJ, glTF, 3MF and points as text by the ending of the name.
+        known by their content, also where gzip compressed them; STL, PLY, OBJ, glTF, 3MF, points as text, LAS, LAZ and E57
+        by the ending of the name.
     format : str, optional
         Ending that tells a mesh where there is no name: ``"stl"``, ``"ply"``, ``"obj"``,
-        ``"gltf"``, ``"3mf"``, ``"xyz"``.
+        ``"gltf"``, ``"3mf"``, ``"xyz"``, ``"las"``, ``"e57"``.
 
     Raises
     ------

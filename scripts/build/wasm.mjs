@@ -16,14 +16,15 @@ const made = ".setup/wasm-made-from";
 const rustFlags = `--remap-path-prefix=${process.env.CARGO_HOME || join(homedir(), ".cargo")}=cargo`;
 
 /**
- * The modules: the core, the readers of CAD files and those of meshes, which are fetched when a
- * file comes.
+ * The modules: the core, the readers of CAD files, those of meshes and those of scans, which are
+ * fetched when a file comes.
  * Each is the crate with the exports of one feature.
  */
 export const modules = [
   { name: "nurbs_hausdorff", feature: "wasm", inlined: "inlined" },
   { name: "nurbs_hausdorff_readers", feature: "wasm-readers", inlined: "inlined-readers" },
   { name: "nurbs_hausdorff_meshes", feature: "wasm-meshes", inlined: "inlined-meshes" },
+  { name: "nurbs_hausdorff_scans", feature: "wasm-scans", inlined: "inlined-scans" },
 ];
 
 /** The file of a module. */

@@ -48,10 +48,14 @@ export interface CreateOptions {
   readers?: ModuleSource;
   /** The same of the module of `readMesh`, `nurbs-hausdorff/nurbs_hausdorff_meshes_bg.wasm`. */
   meshes?: ModuleSource;
+  /** The same of the module that `readMesh` reads scans by, `nurbs-hausdorff/nurbs_hausdorff_scans_bg.wasm`. */
+  scans?: ModuleSource;
 }
 
 /** The names of the options of `create`. */
-const CREATE_OPTIONS: readonly (keyof CreateOptions)[] = ["backend", "module", "readers", "meshes"];
+const CREATE_OPTIONS: readonly (keyof CreateOptions)[] = [
+  ...(["backend", "module", "readers", "meshes", "scans"] as const),
+];
 
 /** A shape that the package makes. */
 export interface ShapeInfo {
@@ -82,9 +86,10 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    */
   static async create(options: CreateOptions = {}): Promise<Hausdorff> {
     checkKeys("options", options, CREATE_OPTIONS);
-    const { backend, module, readers, meshes } = options;
+    const { backend, module, readers, meshes, scans } = options;
     setSource("nurbs_hausdorff_readers", readers);
     setSource("nurbs_hausdorff_meshes", meshes);
+    setSource("nurbs_hausdorff_scans", scans);
     await load(module);
     try {
       return new Hausdorff(await Engine.create(backend));

@@ -4,8 +4,12 @@ import init from "./wasm/nurbs_hausdorff.js";
 /** A wasm module: compiled, its bytes, or where to fetch it. */
 export type ModuleSource = WebAssembly.Module | BufferSource | Response | Request | URL | string;
 
-/** The package's wasm modules: the core, the readers of CAD files, and those of meshes. */
-export type ModuleName = "nurbs_hausdorff" | "nurbs_hausdorff_readers" | "nurbs_hausdorff_meshes";
+/** The package's wasm modules: the core, the readers of CAD files, those of meshes, and those of scans. */
+export type ModuleName =
+  | "nurbs_hausdorff"
+  | "nurbs_hausdorff_readers"
+  | "nurbs_hausdorff_meshes"
+  | "nurbs_hausdorff_scans";
 
 /** The function of a module's glue that starts it; without a source it fetches from beside itself. */
 type Init = (options?: { module_or_path: ModuleSource }) => Promise<unknown>;
@@ -15,6 +19,7 @@ const OPTIONS: Readonly<Record<ModuleName, string>> = {
   nurbs_hausdorff: "module",
   nurbs_hausdorff_readers: "readers",
   nurbs_hausdorff_meshes: "meshes",
+  nurbs_hausdorff_scans: "scans",
 };
 
 const sources = new Map<ModuleName, ModuleSource>();

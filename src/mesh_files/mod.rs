@@ -5,7 +5,9 @@
 //! are refused with an error, and memory stays within a fixed multiple of the file's size; that of
 //! a compressed one within a fixed limit.
 
+mod e57;
 mod gltf;
+mod las;
 mod obj;
 mod ply;
 mod scene;
@@ -37,6 +39,10 @@ pub enum MeshFormat {
     ThreeMf,
     /// Text with three coordinates a line: XYZ, PTS and CSV. It states no unit.
     Text,
+    /// LAS and LAZ, in the unit of the coordinate reference system if it is stated.
+    Las,
+    /// E57, in metres: the points of all scans, with their poses.
+    E57,
 }
 
 /// A mesh or a cloud as its file states it.
@@ -61,6 +67,8 @@ impl MeshFormat {
             "gltf" | "glb" => Self::Gltf,
             "3mf" => Self::ThreeMf,
             "xyz" | "pts" | "csv" | "asc" => Self::Text,
+            "las" | "laz" => Self::Las,
+            "e57" => Self::E57,
             _ => return None,
         })
     }
@@ -75,6 +83,8 @@ impl MeshFormat {
             Self::Gltf => "glTF",
             Self::ThreeMf => "3MF",
             Self::Text => "text of points",
+            Self::Las => "LAS",
+            Self::E57 => "E57",
         }
     }
 
@@ -103,9 +113,16 @@ impl MeshFile {
     /// the format, or parts of it that are not read; those of [`TriangleMesh::new`] and
     /// [`PointCloud::new`].
     pub fn read(bytes: &[u8], format: MeshFormat) -> Result<Self> {
-        if bytes.len() as u64 > MAX_BYTES {
-            return Err(Error::FileTooLarge { found: bytes.len() as u64, expected: MAX_BYTES });
+        match format {
+            MeshFormat::Las | MeshFormat::E57 => Self::read_scan(bytes, format),
+            _ => Self::read_mesh(bytes, format),
         }
+    }
+
+    /// Reads a file of any format but those of scans, as [`MeshFile::read`]: a program that calls
+    /// this alone has no code of scans.
+    pub(crate) fn read_mesh(bytes: &[u8], format: MeshFormat) -> Result<Self> {
+        check_size(bytes)?;
         let mut soup = match format {
             MeshFormat::Stl => stl::read(bytes)?,
             MeshFormat::Ply => ply::read(bytes)?,
@@ -113,6 +130,7 @@ impl MeshFile {
             MeshFormat::Gltf => gltf::read(bytes)?,
             MeshFormat::ThreeMf => three_mf::read(bytes)?,
             MeshFormat::Text => text::read(bytes)?,
+            MeshFormat::Las | MeshFormat::E57 => return Err(format.syntax("expected a mesh")),
         };
         let groups = soup.groups();
         let Soup { vertices, triangles, unit, .. } = soup;
@@ -123,6 +141,25 @@ impl MeshFile {
             Facets::Mesh(TriangleMesh::new(&vertices, &triangles)?.with_groups(groups)?)
         };
         Ok(Self { facets, unit })
+    }
+
+    /// Reads a scan, as [`MeshFile::read`].
+    pub(crate) fn read_scan(bytes: &[u8], format: MeshFormat) -> Result<Self> {
+        check_size(bytes)?;
+        let Soup { vertices, unit, .. } = match format {
+            MeshFormat::Las => las::read(bytes)?,
+            MeshFormat::E57 => e57::read(bytes)?,
+            _ => return Err(format.syntax("expected a scan")),
+        };
+        Ok(Self { facets: Facets::Cloud(PointCloud::new(vertices)?), unit })
+    }
+}
+
+/// Checks the size of a file.
+fn check_size(bytes: &[u8]) -> Result<()> {
+    match bytes.len() as u64 {
+        found if found > MAX_BYTES => Err(Error::FileTooLarge { found, expected: MAX_BYTES }),
+        _ => Ok(()),
     }
 }
 

@@ -224,12 +224,81 @@ fn polygons_are_cut_from_their_first_corner() {
     assert_eq!(mesh.triangles(), [[0, 1, 2], [0, 2, 3]]);
 }
 
+/// A file of `benches/trimmed/scan_samples.py`, with a byte before it.
+macro_rules! sample {
+    ($name:literal) => {
+        &include_bytes!(concat!("../../tests/soundness/fuzz/seeds/mesh_file/written/", $name))[1..]
+    };
+}
+
+/// Two scans of libE57Format. The first is turned from x to y to z and moved, and every fifth point
+/// of it is invalid.
+#[test]
+fn scans_are_placed_by_their_poses() {
+    let MeshFile { facets: Facets::Cloud(cloud), unit } =
+        MeshFile::read(sample!("scans-e57"), MeshFormat::E57).unwrap()
+    else {
+        panic!("a cloud")
+    };
+    let integers = |k: i32| [k * k * 37 % 2003 - 900, 31 * k % 83, k % 7 - 3].map(f64::from);
+    let turned = (0..40).filter(|k| k % 5 != 0).map(integers).map(|[x, y, z]| [z + 10.0, x + 20.0, y + 30.0]);
+    let expected: Vec<DVec3> = turned.chain((0..40).map(integers)).map(DVec3::from).collect();
+    assert_eq!((cloud.points(), unit), (expected.as_slice(), Some(1.0)));
+}
+
+/// The bytes of an E57 file with parts of its XML replaced by others and blanks, and with checksums
+/// (CRC-32C of RFC 3720) that fit.
+fn e57_with(replaced: &[(&str, &str)]) -> Vec<u8> {
+    let pages = sample!("scans-e57").chunks(1024);
+    let mut content: Vec<u8> = pages.flat_map(|page| &page[..1020]).copied().collect();
+    for (part, other) in replaced {
+        let place = content.windows(part.len()).position(|found| found == part.as_bytes()).unwrap();
+        let other = format!("{other:0$}", part.len());
+        content[place..place + part.len()].copy_from_slice(other.as_bytes());
+    }
+    let checksum = |page: &[u8]| {
+        !page.iter().fold(u32::MAX, |sum, &byte| {
+            (0..8).fold(sum ^ u32::from(byte), |sum, _| (sum >> 1) ^ ((sum & 1) * 0x82f6_3b78))
+        })
+    };
+    content.chunks(1020).flat_map(|page| [page, &checksum(page).to_be_bytes()].concat()).collect()
+}
+
+/// The crate would take memory for XML as long as stated, and make values without end of fields that
+/// take no bits.
+#[test]
+fn scans_of_endless_sizes_are_refused() {
+    let refusal = |bytes: &[u8]| MeshFile::read(bytes, MeshFormat::E57).unwrap_err().to_string();
+    assert!(MeshFile::read(&e57_with(&[]), MeshFormat::E57).is_ok());
+    let mut long_xml = sample!("scans-e57").to_vec();
+    long_xml[32..40].copy_from_slice(&(1_u64 << 20).to_le_bytes());
+    assert!(refusal(&long_xml).contains("bytes of XML"), "{}", refusal(&long_xml));
+    let no_bits = r#"type="Integer" minimum="0" maximum="0""#;
+    let file = e57_with(&[
+        (r#"type="Float" precision="single" minimum="-8.63e+02" maximum="1.073e+03""#, no_bits),
+        (r#"type="Float" precision="single" minimum="7" maximum="8.2e+01""#, no_bits),
+        (r#"type="Float" precision="single" minimum="-3" maximum="3""#, no_bits),
+        (r#"type="Integer" minimum="0" maximum="2""#, no_bits),
+    ]);
+    assert!(refusal(&file).contains("points of 4 fields"), "{}", refusal(&file));
+    for count in ["41", "99"] {
+        let more = e57_with(&[(r#"recordCount="40""#, &format!(r#"recordCount="{count}""#))]);
+        assert!(refusal(&more).contains("E57"), "{}", refusal(&more));
+    }
+}
+
 /// A thousand damaged files of every kind: what is read is valid, and nothing panics.
 #[test]
 fn damaged_files_are_refused_or_valid() {
     let random = &mut fastrand::Rng::with_seed(5);
     let mut refused = 0;
-    for (bytes, format, _) in files() {
+    let scans = [
+        (sample!("points-las").to_vec(), MeshFormat::Las, None),
+        (sample!("points-laz").to_vec(), MeshFormat::Las, None),
+        (sample!("layers-laz").to_vec(), MeshFormat::Las, None),
+        (sample!("scans-e57").to_vec(), MeshFormat::E57, None),
+    ];
+    for (bytes, format, _) in files().into_iter().chain(scans) {
         for _ in 0..1000 {
             let mut damaged = bytes.clone();
             match random.u32(0..4) {

@@ -1,5 +1,6 @@
 //! The readers of meshes and clouds of points: what they give, the core's
-//! `PreparedModel.fromFacets` takes.
+//! `PreparedModel.fromFacets` takes. Those of scans are a module of their own, as their
+//! decompression would add a third to what a mesh needs.
 
 use crate::error::{Error, Result};
 use crate::facets::{Facets, MeshGroup};
@@ -50,13 +51,25 @@ impl ReadMesh {
     }
 }
 
-/// Reads a mesh or a cloud of points of a file with this ending of its name.
+/// Reads a mesh or a cloud of points of a file with this ending of its name, of all formats but
+/// those of scans.
+#[cfg(feature = "wasm-meshes")]
 #[wasm_bindgen(js_name = readMesh)]
 pub fn read_mesh(bytes: &[u8], ending: &str) -> Result<ReadMesh> {
-    let format = MeshFormat::of_name(&format!(".{ending}")).ok_or_else(|| Error::OptionInvalid {
+    Ok(ReadMesh(MeshFile::read_mesh(bytes, format_of(ending)?)?))
+}
+
+/// Reads a scan of a file with this ending of its name: LAS, LAZ or E57.
+#[cfg(feature = "wasm-scans")]
+#[wasm_bindgen(js_name = readScan)]
+pub fn read_scan(bytes: &[u8], ending: &str) -> Result<ReadMesh> {
+    Ok(ReadMesh(MeshFile::read_scan(bytes, format_of(ending)?)?))
+}
+
+fn format_of(ending: &str) -> Result<MeshFormat> {
+    MeshFormat::of_name(&format!(".{ending}")).ok_or_else(|| Error::OptionInvalid {
         found: format!("the format is {ending:?}, expected the ending of a name of a mesh's file"),
-    })?;
-    Ok(ReadMesh(MeshFile::read(bytes, format)?))
+    })
 }
 
 impl ReadMesh {

@@ -1,6 +1,7 @@
-//! The exports of the crate's three wasm modules: the classes of the core, with the feature
-//! `wasm`, the readers of CAD files, with `wasm-readers`, and those of meshes, with `wasm-meshes`. The package's own API, in
-//! `src/js`, is built on them and hides them.
+//! The exports of the crate's four wasm modules: the classes of the core, with the feature
+//! `wasm`, the readers of CAD files, with `wasm-readers`, those of meshes, with `wasm-meshes`, and
+//! those of scans, with `wasm-scans`. The package's own API, in `src/js`, is built on them and hides
+//! them.
 #![expect(unreachable_pub, reason = "wasm-bindgen exports what is public, and nothing in Rust uses it")]
 
 #[cfg(feature = "wasm")]
@@ -10,7 +11,7 @@ mod convert;
 #[cfg(feature = "wasm")]
 mod engine;
 mod failure;
-#[cfg(feature = "wasm-meshes")]
+#[cfg(any(feature = "wasm-meshes", feature = "wasm-scans"))]
 mod meshes;
 #[cfg(feature = "wasm")]
 mod model;

@@ -76,8 +76,8 @@ export async function esbuildBundle({ source, out, names }) {
 
 /** Copies the wasm modules beside a bundle, as the README says. */
 export function copyModules(installed, out) {
-  for (const name of ["nurbs_hausdorff", "nurbs_hausdorff_readers", "nurbs_hausdorff_meshes"]) {
-    const file = `${name}_bg.wasm`;
+  for (const name of ["", "_readers", "_meshes", "_scans"]) {
+    const file = `nurbs_hausdorff${name}_bg.wasm`;
     copyFileSync(join(installed, "dist", "wasm", file), join(out, file));
   }
 }

@@ -209,6 +209,7 @@ test("the types are found by every resolution of ES modules", () => {
       "nurbs_hausdorff_bg.wasm",
       "nurbs_hausdorff_readers_bg.wasm",
       "nurbs_hausdorff_meshes_bg.wasm",
+      "nurbs_hausdorff_scans_bg.wasm",
     ],
     { env: environment(), encoding: "utf8" },
   );

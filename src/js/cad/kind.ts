@@ -16,6 +16,8 @@ const IGES_SECTION_COLUMN = 72;
 const TRIANGLES =
   "it holds triangles: readMesh reads it, as both commands do by the ending of its name";
 
+const POINTS = TRIANGLES.replace("triangles", "points");
+
 const EXPORT_STEP = "export it as STEP from the program that made it";
 
 /** Formats that are recognised and not read: signature, name, advice. */
@@ -37,6 +39,8 @@ const OTHERS: readonly (readonly [signature: RegExp, name: string, advice: strin
   [/^ply\s/, "a PLY file", TRIANGLES],
   [/^solid\s/, "an STL file", TRIANGLES],
   [/^\s*(#.*\n\s*)*(v|mtllib|o) /, "an OBJ file", TRIANGLES],
+  [/^LASF/, "a LAS or LAZ file", POINTS],
+  [/^ASTM-E57/, "an E57 file", POINTS],
 ];
 
 /** The error for bytes that no reader takes. */

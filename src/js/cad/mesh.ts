@@ -4,7 +4,8 @@ import { load, loadModule } from "../load.js";
 import { requireGoing } from "../measure/cancelled.js";
 import { NurbsModel } from "../model/model.js";
 import { PreparedModel } from "../wasm/nurbs_hausdorff.js";
-import init, { readMesh as read } from "../wasm/nurbs_hausdorff_meshes.js";
+import initMeshes, { readMesh as readTriangles } from "../wasm/nurbs_hausdorff_meshes.js";
+import initScans, { readScan } from "../wasm/nurbs_hausdorff_scans.js";
 
 /** A format of meshes or clouds of points: the ending of its files' names. */
 export type MeshFormat =
@@ -17,10 +18,17 @@ export type MeshFormat =
   | "xyz"
   | "pts"
   | "csv"
-  | "asc";
+  | "asc"
+  | "las"
+  | "laz"
+  | "e57";
+
+/** Formats of a module of their own. */
+const SCANS: readonly MeshFormat[] = ["las", "laz", "e57"];
 
 const FORMATS: readonly MeshFormat[] = [
   ...(["stl", "ply", "obj", "gltf", "glb", "3mf", "xyz", "pts", "csv", "asc"] as const),
+  ...SCANS,
 ];
 
 /** Options of `readMesh`. */
@@ -45,8 +53,9 @@ export function meshFormatOf(name: string): MeshFormat | undefined {
 
 /**
  * Reads a mesh of triangles, or a cloud of points: STL, PLY (a cloud if it has no faces), OBJ, glTF
- * with embedded buffers, GLB, 3MF, or points as text. Scenes are placed, polygons cut from their
- * first corner and equal vertices joined. glTF and 3MF state their unit.
+ * with embedded buffers, GLB, 3MF, points as text, or a scan: LAS, LAZ or E57. Scenes are placed,
+ * polygons cut from their first corner and equal vertices joined. glTF, 3MF and E57 state their
+ * unit, LAS where it has a coordinate reference system with one.
  *
  * @throws {HausdorffError} `CANCELLED`, `MESH_SYNTAX`, `FILE_TOO_LARGE`, `MODULE_FAILED`, and the errors of
  * `Hausdorff.mesh`.
@@ -65,7 +74,7 @@ export async function readMesh(
   }
   const content = bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes);
   await load();
-  await loadModule("nurbs_hausdorff_meshes", init);
+  const read = await reader(format);
   requireGoing(signal);
   return translating(() => {
     const mesh = read(content, format);
@@ -79,4 +88,14 @@ export async function readMesh(
       mesh.free();
     }
   });
+}
+
+/** Loads what reads a format. */
+async function reader(format: MeshFormat): Promise<typeof readTriangles> {
+  if (SCANS.includes(format)) {
+    await loadModule("nurbs_hausdorff_scans", initScans);
+    return readScan;
+  }
+  await loadModule("nurbs_hausdorff_meshes", initMeshes);
+  return readTriangles;
 }

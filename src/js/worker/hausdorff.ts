@@ -92,7 +92,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    * @throws {HausdorffError} `WORKER_FAILED`, and those of the main entry's `create`.
    */
   static async create(options: WorkerCreateOptions = {}): Promise<Hausdorff> {
-    const { worker, module, readers, meshes, ...rest } = options;
+    const { worker, module, readers, meshes, scans, ...rest } = options;
     const channel = new Channel((listener) => connect(listener, worker));
     try {
       await channel.call("create", [
@@ -101,6 +101,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
           module: sendable(module),
           readers: sendable(readers),
           meshes: sendable(meshes),
+          scans: sendable(scans),
         },
       ]);
     } catch (error) {

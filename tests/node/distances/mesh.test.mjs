@@ -1,5 +1,6 @@
 // Meshes and clouds of points at either side.
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { fromThreeGeometry } from "nurbs-hausdorff/adapters";
 import { meshFormatOf, readMesh } from "nurbs-hausdorff/cad";
@@ -88,6 +89,25 @@ test("files of meshes are read, in the worker too", async () => {
   const { lower, upper } = await worker.distance(there, same);
   assert.ok(lower <= Math.SQRT1_2 && Math.SQRT1_2 <= upper);
   for (const owner of [surface, mesh, there, same, worker]) owner.dispose();
+});
+
+test("scans are read by a module of their own, in the worker too", async () => {
+  const seed = new URL("../../soundness/fuzz/seeds/mesh_file/written/", import.meta.url);
+  // A byte before each file names its reader.
+  const file = async (name) => (await readFile(new URL(name, seed))).subarray(1);
+  const plain = await readMesh(await file("points-las"), "las", { unit: 0.001 });
+  const packed = await readMesh(await file("points-laz"), "laz");
+  assert.deepEqual([plain.unit, packed.unit], [0.001, null]);
+  // The least and the largest of k * k * 37 % 2003 - 900 by 0.001 and 100, of 31 * k % 83 by 0.01
+  // and -20, of k % 7 - 3 by 0.5 and 0.25.
+  near(plain.boundingBox.max[1], 0.01 * 82 - 20, 1e-12);
+  assert.deepEqual(plain.boundingBox, packed.boundingBox);
+  assert.equal(plain.boundingBox.min[2], -1.25);
+  const worker = await away.Hausdorff.create({ backend: "cpu" });
+  const scan = await worker.readMesh(await file("scans-e57"), "e57");
+  assert.equal(scan.unit, 1);
+  await assert.rejects(readMesh(await file("points-las"), "e57"), withCode("MESH_SYNTAX", /E57/));
+  for (const owner of [plain, packed, scan, worker]) owner.dispose();
 });
 
 test("wrong meshes are refused by their code", async () => {

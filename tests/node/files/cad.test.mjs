@@ -374,6 +374,7 @@ const refused = [
   ["FORMAT_UNSUPPORTED", "ply\nformat ascii", /a PLY file/],
   ["FORMAT_UNSUPPORTED", "# made by hand\nv 0 0 0", /an OBJ file/],
   ["FORMAT_UNSUPPORTED", "glTF\x02", /a glTF file/],
+  ["FORMAT_UNSUPPORTED", "LASF\0", /a LAS or LAZ file.*points.*readMesh/],
   ["FORMAT_UNSUPPORTED", "**ABCDEFGHIJ", /a Parasolid file.*export it as STEP/],
   ["FORMAT_UNSUPPORTED", "700 0 1 0 \n", /an ACIS file/],
   ["FORMAT_UNSUPPORTED", "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1", /SolidWorks/],

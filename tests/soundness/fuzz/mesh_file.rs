@@ -4,7 +4,7 @@
 use nurbs_hausdorff::{Facets, MeshFile, MeshFormat};
 
 /// The endings of names, one for each reader.
-const ENDINGS: [&str; 6] = [".stl", ".ply", ".obj", ".gltf", ".3mf", ".xyz"];
+const ENDINGS: [&str; 8] = [".stl", ".ply", ".obj", ".gltf", ".3mf", ".xyz", ".las", ".e57"];
 
 pub fn check(bytes: &[u8]) {
     let Some((&first, content)) = bytes.split_first() else { return };

@@ -6,7 +6,7 @@ import { failed } from "../files.js";
 
 /** The endings of the files compared where no pattern is given; gzip may have compressed them. */
 const ENDINGS =
-  /\.(3dm|3mf|brep|brp|csv|fcstd|glb|gltf|iges|igs|json|obj|ply|pts|step|stl|stp|txt|xyz)(\.gz)?$/i;
+  /\.(3dm|3mf|brep|brp|csv|e57|fcstd|glb|gltf|iges|igs|json|las|laz|obj|ply|pts|step|stl|stp|txt|xyz)(\.gz)?$/i;
 
 /** A relative path, with `/` between its parts, and the files that it names in A and B. */
 export interface TreePair {
