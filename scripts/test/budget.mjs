@@ -14,7 +14,7 @@ import { Failure, say } from "../process.mjs";
  */
 const budgets = {
   nurbs_hausdorff: { plain: 1800, gzipped: 700 },
-  nurbs_hausdorff_readers: { plain: 905, gzipped: 375 },
+  nurbs_hausdorff_readers: { plain: 912, gzipped: 379 },
   nurbs_hausdorff_meshes: { plain: 564, gzipped: 242 },
   nurbs_hausdorff_scans: { plain: 368, gzipped: 148 },
 };

@@ -17,10 +17,10 @@ after(() => opened.close());
 /** Opens stacks of parallel squares at these heights as models A and B. */
 async function openPlanes(a, b) {
   const { page } = opened;
-  await page.setInputFiles("#file-a", modelFile("a.json", planes(...a)));
-  await page
-    .locator("#shape-a option:checked", { hasText: "a.json" })
-    .waitFor({ state: "attached" });
+  // Each to its end: that of A's measurement is no sign of B's.
+  await opened.until("done", () =>
+    page.setInputFiles("#file-a", modelFile("a.json", planes(...a))),
+  );
   await opened.until("done", () =>
     page.setInputFiles("#file-b", modelFile("b.json", planes(...b))),
   );

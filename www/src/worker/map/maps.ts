@@ -38,9 +38,11 @@ export class Maps {
   }
 
   /** Splits a map until its colours are those of the model. */
-  fine(map: DeviationMap, diagonal: number, measuring: Measuring): Promise<DeviationMap> {
+  async fine(map: DeviationMap, diagonal: number, measuring: Measuring): Promise<DeviationMap> {
     const largest = map.distances.reduce((one, other) => Math.max(one, other), 0);
     const step = Math.max(STEP * largest, MIN_STEP * diagonal);
+    // Deviations of either sign up to `upper` differ by twice as much at most.
+    if (2 * measuring.upper <= step) return map;
     return refined(map, measuring, { step, diagonal });
   }
 }
