@@ -254,10 +254,12 @@ mod tests {
             let across = along.cross(point(random)).normalize();
             let width = 10.0_f64.powf(-12.0 + 12.0 * random.f64());
             let corners = [a, b, a.lerp(b, random.f64()) + width * across];
-            let [s, t] = [random.f64(), random.f64()];
+            // Near an end too, where a foot that is moved along the sliver would leave it.
+            let [s, t] = [random.f64(), random.f64()].map(|at| at.powi(random.i32(1..40)));
             let inside = Facet::Triangle(corners).point([1.0 - s, s * (1.0 - t), s * t]);
             let height = 1e-3 * width * random.f64();
             let found = Facet::Triangle(corners).nearest(inside + height * along.cross(across));
+            assert!(found.weights.iter().all(|&weight| weight >= 0.0), "{found:?}");
             let distance = found.distance_squared.sqrt();
             assert!((distance - height).abs() <= facet_rounding(2.0), "{distance:e} {height:e} {width:e}");
         }

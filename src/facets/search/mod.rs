@@ -15,6 +15,10 @@ mod stand_in;
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests;
 
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod step_tests;
+
 pub(crate) use node::Domain;
 pub(crate) use source::{Certified, Measured, Source, Start};
 pub(crate) use spread::{Parts, Spread, Weighted, WeightedPart};

@@ -302,7 +302,8 @@ mod tests {
         let mut largest: f64 = 0.0;
         for round in 0..3000 {
             let degree = [random.usize(1..4), random.usize(1..4)];
-            let bend = if round % 2 == 0 { 0.05 } else { 1.0 };
+            // Nearly flat, any, and in a plane, where the quadrangle of the corners may be a dart.
+            let bend = [DVec3::splat(0.05), DVec3::ONE, DVec3::new(1.0, 1.0, 0.0)][round % 3];
             let mut points = Vec::new();
             for i in 0..=degree[0] {
                 for j in 0..=degree[1] {
@@ -324,7 +325,7 @@ mod tests {
                     .into_iter()
                     .fold(f64::INFINITY, f64::min);
                 assert!(distance <= net.sag() + sag_rounding(2.0), "round {round}");
-                largest = largest.max(distance / net.sag());
+                largest = if net.sag() > 1e-9 { largest.max(distance / net.sag()) } else { largest };
             }
         }
         assert!(largest > 0.5, "{largest}");

@@ -306,3 +306,84 @@ fn least_at_corners(
     });
     (count <= MAX_NEAR).then_some(least)
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::facets::{PointCloud, TriangleMesh};
+
+    /// The sides of a triangle are cut into this many for its means.
+    const CUTS: usize = 40;
+
+    /// Every end moves by the error, and the mean square by both of its terms.
+    #[test]
+    fn bounds_are_widened_by_every_term() {
+        let spread = Spread { lower: 2.0, upper: 5.0, mean: [3.0, 4.0], square: [9.5, 16.0] };
+        let expected = Spread { lower: 1.0, upper: 6.0, mean: [2.0, 5.0], square: [4.0, 25.0] };
+        assert_eq!(spread.widened(1.0), expected);
+        let [one, other] = [Spread::exact([1.0, 4.0]), Spread::exact([2.0, 5.0])];
+        assert_eq!([one.union(other), other.union(one)], [Spread::exact([1.0, 5.0]); 2]);
+    }
+
+    fn mesh(corners: &[DVec3]) -> FacetTarget {
+        let triangles: Vec<[u32; 3]> =
+            (0..corners.len() as u32 / 3).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+        FacetTarget::of_mesh(&TriangleMesh::new(corners, &triangles).unwrap())
+    }
+
+    #[test]
+    fn halves_have_half_of_the_area_each() {
+        let a = mesh(&[DVec3::ZERO, DVec3::X, DVec3::Y]);
+        let source = Source::Facets { facets: &a, error: 0.0 };
+        let parts =
+            Parts::new(source, Measured::Facets { facets: &a, error: 0.0 }, RigidTransform::IDENTITY, 0.0);
+        let (whole, _) = parts.first(0, Start::default()).unwrap();
+        let half = whole.weight();
+        for part in parts.halves(&whole).unwrap() {
+            assert_eq!([2.0 * part.weight().lower, 2.0 * part.weight().upper], [half.lower, half.upper]);
+        }
+    }
+
+    /// Lemma F8 against the distances in the middles of small triangles, to few facets and, where the
+    /// bound is by the middle alone, to many.
+    #[test]
+    fn no_distance_of_a_triangle_is_beyond_its_bounds() {
+        let random = &mut fastrand::Rng::with_seed(61);
+        let point = |random: &mut fastrand::Rng| DVec3::from_array([0; 3].map(|_| random.f64() - 0.5));
+        for round in 0..400 {
+            let size = 0.5_f64.powi(random.i32(0..5));
+            let corners = [0; 3].map(|_| size * point(random));
+            let b = if round % 20 == 0 {
+                let near: Vec<DVec3> = (0..2 * MAX_NEAR).map(|_| 0.1 * point(random)).collect();
+                FacetTarget::of_cloud(&PointCloud::new(near).unwrap())
+            } else {
+                mesh(&(0..3 * random.usize(1..4)).map(|_| point(random)).collect::<Vec<_>>())
+            };
+            let (spread, _) = spread_of_triangle(&b, &corners, 0, 0.0);
+            let [mut sum, mut squares] = [0.0; 2];
+            for i in 0..CUTS {
+                for j in 0..CUTS - i {
+                    for third in [1.0, 2.0].into_iter().take(if i + j + 1 < CUTS { 2 } else { 1 }) {
+                        let [s, t] = [i, j].map(|k| (k as f64 + third / 3.0) / CUTS as f64);
+                        let at = Facet::Triangle(corners).point([1.0 - s - t, s, t]);
+                        let to = |facet| b.distance_squared(facet, at);
+                        let squared = (0..b.len() as u32).map(to).fold(f64::INFINITY, f64::min);
+                        let distance = squared.sqrt();
+                        assert!(spread.lower - 1e-12 <= distance && distance <= spread.upper + 1e-12);
+                        sum += distance;
+                        squares += squared;
+                    }
+                }
+            }
+            let count = (CUTS * CUTS) as f64;
+            let [mean, square] = [sum / count, squares / count];
+            let slack = 2e-3 * size;
+            assert!(spread.mean[0] - slack <= mean && mean <= spread.mean[1] + slack, "{mean} {spread:?}");
+            assert!(
+                spread.square[0] - slack <= square && square <= spread.square[1] + slack,
+                "{square} {spread:?}"
+            );
+        }
+    }
+}

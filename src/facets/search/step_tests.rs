@@ -1,0 +1,234 @@
+//! Single steps of the search: no point is lost, no bound is below a point's distance, and every
+//! allowance is that of docs/meshes.md.
+
+use super::explore::Explored;
+use super::part::{Step, TrianglePart};
+use super::patch_cell::CellStep;
+use super::*;
+use crate::bezier::{PatchSet, extract};
+use crate::facets::rounding::sag_rounding;
+use crate::facets::{FacetTarget, PointCloud, TriangleMesh};
+use crate::model::{Model, SurfaceArrays};
+use crate::param_box::ParamBox;
+
+fn point(random: &mut fastrand::Rng) -> DVec3 {
+    DVec3::from_array([0; 3].map(|_| random.f64() - 0.5))
+}
+
+fn cloud(points: &[DVec3]) -> FacetTarget {
+    FacetTarget::of_cloud(&PointCloud::new(points.to_vec()).unwrap())
+}
+
+fn mesh(corners: &[DVec3]) -> FacetTarget {
+    let triangles: Vec<[u32; 3]> =
+        (0..corners.len() as u32 / 3).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    FacetTarget::of_mesh(&TriangleMesh::new(corners, &triangles).unwrap())
+}
+
+fn of(facets: &FacetTarget, error: f64) -> Source<'_> {
+    Source::Facets { facets, error }
+}
+
+fn to(facets: &FacetTarget, error: f64) -> Measured<'_> {
+    Measured::Facets { facets, error }
+}
+
+fn distance(b: &FacetTarget, point: DVec3) -> f64 {
+    (0..b.len() as u32).map(|facet| b.distance_squared(facet, point)).fold(f64::INFINITY, f64::min).sqrt()
+}
+
+/// What a step decides is within its bound, what it does not lies in the parts, both bounds are
+/// about attained, and every part is one cut deeper.
+#[test]
+fn steps_decide_or_keep_every_point() {
+    let random = &mut fastrand::Rng::with_seed(51);
+    let [mut splits, mut near, mut halvings] = [0; 3];
+    let mut attained = [0.0_f64; 2];
+    for _ in 0..20_000 {
+        let count = random.usize(1..4);
+        let b: Vec<DVec3> = (0..3 * count).map(|_| point(random)).collect();
+        let b = if random.bool() { mesh(&b) } else { cloud(&b) };
+        let corners = [0; 3].map(|_| point(random));
+        let mut part = TrianglePart::new(corners, random.u32(0..b.len() as u32));
+        part.level = random.u32(0..20);
+        let threshold = random.f64();
+        let step = part.step(&b, threshold);
+        let (decided, parts) = match step {
+            Step::Decided(decided) => (decided, [None, None]),
+            Step::Far(corner) => {
+                assert!(distance(&b, corners[corner]) > threshold);
+                continue;
+            }
+            Step::Split { decided, parts } => (decided, parts),
+        };
+        assert!(decided <= threshold);
+        let is_split = parts[0].is_some();
+        splits += usize::from(is_split && decided > 0.0);
+        near += usize::from(is_split && parts[1].is_some() && decided > 0.0);
+        halvings += usize::from(is_split && decided == 0.0);
+        assert!(parts.iter().flatten().all(|inner| inner.level == part.level + 1));
+        for sample in 0..40 {
+            let [s, t] = [random.f64(), random.f64()];
+            let at = if sample < 3 {
+                corners[sample]
+            } else {
+                Facet::Triangle(corners).point([1.0 - s, s * (1.0 - t), s * t])
+            };
+            let is_kept = |inner: &TrianglePart| {
+                Facet::Triangle(inner.corners).nearest(at).distance_squared.sqrt() <= 1e-12
+            };
+            if !parts.iter().flatten().any(is_kept) {
+                let found = distance(&b, at);
+                assert!(found <= decided + 1e-12, "{found} beyond {decided}");
+                let of = &mut attained[usize::from(is_split)];
+                *of = of.max(found / decided);
+            }
+        }
+        // The bound of a part that is too small to be cut is that of one facet.
+        part.find_feet(&b);
+        assert!(corners.iter().all(|&corner| distance(&b, corner) <= part.upper(&b) + 1e-12));
+        let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+        assert!(distance(&b, middle) <= part.upper(&b) + 1e-12);
+    }
+    assert!(splits > 800 && near > 200 && halvings > 500, "{splits} {near} {halvings}");
+    assert!(attained[0] > 0.999 && attained[1] > 0.98, "{attained:?}");
+}
+
+fn explored(a: Source<'_>, b: Measured<'_>, region: Region, threshold: f64) -> Explored {
+    let search = FacetSearch::new(a, b, RigidTransform::IDENTITY, 1e-6, None);
+    search.explore(Node { upper: 7.0, region, start: Start::default(), level: 0 }, threshold)
+}
+
+/// Points that are looked at count with their distance, within the threshold or not.
+#[test]
+fn points_of_a_leaf_are_decided_by_their_distance() {
+    let b = cloud(&[DVec3::ZERO]);
+    let a = cloud(&[0.3, -0.6, 0.9].map(|x| DVec3::new(x, 0.0, 0.0)));
+    let found = explored(of(&a, 0.0), to(&b, 0.0), Region::Node(0), 0.7);
+    assert_eq!((found.decided, found.farthest.unwrap().distance), (0.9, 0.9));
+}
+
+/// Lemma F7, attained: a corner of the box on the ray from B through its middle.
+#[test]
+fn the_bound_of_a_box_is_attained_at_its_corner() {
+    let b = cloud(&[DVec3::splat(-3.0)]);
+    let a = cloud(&[DVec3::ZERO, DVec3::ONE]);
+    let farthest = 4.0 * 3.0_f64.sqrt();
+    // Just below what the box's corner attains, the box does not decide it.
+    let found = explored(of(&a, 0.0), to(&b, 0.0), Region::Node(0), farthest * (1.0 - 1e-9));
+    assert!((found.decided - farthest).abs() <= 1e-12, "{}", found.decided);
+    let found = explored(of(&a, 0.0), to(&b, 0.0), Region::Node(0), farthest * (1.0 + 1e-9));
+    assert!((found.decided - farthest).abs() <= 1e-12 && found.farthest.is_none());
+    // A search that has not begun has the box of all of A.
+    let search = FacetSearch::new(of(&a, 0.0), to(&b, 0.0), RigidTransform::IDENTITY, 1e-6, None);
+    assert!((search.bound_of_box() - farthest).abs() <= 1e-12);
+    let [lower, upper] = search.interval();
+    assert!(lower <= farthest && farthest <= upper);
+}
+
+/// Parts and cells that cannot be cut further keep a bound.
+#[test]
+fn what_is_too_small_to_be_cut_keeps_its_bound() {
+    let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let (a, b) = (mesh(&corners), cloud(&[DVec3::Z, DVec3::new(1.0, 0.0, 2.0)]));
+    let part = TrianglePart { level: MAX_LEVELS, ..TrianglePart::new(corners, 0) };
+    let found = explored(of(&a, 0.0), to(&b, 0.0), Region::Part(0, part), 0.1);
+    assert!(found.exhausted && found.decided >= 2.0_f64.sqrt() && found.decided < 7.0, "{}", found.decided);
+    let flat = patches(
+        1,
+        vec![[0.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0]],
+    );
+    let a = Source::Patches { patches: &flat, error: 0.0, control_box: flat.bounding_box() };
+    let range = ParamBox::new([0.5, 0.5 + 1e-13], [0.5, 0.5 + 1e-13]);
+    let found = explored(a, to(&b, 0.0), Region::Cell(PatchCell { range, ..PatchCell::whole(0) }), 0.1);
+    assert!(found.exhausted && found.decided == 7.0, "{}", found.decided);
+}
+
+/// The patches of one surface of bidegree (degree, degree).
+fn patches(degree: usize, control_points: Vec<[f64; 4]>) -> PatchSet {
+    let knots = || [vec![0.0; degree + 1], vec![1.0; degree + 1]].concat();
+    let surface = SurfaceArrays {
+        degree: [degree; 2],
+        knots: [knots(), knots()],
+        counts: [degree + 1; 2],
+        control_points,
+    };
+    extract(&Model::from_arrays(None, vec![surface]).unwrap()).patches
+}
+
+/// A bound of a cell is above the distances of its points, by its triangles and their sag as by one
+/// facet, and is attained.
+#[test]
+fn no_point_of_a_cell_is_beyond_its_bound() {
+    let random = &mut fastrand::Rng::with_seed(53);
+    let (mut decided_by_parts, mut attained) = (0, 0.0_f64);
+    for round in 0..3000 {
+        let degree = random.usize(1..3);
+        let bend = [0.0, 0.01, 0.2][round % 3];
+        let mut controls = Vec::new();
+        for i in 0..=degree {
+            for j in 0..=degree {
+                let at = DVec3::new(i as f64, j as f64, 0.0) / degree as f64 + bend * point(random);
+                controls.push(at.extend(1.0).to_array());
+            }
+        }
+        let net = patches(degree, controls);
+        let near: Vec<DVec3> = (0..random.usize(2..6))
+            .map(|_| DVec3::new(0.5, 0.5, 0.0) + 1.2 * point(random) * DVec3::new(1.0, 1.0, 0.3))
+            .collect();
+        let b = cloud(&near);
+        let samples: Vec<f64> = (0..=12 * 12)
+            .map(|k| [f64::from(k % 13) / 12.0, f64::from(k / 13) / 12.0])
+            .map(|at| distance(&b, net.patch(0).point(at)))
+            .collect();
+        let farthest = samples.into_iter().fold(0.0, f64::max);
+        let threshold = farthest * (1.0 + 0.3 * random.f64());
+        let cell = PatchCell::whole(0);
+        let of_cell = cell.net(&net, &RigidTransform::IDENTITY);
+        let corners = cell.corners(&of_cell, &b);
+        let found = PatchCell::step(&of_cell, &corners, &b, threshold, 1e-3, 2.0);
+        if let CellStep::Decided(upper) = found {
+            assert!(farthest <= upper + 1e-12 && upper <= threshold, "{farthest} {upper} {threshold}");
+            let by_one = |facet: u32| of_cell.upper_by(&b, [facet; 4]) <= threshold;
+            let is_by_parts = !(0..b.len() as u32).any(by_one);
+            decided_by_parts += usize::from(is_by_parts);
+            if is_by_parts {
+                attained = attained.max(farthest / upper);
+            }
+        }
+    }
+    assert!(decided_by_parts > 100 && attained > 0.9, "{decided_by_parts} {attained}");
+}
+
+/// The interval of two points has both models' errors, the transform's, and the allowances of
+/// section 5: 32, 8, and 6 for each of 128 cuts.
+#[test]
+fn intervals_have_every_allowance() {
+    let (a, b) = (cloud(&[DVec3::ZERO]), cloud(&[DVec3::X]));
+    let interval = |of_a: f64, of_b: f64| {
+        let mut search = FacetSearch::new(of(&a, of_a), to(&b, of_b), RigidTransform::IDENTITY, 4.0, None);
+        while search.advance(usize::MAX).is_none() {}
+        search.interval()
+    };
+    let [lower, upper] = interval(0.1, 0.02);
+    assert!((0.87..=0.88).contains(&lower) && (1.12..=1.13).contains(&upper), "[{lower}, {upper}]");
+    let moved = RigidTransform::new(glam::DQuat::IDENTITY, DVec3::new(0.0, 1000.0, 0.0)).unwrap();
+    for (transform, length, of_points) in
+        [(RigidTransform::IDENTITY, 1.0, 0.0), (moved, 1000.0, moved.rounding(0.0))]
+    {
+        let goal = Goal::new(&of(&a, 0.0), &to(&b, 0.0), &transform, 1.0, None);
+        let expected = (32.0 + 8.0 + 6.0 * 128.0) * UNIT_ROUNDOFF * length;
+        assert!(goal.length >= length && goal.points >= of_points);
+        assert!(goal.bounds >= expected && goal.bounds <= 1.02 * expected, "{} {expected}", goal.bounds);
+        let upper = goal.rounded_up(1.0);
+        assert!(upper >= 1.0 + 15.0 * UNIT_ROUNDOFF + expected + of_points, "{upper}");
+        assert!(goal.rounded_up(goal.before_rounding_up(1.0)) <= 1.0);
+    }
+    assert!(sag_rounding(1.0) >= 256.0 * UNIT_ROUNDOFF);
+    let far = cloud(&[DVec3::new(0.0, 0.0, 1000.0)]);
+    let parts = Parts::new(of(&far, 0.0), to(&b, 0.0), RigidTransform::IDENTITY, 0.5);
+    let expected = (32.0 + 8.0 + 6.0 * 128.0 + 64.0) * UNIT_ROUNDOFF * 1000.0;
+    assert!(parts.rounding() - 0.5 >= expected - UNIT_ROUNDOFF, "{}", parts.rounding() - 0.5);
+    let erring = Parts::new(of(&a, 0.1), to(&b, 0.02), RigidTransform::IDENTITY, 0.0);
+    assert!(erring.rounding() >= 0.12);
+}
