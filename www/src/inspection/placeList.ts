@@ -1,7 +1,7 @@
 // The list of worst places: a button each, which a key goes through.
 import { element } from "../common/elements.ts";
 import { distanceText, signedText } from "../common/numbers.ts";
-import { isCertainlyBeyond } from "../results/judgement.ts";
+import { exceeds } from "../results/judgement.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
 import type { Place } from "./places.ts";
 
@@ -84,6 +84,6 @@ export function isBeyond(place: Place, allowed: Allowed): boolean {
   const isUnsigned = Number.isNaN(place.signed);
   return (
     (isUnsigned && place.distance > Math.min(allowed.above, allowed.below)) ||
-    isCertainlyBeyond(place, allowed)
+    exceeds(place, allowed)
   );
 }

@@ -52,7 +52,7 @@ export class PlaceView {
         .flatMap((face) => {
           const limits = allowedOf(face.side, face.face);
           const name = `${face.side.toUpperCase()} ${face.name}`;
-          return limits === undefined ? [] : [{ name, face, allowed: limits }];
+          return limits === undefined ? [] : [{ name, face: face.sure, allowed: limits }];
         }),
     );
   }

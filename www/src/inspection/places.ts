@@ -1,21 +1,20 @@
 // The worst place of each face of the maps, the largest first.
 
+import type { MeasuredFace } from "../results/judgement.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
 import type { DisplayModel, Side, Sides } from "../worker/protocol.ts";
 import { SIDES } from "../worker/protocol.ts";
 
 /** The vertex of a face whose deviation is the largest, with what the face's others are. */
-export interface Place {
+export interface Place extends MeasuredFace {
   side: Side;
   face: number;
   name: string;
   vertex: number;
-  distance: number;
   /** NaN without a sign. */
   signed: number;
-  /** The extremes of the face's signed deviations. */
-  lowest: number;
-  highest: number;
+  /** What a point of the face deviates by at least. */
+  sure: MeasuredFace;
 }
 
 /** Returns one place for every face that has triangles. O(n) in their number. */
@@ -28,29 +27,26 @@ export function placesOf(maps: Sides<MapDisplay>, models: Sides<DisplayModel>): 
 
 function byFace(map: MapDisplay, side: Side, names: readonly string[]): Map<number, Place> {
   const places = new Map<number, Place>();
-  const { indices, faces, distances, signed } = map;
+  const { indices, faces, distances, signed, slacks } = map;
   // A scan is one face.
   const count = indices.length > 0 ? indices.length : distances.length;
   for (let corner = 0; corner < count; corner++) {
     const vertex = indices.length > 0 ? (indices[corner] ?? 0) : corner;
     const face = faces[Math.floor(corner / 3)] ?? 0;
     const [distance, value] = [distances[vertex] ?? 0, signed[vertex] ?? Number.NaN];
-    const place = places.get(face);
+    let place = places.get(face);
     if (place === undefined) {
       const name = names[face] ?? `face ${face}`;
       const sign = Number.isNaN(value) ? 0 : value;
-      places.set(face, {
-        side,
-        face,
-        name,
-        vertex,
-        distance,
-        signed: value,
-        lowest: sign,
-        highest: sign,
-      });
-      continue;
+      const found = { vertex, distance, signed: value, lowest: sign, highest: sign };
+      place = { side, face, name, ...found, sure: { lowest: 0, highest: 0, distance: 0 } };
+      places.set(face, place);
     }
+    const { sure } = place;
+    const slack = slacks[vertex] ?? 0;
+    sure.distance = Math.max(sure.distance, distance - slack);
+    if (value + slack < sure.lowest) sure.lowest = value + slack;
+    if (value - slack > sure.highest) sure.highest = value - slack;
     if (value < place.lowest) place.lowest = value;
     if (value > place.highest) place.highest = value;
     if (distance <= place.distance) continue;

@@ -11,7 +11,7 @@ export interface Judgement {
   text: string;
 }
 
-/** What the map measured of a face, in float32: each is a deviation that there is. */
+/** The extremes of the signed deviations of a face, in float32, and the largest distance. */
 export interface MeasuredFace {
   lowest: number;
   highest: number;
@@ -26,7 +26,7 @@ export interface Judged {
   withGaps?: Interval;
   /** The sum of the files' gaps, as text with its unit. */
   gap?: string;
-  /** The measured faces, each with what is allowed of it. */
+  /** What points of the faces deviate by at least, and what is allowed of each. */
   measured?: readonly { name: string; face: MeasuredFace; allowed: Allowed }[];
 }
 
@@ -46,8 +46,8 @@ export function verdictOn([lower, upper]: Interval, limits: readonly Allowed[]):
   return lower > Math.max(...all) ? "fail" : "undecided";
 }
 
-/** Whether a measured face certainly deviates by more than is allowed of it. */
-export function isCertainlyBeyond(
+/** Whether deviations of a face are more than is allowed of it, whatever float32 rounds. */
+export function exceeds(
   { lowest, highest, distance }: MeasuredFace,
   { above, below }: Allowed,
 ): boolean {
@@ -73,7 +73,7 @@ function byFaces({ interval, measured }: Judged, limits: readonly Allowed[]): Ju
   if (all.every((limit) => limit === all[0]) || measured === undefined) {
     return { verdict: "undecided", text: WORDS.undecided };
   }
-  const beyond = measured.find(({ face, allowed }) => isCertainlyBeyond(face, allowed));
+  const beyond = measured.find(({ face, allowed }) => exceeds(face, allowed));
   if (beyond !== undefined) {
     return { verdict: "fail", text: `a measured point is beyond: ${beyond.name}` };
   }

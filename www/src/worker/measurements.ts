@@ -137,19 +137,19 @@ export class Measurements {
       coarse = await this.#each(requested, result, FIRST_PART, (_, own, measuring) =>
         this.#maps.coarse(own, result, measuring),
       );
-      this.#show(requested, result, displayed(coarse, placing), true);
+      this.#show(requested, result, displayed(coarse, placing, result), true);
       const fine = await this.#each(requested, result, SECOND_PART, async (side, _, measuring) => {
         const map = coarse[side];
         return map && this.#maps.fine(map, result.diagonal, measuring);
       });
       this.#keep(fine, placing);
-      this.#show(requested, result, displayed(fine, placing), false);
+      this.#show(requested, result, displayed(fine, placing, result), false);
     } catch (error) {
       if (!isCancelled(error)) throw error;
       // Of a newer request come newer colours; else the coarse ones stay, if there are any.
       if (this.#waiting !== undefined) return;
       this.#keep(coarse, placing);
-      this.#show(requested, result, displayed(coarse, placing), false);
+      this.#show(requested, result, displayed(coarse, placing, result), false);
     }
   }
 
@@ -235,10 +235,14 @@ export class Measurements {
 /** Points after which half of the progress of a map is shown. */
 const BATCH_SHARE = 50_000;
 
-/** What the page draws of maps. */
-function displayed(maps: Sides<MapOf["map"]>, placing: Placing): Sides<MapDisplay> {
+/** What the page draws of the maps of a result. */
+function displayed(
+  maps: Sides<MapOf["map"]>,
+  placing: Placing,
+  { diagonal }: DistanceResult,
+): Sides<MapDisplay> {
   return Object.fromEntries(
-    entriesOf(maps).map(([side, map]) => [side, mapDisplay(map, side, placing)]),
+    entriesOf(maps).map(([side, map]) => [side, mapDisplay(map, side, placing, diagonal)]),
   );
 }
 

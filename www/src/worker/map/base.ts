@@ -16,12 +16,21 @@ export interface Vertices {
   normals: Float32Array<ArrayBuffer>;
   /** x, y, z of the points of the model that are measured, in its own coordinates. */
   points: Float64Array<ArrayBuffer>;
+  /** How far the model may be from each of them, but for the rounding of float32. */
+  slacks: Float64Array<ArrayBuffer>;
 }
 
-export interface Base extends Vertices {
-  /** Whether the triangles are the model itself, and its edges straight. */
+/** What the triangles are of a model. */
+export interface Sampling {
+  /** Whether they are the model itself, and its edges straight. */
   isMesh: boolean;
+  /** Where their vertices are relative to. */
   origin: Vector3;
+  /** The most that a point of them is from the model. */
+  flatness: number;
+}
+
+export interface Base extends Vertices, Sampling {
   triangles: Triangles;
 }
 
@@ -29,8 +38,9 @@ export interface Base extends Vertices {
 export function baseOf(
   model: NurbsModel,
   { positions, normals, indices, origin, faces }: Tessellation,
-  isMesh: boolean,
+  { isMesh, flatness }: Pick<Sampling, "isMesh" | "flatness">,
 ): Base {
+  const sampling = { isMesh, origin, flatness };
   const owners = new Uint32Array(indices.length / 3);
   for (const [face, { firstIndex, indexCount }] of faces.entries()) {
     owners.fill(face, firstIndex / 3, (firstIndex + indexCount) / 3);
@@ -38,10 +48,10 @@ export function baseOf(
   let vertices: Vertices = {
     ...{ positions: positions.slice(), normals: normals.slice() },
     points: Float64Array.from(positions, (value, index) => value + (origin[index % 3] ?? 0)),
+    slacks: new Float64Array(positions.length / 3),
   };
   let triangles: Triangles = { indices: indices.slice(), faces: owners };
-  const { min, max } = model.boundingBox;
-  const longest = MAX_EDGE * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
+  const longest = MAX_EDGE * diagonalOf(model);
   for (let round = 0; round < MAX_ROUNDS; round++) {
     const count = vertices.positions.length / 3;
     if (count > MAX_VERTICES) break;
@@ -49,27 +59,34 @@ export function baseOf(
       (edge) => lengthOf(vertices.positions, ...edgeEnds(edge)) > longest,
     );
     if (edges.length === 0) break;
-    vertices = joined(vertices, middlesOf(vertices, edges, isMesh));
+    vertices = joined(vertices, middlesOf(vertices, edges, sampling));
     const added = new Map([...edges].map((edge, index) => [edge, count + index]));
     triangles = split(triangles, added);
   }
-  return { ...vertices, origin, triangles, isMesh };
+  return { ...vertices, ...sampling, triangles };
+}
+
+/** The diagonal of the box around a model. */
+export function diagonalOf(model: NurbsModel): number {
+  const { min, max } = model.boundingBox;
+  return Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
 }
 
 /**
  * Returns the middles of edges: drawn on the edge, so that no crack opens, and measured where the
  * surface is, by the cubic curve with the tangents that the normals at both ends leave; of a mesh,
- * on the edge.
+ * on the edge. The drawn point is on a triangle, so that the model is within the flatness of it.
  */
 export function middlesOf(
   { positions, normals, points }: Vertices,
   edges: Float64Array,
-  isMesh: boolean,
+  { isMesh, origin, flatness }: Sampling,
 ): Vertices {
   const middles: Vertices = {
     positions: new Float32Array(3 * edges.length),
     normals: new Float32Array(3 * edges.length),
     points: new Float64Array(3 * edges.length),
+    slacks: new Float64Array(edges.length),
   };
   for (const [index, edge] of edges.entries()) {
     const [from, to] = edgeEnds(edge);
@@ -91,6 +108,10 @@ export function middlesOf(
         ((positions[3 * from + axis] ?? 0) + (positions[3 * to + axis] ?? 0)) / 2;
       middles.normals[at] = (sum[axis] ?? 0) / length;
     }
+    if (isMesh) continue;
+    const [drawn, point] = [vector(middles.positions, index), vector(middles.points, index)];
+    const apart = drawn.map((value, axis) => value + (origin[axis] ?? 0) - (point[axis] ?? 0));
+    middles.slacks[index] = flatness + Math.hypot(...apart);
   }
   return middles;
 }
@@ -106,6 +127,7 @@ export const joined = (one: Vertices, other: Vertices): Vertices => ({
   positions: joinedArrays(one.positions, other.positions),
   normals: joinedArrays(one.normals, other.normals),
   points: joinedArrays(one.points, other.points),
+  slacks: joinedArrays(one.slacks, other.slacks),
 });
 
 /** Returns the numbers of one array followed by those of another of the same type. */

@@ -8,6 +8,12 @@ import type { DeviationMap } from "./refine.ts";
 /** The largest number of lines drawn; more would hide the models. */
 const MAX_LINES = 4096;
 
+/**
+ * What a distance may be off by for vertices in float32 and the permitted excess of closest points,
+ * in diagonals of a result: twice their sum.
+ */
+const ROUNDING = 5e-7;
+
 export interface MapDisplay {
   /** The vertices in the model's own coordinates, relative to its tessellation's origin. */
   positions: Float32Array<ArrayBuffer>;
@@ -16,6 +22,8 @@ export interface MapDisplay {
   signed: Float32Array<ArrayBuffer>;
   signs: Signs;
   distances: Float32Array<ArrayBuffer>;
+  /** How much less the deviation of a point of the model beside each vertex may be. */
+  slacks: Float32Array<ArrayBuffer>;
   indices: Uint32Array<ArrayBuffer>;
   /** The face of every triangle; those of a face follow each other. */
   faces: Uint32Array<ArrayBuffer>;
@@ -32,14 +40,21 @@ export interface MapDisplay {
   estimates: Estimates | undefined;
 }
 
-/** Returns what to draw of the map of a model. */
-export function mapDisplay(map: DeviationMap, side: Side, placing: Placing): MapDisplay {
-  const distribution = distributionOf(map, side === "b" ? placing.scale : 1);
+/** Returns what to draw of the map of a model, in a result of models of this diagonal. */
+export function mapDisplay(
+  map: DeviationMap,
+  side: Side,
+  placing: Placing,
+  diagonal: number,
+): MapDisplay {
+  const scale = side === "b" ? placing.scale : 1;
+  const distribution = distributionOf(map, scale);
   return {
     ...{ positions: map.positions.slice(), normals: map.normals.slice() },
     signed: new Float32Array(map.signed),
     signs: map.signs,
     distances: new Float32Array(map.distances),
+    slacks: Float32Array.from(map.slacks, (slack) => scale * slack + ROUNDING * diagonal),
     indices: map.triangles.indices.slice(),
     faces: map.triangles.faces.slice(),
     ...extremes(map),
@@ -50,10 +65,11 @@ export function mapDisplay(map: DeviationMap, side: Side, placing: Placing): Map
 
 /** The buffers that are moved to the page. */
 export function buffersOf(display: MapDisplay): ArrayBuffer[] {
-  const { positions, normals, signed, distances, indices, faces, lines, lineVertices } = display;
+  const { positions, normals, signed, distances, slacks, indices, faces } = display;
+  const { lines, lineVertices } = display;
   const { absolute, signed: bySign } = display.distribution;
   const arrays = [
-    ...[positions, normals, signed, distances, indices, faces, lines, lineVertices],
+    ...[positions, normals, signed, distances, slacks, indices, faces, lines, lineVertices],
     ...[absolute, bySign].flatMap(({ values, areas }) => [values, areas]),
   ];
   return arrays.map(({ buffer }) => buffer);

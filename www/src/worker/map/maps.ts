@@ -2,7 +2,7 @@
 import type { DistanceResult, NurbsModel } from "nurbs-hausdorff/worker";
 import { isMesh } from "../models/meshes.ts";
 import type { Side, Sides } from "../protocol.ts";
-import { type Base, baseOf } from "./base.ts";
+import { type Base, baseOf, diagonalOf } from "./base.ts";
 import type { Measuring } from "./measured.ts";
 import { unplaced } from "./placed.ts";
 import { type DeviationMap, mapOf, refined } from "./refine.ts";
@@ -13,7 +13,10 @@ const STEP = 1 / 150;
 /** The least step, in diagonals: the vertices are not on the model more accurately. */
 const MIN_STEP = 5e-7;
 
-/** How far the triangles of a map are from the model, in diagonals: half a pixel of a whole view. */
+/**
+ * How far the triangles of a map are from the model, in diagonals: half a pixel of a whole view. More
+ * only where it would take a million triangles, whose edges are not split.
+ */
 const FLATNESS = 5e-4;
 
 export class Maps {
@@ -28,8 +31,10 @@ export class Maps {
   ): Promise<DeviationMap> {
     let base = this.#bases.get(model);
     if (base === undefined) {
-      const triangles = await model.tessellate({ relativeTolerance: FLATNESS });
-      base = baseOf(model, triangles, isMesh(model));
+      // A model that is a point has triangles at any tolerance.
+      const flatness = FLATNESS * (diagonalOf(model) || 1);
+      const triangles = await model.tessellate({ tolerance: flatness });
+      base = baseOf(model, triangles, { isMesh: isMesh(model), flatness });
       this.#bases.set(model, base);
     }
     const map = await mapOf(base, measuring);

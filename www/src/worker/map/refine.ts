@@ -50,7 +50,7 @@ export async function refined(
     if (fine.distances.length > MAX_VERTICES) break;
     const edges = edgesToTry(fine, settled, { step, diagonal });
     if (edges.length === 0) break;
-    const middles = middlesOf(fine, edges, fine.isMesh);
+    const middles = middlesOf(fine, edges, fine);
     const found = await measure(middles.points, measuring);
     const wrong = new Uint32Array(
       [...edges.keys()].filter((index) => {
@@ -65,9 +65,11 @@ export async function refined(
       positions: new Float32Array(chosenPoints(middles.positions, wrong)),
       normals: new Float32Array(chosenPoints(middles.normals, wrong)),
       points: chosenPoints(middles.points, wrong),
+      slacks: Float64Array.from(wrong, (index) => middles.slacks[index] ?? 0),
     };
+    const { origin, isMesh, flatness } = fine;
     fine = {
-      ...{ origin: fine.origin, isMesh: fine.isMesh, triangles: split(fine.triangles, added) },
+      ...{ origin, isMesh, flatness, triangles: split(fine.triangles, added) },
       ...joined(fine, kept),
       ...together(fine, chosen(found, wrong)),
     };

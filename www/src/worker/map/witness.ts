@@ -41,18 +41,21 @@ export function withFarthest(
     gap(points, one, point) < gap(points, other, point) ? one : other,
   );
   if (gap(points, closest, point) <= SAME * distance) {
-    const distances = map.distances.slice();
+    const [distances, slacks] = [map.distances.slice(), map.slacks.slice()];
     distances[closest] = distance;
-    return { ...map, distances };
+    slacks[closest] = 0;
+    return { ...map, distances, slacks };
   }
   // A vertex without a sign has NaN.
   const sign = Math.sign(map.signed[closest] ?? Number.NaN);
   const position = point.map((value, axis) => value - (map.origin[axis] ?? 0));
   return {
-    ...{ origin: map.origin, isMesh: map.isMesh, triangles: { indices, faces } },
+    ...{ origin: map.origin, isMesh: map.isMesh, flatness: map.flatness },
+    triangles: { indices, faces },
     positions: joinedArrays(positions, new Float32Array(position)),
     normals: joinedArrays(normals, normals.slice(3 * closest, 3 * closest + 3)),
     points: joinedArrays(points, new Float64Array(point)),
+    slacks: joinedArrays(map.slacks, new Float64Array(1)),
     distances: joinedArrays(map.distances, new Float64Array([distance])),
     signed: joinedArrays(map.signed, new Float64Array([sign === 0 ? distance : sign * distance])),
     feet: joinedArrays(map.feet, new Float64Array(foot)),
