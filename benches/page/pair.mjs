@@ -1,0 +1,64 @@
+// node benches/page/pair.mjs A [B]: opens two CAD files at once on the built page (`npx vite build www`)
+// in headless Chromium, B a copy of A if none is given, and prints the seconds until the first faces
+// are drawn, both models, the interval and all colours; the CPU seconds of the page's process; and
+// the longest task of the main thread, in milliseconds of its own CPU.
+import { copyFile, mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { basename, extname, join } from "node:path";
+import { open } from "../../tests/page/support/open.mjs";
+import { mainThreadTasks, trace } from "../../tests/page/support/tracing.mjs";
+
+/** Milliseconds after which the colours are given up. */
+const TIMEOUT = 300_000;
+
+const [a, b] = process.argv.slice(2);
+if (!a) throw new Error("usage: pair.mjs A [B]");
+
+/** Notes when each state of the page is reached first, from now on. */
+function watch(name) {
+  const started = performance.now();
+  window.marks = {};
+  const mark = (what) => {
+    window.marks[what] ??= performance.now() - started;
+  };
+  const look = () => {
+    const loading = document.getElementById("loading");
+    if (!loading.hidden && /reading/.test(loading.textContent)) mark("first faces");
+    const chosen = document.querySelector("#shape-b option:checked")?.textContent ?? "";
+    if (!loading.hidden || !chosen.includes(name)) return;
+    mark("drawn");
+    const { lower, state } = document.getElementById("result").dataset;
+    if (lower !== undefined) mark("interval");
+    if (state === "done") mark("colours");
+  };
+  const all = { subtree: true, childList: true, attributes: true, characterData: true };
+  new MutationObserver(look).observe(document.body, all);
+}
+
+const folder = await mkdtemp(join(tmpdir(), "pair-"));
+const opened = await open({ path: "" });
+try {
+  const { page } = opened;
+  await page.locator('#result[data-state="done"]').waitFor();
+  const other = b ?? join(folder, `copy${extname(a)}`);
+  if (b === undefined) await copyFile(a, other);
+  const session = await page.context().browser().newBrowserCDPSession();
+  const cpuSeconds = async () => {
+    const { processInfo } = await session.send("SystemInfo.getProcessInfo");
+    const pages = processInfo.filter(({ type }) => type === "renderer");
+    return pages.reduce((sum, { cpuTime }) => sum + cpuTime, 0);
+  };
+  const end = await trace(page);
+  const before = await cpuSeconds();
+  await page.evaluate(watch, basename(other, extname(other)));
+  await page.setInputFiles("#file-both", [a, other]);
+  await page.waitForFunction(() => window.marks.colours, undefined, { timeout: TIMEOUT });
+  for (const [what, time] of Object.entries(await page.evaluate(() => window.marks))) {
+    console.log(`${what}: ${(time / 1000).toFixed(2)} s`);
+  }
+  console.log(`CPU of the page: ${((await cpuSeconds()) - before).toFixed(1)} s`);
+  console.log(`longest task: ${Math.max(...mainThreadTasks(await end())).toFixed(0)} ms of CPU`);
+} finally {
+  await opened.close();
+  await rm(folder, { recursive: true });
+}
