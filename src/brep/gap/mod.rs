@@ -15,7 +15,6 @@ mod nearest;
 mod part;
 
 use super::nurbs::{Curve, Surface};
-use crate::sorting::sort_by_number;
 use glam::{DAffine3, DVec3};
 use part::GapPart;
 use std::collections::BinaryHeap;
@@ -133,7 +132,7 @@ impl Lifted<'_> {
         };
         add(self.curve, [t0, t1]);
         add(self.edge, [s0, s1]);
-        sort_by_number(&mut breaks, |t| *t);
+        breaks.sort_by(f64::total_cmp);
         if t1 < t0 {
             breaks.reverse();
         }
