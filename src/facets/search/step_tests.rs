@@ -10,6 +10,7 @@ use crate::facets::rounding::sag_rounding;
 use crate::facets::{FacetTarget, PointCloud, TriangleMesh};
 use crate::model::{Model, SurfaceArrays};
 use crate::param_box::ParamBox;
+use crate::rounding::{lower_min, upper_max};
 
 fn point(random: &mut fastrand::Rng) -> DVec3 {
     DVec3::from_array([0; 3].map(|_| random.f64() - 0.5))
@@ -34,7 +35,7 @@ fn to(facets: &FacetTarget, error: f64) -> Measured<'_> {
 }
 
 fn distance(b: &FacetTarget, point: DVec3) -> f64 {
-    (0..b.len() as u32).map(|facet| b.distance_squared(facet, point)).fold(f64::INFINITY, f64::min).sqrt()
+    (0..b.len() as u32).map(|facet| b.distance_squared(facet, point)).fold(f64::INFINITY, lower_min).sqrt()
 }
 
 /// What a step decides is within its bound, what it does not lies in the parts, both bounds are
@@ -181,7 +182,7 @@ fn no_point_of_a_cell_is_beyond_its_bound() {
             .map(|k| [f64::from(k % 13) / 12.0, f64::from(k / 13) / 12.0])
             .map(|at| distance(&b, net.patch(0).point(at)))
             .collect();
-        let farthest = samples.into_iter().fold(0.0, f64::max);
+        let farthest = samples.into_iter().fold(0.0, upper_max);
         let threshold = farthest * (1.0 + 0.3 * random.f64());
         let cell = PatchCell::whole(0);
         let of_cell = cell.net(&net, &RigidTransform::IDENTITY);
@@ -193,7 +194,7 @@ fn no_point_of_a_cell_is_beyond_its_bound() {
             let is_by_parts = !(0..b.len() as u32).any(by_one);
             decided_by_parts += usize::from(is_by_parts);
             if is_by_parts {
-                attained = attained.max(farthest / upper);
+                attained = upper_max(attained, farthest / upper);
             }
         }
     }
