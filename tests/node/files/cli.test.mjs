@@ -104,6 +104,8 @@ const VALUES = {
   format: ["json"],
   include: ["*.step"],
   reuse: ["answers"],
+  part: ["bracket"],
+  operator: ["N. N."],
 };
 
 const command = (name) => table.commands.find((command) => command.name === name);
