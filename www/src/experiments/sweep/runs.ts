@@ -9,6 +9,9 @@ export type Answer<T> = { value: T } | { failure: Failure };
 
 type Ready = Extract<Reply, { kind: "ready" }>;
 
+/** Replies that end a request; others tell what is new meanwhile. */
+const ENDS: readonly Reply["kind"][] = ["loaded", "measured", "cancelled", "failed"];
+
 export class Runs {
   readonly #client: Client;
   #resolve: ((reply: Reply) => void) | undefined;
@@ -17,7 +20,7 @@ export class Runs {
   constructor(onReady: (ready: Ready) => void, onFailed: (failure: Failure) => void) {
     this.#client = new Client((reply) => {
       if (reply.kind === "ready") onReady(reply);
-      else if (reply.kind === "progress") return;
+      else if (!ENDS.includes(reply.kind)) return;
       else if (this.#resolve !== undefined) this.#resolve(reply);
       else if (reply.kind === "failed") onFailed(reply);
     });
