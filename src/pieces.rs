@@ -73,7 +73,7 @@ impl FacePieces {
     }
 
     /// As [`FacePieces::new`] for the model without its faces that cannot be cut; with that
-    /// model, and the errors of those faces by their index in `model`. The listener is told each cut.
+    /// model, and the errors of those faces by their index in `model`. Calls the listener with each cut.
     ///
     /// # Errors
     /// [`crate::Error::FaceNotCut`] if no face can be cut.
@@ -222,7 +222,7 @@ fn size(surface: &NurbsSurface) -> [f64; 2] {
     lengths
 }
 
-/// Returns the pieces of every face, or its error, on all cores; the listener is told each.
+/// Returns the pieces of every face, or its error, on all cores; calls the listener with each result.
 fn cuts(model: &Model, watch: Watch<'_, Result<Untrimmed>>) -> Vec<Result<Untrimmed>> {
     let max_deviation = MAX_DEVIATION * extent(model).diagonal();
     let faces: Vec<Face<'_>> = model.faces().collect();

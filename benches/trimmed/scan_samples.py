@@ -4,7 +4,7 @@
 
 Needs numpy, laspy with laszip, and pye57: LAZ is written by LASzip and E57 by libE57Format, which share no
 code with the readers here; LAS by its specification. `FOLDER/seeds` has the files with the byte before them
-that names their reader, as tests/soundness/fuzz/seeds/mesh_file/written has them.
+that names their reader, as tests/soundness/fuzz/seeds/mesh_file/scans has them.
 """
 
 import struct

@@ -227,7 +227,7 @@ fn polygons_are_cut_from_their_first_corner() {
 /// A file of `benches/trimmed/scan_samples.py`, with a byte before it.
 macro_rules! sample {
     ($name:literal) => {
-        &include_bytes!(concat!("../../tests/soundness/fuzz/seeds/mesh_file/written/", $name))[1..]
+        &include_bytes!(concat!("../../tests/soundness/fuzz/seeds/mesh_file/scans/", $name))[1..]
     };
 }
 

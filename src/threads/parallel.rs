@@ -96,7 +96,7 @@ pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send
     (0..count).map(work).collect()
 }
 
-/// A listener that is told each result with its index, in order.
+/// A listener that is called with each result and its index, in order.
 pub(crate) type Watch<'a, T> = Option<&'a mut dyn FnMut(usize, &T)>;
 
 /// Maps as [`map`] does; with a listener on the calling thread alone, since what it draws is wanted in order.

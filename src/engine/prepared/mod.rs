@@ -72,7 +72,7 @@ impl PreparedModel {
         Self::new_watched(model, report, None)
     }
 
-    /// As [`PreparedModel::new_skipping`]; the listener is told the cut of each face as it is made.
+    /// As [`PreparedModel::new_skipping`]; calls the listener with the cut of each face as soon as it is made.
     ///
     /// # Errors
     /// Those of [`PreparedModel::new_skipping`].

@@ -13,10 +13,9 @@ const HEAD_LENGTH = 1024;
 /** The column, from 0, that names a line's section in IGES. */
 const IGES_SECTION_COLUMN = 72;
 
-const TRIANGLES =
-  "it holds triangles: readMesh reads it, as both commands do by the ending of its name";
-
-const POINTS = TRIANGLES.replace("triangles", "points");
+const BY_MESH = "readMesh reads it, as both commands do by the ending of its name";
+const TRIANGLES = `it holds triangles: ${BY_MESH}`;
+const POINTS = `it holds points: ${BY_MESH}`;
 
 const EXPORT_STEP = "export it as STEP from the program that made it";
 

@@ -12,7 +12,7 @@ use laz::record::{LayeredPointRecordDecompressor, RecordDecompressor, Sequential
 use laz::{DecompressionSelection, LazItem, LazItemType, LazVlr};
 use std::io::Cursor;
 
-/// How points are compressed: all as one chunk, in chunks, or in chunks of which each has layers.
+/// The compression of points: all in one chunk, in several chunks, or in several chunks with layers.
 const IN_ONE_CHUNK: u16 = 1;
 const IN_CHUNKS: u16 = 2;
 const IN_LAYERS: u16 = 3;

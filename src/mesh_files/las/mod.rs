@@ -107,7 +107,7 @@ impl Header {
         Ok(Self { minor_version, start, point_bytes, count, is_compressed, scale, offset })
     }
 
-    /// Returns the coordinates of a point by its uncompressed bytes, of which there are at least twelve.
+    /// Returns the coordinates of a point from its uncompressed bytes, at least twelve.
     fn point(&self, record: &[u8]) -> DVec3 {
         let integer = |place: usize| {
             let mut bytes = [0; 4];

@@ -11,8 +11,8 @@ const SCALE: [f64; 3] = [0.001, 0.01, 0.5];
 const OFFSET: [f64; 3] = [100.0, -20.0, 0.25];
 
 /// The files that `benches/trimmed/scan_samples.py` writes by LASzip, with a byte before them.
-const POINTS: &[u8] = include_bytes!("../../../tests/soundness/fuzz/seeds/mesh_file/written/points-laz");
-const LAYERS: &[u8] = include_bytes!("../../../tests/soundness/fuzz/seeds/mesh_file/written/layers-laz");
+const POINTS: &[u8] = include_bytes!("../../../tests/soundness/fuzz/seeds/mesh_file/scans/points-laz");
+const LAYERS: &[u8] = include_bytes!("../../../tests/soundness/fuzz/seeds/mesh_file/scans/layers-laz");
 
 /// The integers of point k, which `scan_samples.py` has too.
 fn integers(k: i32) -> [i32; 3] {
@@ -53,7 +53,7 @@ fn head(format: u8, point_bytes: u16, records: &[Vec<u8>]) -> Vec<u8> {
     bytes
 }
 
-/// Points of a length, of which the bytes behind the coordinates differ.
+/// Returns points of this length in bytes that differ in the bytes after the coordinates.
 fn points(point_bytes: usize) -> Vec<u8> {
     let mut bytes = Vec::new();
     for k in 0..COUNT {

@@ -142,7 +142,7 @@ mod tests {
         }
     }
 
-    /// A fold as high as the cell is none that may stay, however narrow it is.
+    /// A fold as high as the cell is refused, however narrow it is.
     #[test]
     fn a_narrow_fold_that_is_high_is_refused() {
         let straight = |u: f64| curve(&[[u, 0.0, 1.0], [u, 1.0, 1.0]]);

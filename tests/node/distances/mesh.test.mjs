@@ -92,7 +92,7 @@ test("files of meshes are read, in the worker too", async () => {
 });
 
 test("scans are read by a module of their own, in the worker too", async () => {
-  const seed = new URL("../../soundness/fuzz/seeds/mesh_file/written/", import.meta.url);
+  const seed = new URL("../../soundness/fuzz/seeds/mesh_file/scans/", import.meta.url);
   // A byte before each file names its reader.
   const file = async (name) => (await readFile(new URL(name, seed))).subarray(1);
   const plain = await readMesh(await file("points-las"), "las", { unit: 0.001 });

@@ -14,6 +14,7 @@ import {
   PointsMaterial,
   type Texture,
 } from "three";
+import { concatenated } from "../common/arrays.ts";
 import type { DisplayModel, Side } from "../worker/protocol.ts";
 import { Cap } from "./cap.ts";
 import { type FaceClass, FaceColors } from "./faces.ts";
@@ -243,11 +244,5 @@ function keep(
   const ranges = Array.from({ length: count }, (_, face) => face)
     .filter((face) => !hidden.has(face))
     .map((face) => indices.subarray(...rangeOf(face)));
-  const kept = new Uint32Array(ranges.reduce((sum, { length }) => sum + length, 0));
-  let end = 0;
-  for (const range of ranges) {
-    kept.set(range, end);
-    end += range.length;
-  }
-  return kept;
+  return concatenated(Uint32Array, ranges);
 }

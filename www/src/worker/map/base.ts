@@ -1,5 +1,6 @@
 // The triangles of a model on which its deviations are measured, whatever its position is.
 import type { NurbsModel, Tessellation, Vector3 } from "nurbs-hausdorff/worker";
+import { concatenated } from "../../common/arrays.ts";
 import { edgeEnds, edgesOf, split, type Triangles } from "./triangles.ts";
 
 /** The longest edge, in diagonals of the model: what is smaller than it is seen at first. */
@@ -135,10 +136,7 @@ export function joinedArrays<Numbers extends Float32Array | Float64Array>(
   one: Numbers,
   other: Numbers,
 ): Numbers {
-  const all = new (one.constructor as new (length: number) => Numbers)(one.length + other.length);
-  all.set(one);
-  all.set(other, one.length);
-  return all;
+  return concatenated(one.constructor as new (length: number) => Numbers, [one, other]);
 }
 
 /** The distance of two vertices. */

@@ -1,6 +1,7 @@
 // What is drawn of a file while it is read: its faces as they come, some at a time.
 import type { Vector3 } from "nurbs-hausdorff";
 import type { FaceDraft } from "nurbs-hausdorff/cad";
+import { concatenated } from "../../common/arrays.ts";
 import type { Draft } from "../protocol.ts";
 
 /** Milliseconds between two drawings, so that many small faces cost few. */
@@ -50,19 +51,18 @@ function joined(faces: FaceDraft[], origin: Vector3, fraction: number): Draft {
   });
   return {
     ...{ origin, fraction },
-    edges: concatenated(faces.map(({ edges }) => relative(edges ?? [], [0, 0, 0]))),
-    positions: concatenated(all.map((face) => relative(face.positions, face.origin))),
-    normals: concatenated(all.map(({ normals }) => normals)),
-    indices: Uint32Array.from(indices.flatMap((own) => [...own])),
+    edges: concatenated(
+      Float32Array,
+      faces.map(({ edges }) => relative(edges ?? [], [0, 0, 0])),
+    ),
+    positions: concatenated(
+      Float32Array,
+      all.map((face) => relative(face.positions, face.origin)),
+    ),
+    normals: concatenated(
+      Float32Array,
+      all.map(({ normals }) => normals),
+    ),
+    indices: concatenated(Uint32Array, indices),
   };
-}
-
-function concatenated(parts: Float32Array[]): Float32Array<ArrayBuffer> {
-  const whole = new Float32Array(parts.reduce((sum, { length }) => sum + length, 0));
-  let end = 0;
-  for (const part of parts) {
-    whole.set(part, end);
-    end += part.length;
-  }
-  return whole;
 }
