@@ -16,7 +16,8 @@
 //!
 //! With `--trimmed`, models have trimmed faces: random loops of lines, arcs, cubics and splines with
 //! holes, slivers and loops that touch, discs of three arcs under affine maps, and loops whose ends and
-//! extremes lie on one level but for units in the last place, on every kind of surface, on A, on B or on both. Points are
+//! extremes lie on one level but for units in the last place, on every kind of surface, on A, on B or on both; one
+//! pair in seven is a face against itself divided into several that meet in lines and corners, with slits or without. Points are
 //! classified by counts of crossings, and points of the loops belong to the face. Where no near
 //! point of B's faces is found, B's parts are left out of the proof that lie outside the loops by
 //! these counts.

@@ -250,6 +250,11 @@ impl<'a> Chart<'a> {
         self.is_passable_over(axis, line, MAX_CREASE)
     }
 
+    /// Whether the surface is continuous at a seam, so that it is followed over it.
+    pub(super) fn continues_over_creases(&self, axis: Axis, line: isize) -> bool {
+        self.is_passable_over(axis, line, f64::INFINITY)
+    }
+
     /// Whether it is continuous there, with a crease of at most this size.
     fn is_passable_over(&self, axis: Axis, line: isize, max_crease: f64) -> bool {
         let widths = [line - 1, line].map(|along| self.width(axis, along));

@@ -108,12 +108,17 @@ impl Chart<'_> {
         let rounding = LINE_ROUNDINGS * UNIT_ROUNDOFF * (4.0 * period + start.abs().max(end.abs()));
         let [low, high] = range.map(|parameter| breaks[own] + parameter * self.own_width(axis));
         let [low, high] = [low - rounding, high + rounding];
-        let shifts = [-period, 0.0, period];
+        // A surface that is not closed has nothing beyond its ends, where rounding may lead.
+        let count = (breaks.len() - 1) as isize;
+        let is_beyond = low < start || high > end;
+        let is_closed =
+            is_beyond && [0, count].iter().any(|line| self.continues_over_creases(axis, line - own as isize));
+        let shifts = [-period, 0.0, period].into_iter().filter(move |shift| *shift == 0.0 || is_closed);
         let part = move |shift: f64| {
             let [low, high] = [(low + shift).max(start), (high + shift).min(end)];
             (low < high).then_some([low, high])
         };
-        (high - low < period).then(|| shifts.into_iter().filter_map(part))
+        (high - low < period).then(|| shifts.filter_map(part))
     }
 
     /// A bound on the rounding error of [`Chart::line`].

@@ -1,5 +1,6 @@
 //! Random pairs of trimmed models.
 
+mod divided;
 mod levels;
 mod loops;
 mod region;
@@ -21,6 +22,9 @@ use std::f64::consts::TAU;
 /// The numbers of attempts to draw a face whose loops do not cross.
 const ATTEMPTS: usize = 12;
 
+/// Seeds with this remainder are of divided faces; those of the other families stay the same.
+const DIVIDED: [u64; 2] = [3, 7];
+
 /// A face: its surface, and its loops in fractions of the domain.
 #[derive(Clone)]
 struct DrawnFace {
@@ -32,8 +36,16 @@ struct DrawnFace {
 pub(crate) fn pair(seed: u64) -> Option<Pair> {
     let rng = &mut Rng::with_seed(seed);
     let weights = weights(rng);
-    let a = faces(rng, weights)?;
-    let (kind, mut a, mut b, truth) = partner(rng, a, weights)?;
+    let [remainder, divisor] = DIVIDED;
+    let (kind, mut a, mut b, truth) = if seed % divisor == remainder {
+        let surface = any_surface(rng, weights);
+        let [whole, parts] = divided::faces(rng, &surface);
+        let (a, b) = if rng.u8(0..4) == 0 { (parts, whole) } else { (whole, parts) };
+        ("divided faces", a, b, None)
+    } else {
+        let a = faces(rng, weights)?;
+        partner(rng, a, weights)?
+    };
     if rng.u8(0..4) == 0 {
         let (scale, shift) = (magnitude(rng, -3.0, 3.0), direction(rng) * magnitude(rng, 0.0, 4.0));
         for face in a.iter_mut().chain(&mut b) {

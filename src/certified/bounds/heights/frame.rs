@@ -4,11 +4,15 @@ use super::piece::Piece;
 use super::quadric::{Quadric, symmetric_product};
 use crate::axis::Axis;
 use crate::bezier::Jet;
+use crate::certified::cell_context::CellContext;
 use crate::certified::reparametrization::pseudo_inverse;
 use crate::certified::rounding::gamma;
 use crate::certified::sheets::{Chart, Reach};
-use crate::rounding::{lower_min, unit, upper_max};
+use crate::rounding::{lower_min, unit, upper_max, upper_min};
 use glam::{DMat3, DVec3};
+
+/// The largest height of a first or second order by which a cell may leave B, relative to the threshold.
+const MAX_SLOPE: f64 = 4.0;
 
 /// Roundings of a product of T, P and n with a vector, relative to the sizes of its terms.
 const FRAME_ROUNDINGS: f64 = 64.0;
@@ -41,7 +45,7 @@ pub(super) struct Frame<'a> {
 pub(super) struct Image {
     pub(super) parts: Vec<Part>,
     /// The ends of the box.
-    ends: [[f64; 2]; 2],
+    pub(super) ends: [[f64; 2]; 2],
     /// How far the surface is followed.
     reach: Reach,
     /// How far points of B may jump in it.
@@ -61,12 +65,30 @@ pub(super) struct Placement {
     pub(super) functions: [Quadric; 2],
     /// How far `g(a) - g(B(y))` can be from zero along each axis where y is the fixed point.
     pub(super) overshoot: [f64; 2],
+    /// How far `y - β - g(B(y))` can, for all y of the box.
+    pub(super) bracket: [f64; 2],
     /// How far `y - β - g(a)` can.
     pub(super) lag: [f64; 2],
     /// The ranges of the fixed points' parameters.
     pub(super) feet: [[f64; 2]; 2],
-    /// How far the ranges of F are beyond the ends of the box.
-    beyond: [[f64; 2]; 2],
+    /// How far the ranges of F are beyond the start and the end of the box.
+    pub(super) beyond: [[f64; 2]; 2],
+    /// For a point a this is at most `offset - g(a)` and `offset + g(a)`.
+    pub(super) offsets: [[f64; 2]; 2],
+    /// What jumps and rounding add to it.
+    margin: [f64; 2],
+}
+
+impl Placement {
+    /// The same for the points of the cell of which F is beyond each end by no more than this.
+    pub(super) fn limited(&self, limits: [[f64; 2]; 2]) -> Self {
+        let least = |axis: usize| [0, 1].map(|end| upper_min(self.beyond[axis][end], limits[axis][end]));
+        let beyond = [least(0), least(1)];
+        let overshoot = [0, 1]
+            .map(|axis| upper_max(upper_max(beyond[axis][0], beyond[axis][1]), 0.0) + self.margin[axis]);
+        let lag = [0, 1].map(|axis| self.bracket[axis] + overshoot[axis]);
+        Self { beyond, overshoot, lag, ..*self }
+    }
 }
 
 /// The nearest number of a range; NaN, which is in no range, stays.
@@ -144,8 +166,16 @@ impl<'a> Frame<'a> {
     pub(super) fn placement(&self, a: &Piece, image: &Image, functions: [Quadric; 2]) -> Placement {
         let ranges = functions.map(|function| a.values(&function).range());
         let radius = image.parts.iter().fold(0.0, |radius, part| upper_max(radius, part.piece.radius));
-        let [mut overshoot, mut lag] = [[0.0; 2]; 2];
-        let [mut feet, mut beyond] = [[[0.0; 2]; 2]; 2];
+        let mut placement = Placement {
+            functions,
+            overshoot: [0.0; 2],
+            bracket: [0.0; 2],
+            lag: [0.0; 2],
+            feet: [[0.0; 2]; 2],
+            beyond: [[0.0; 2]; 2],
+            offsets: [[0.0; 2]; 2],
+            margin: [0.0; 2],
+        };
         for axis in Axis::BOTH {
             let (index, function) = (axis.index(), &functions[axis.index()]);
             let [mut least, mut largest] = [0.0_f64; 2];
@@ -155,16 +185,18 @@ impl<'a> Frame<'a> {
                 largest = upper_max(largest, high + errors[index]);
             }
             let (at, [start, end]) = (self.chart.parameters[index], image.ends[index]);
-            let [first, last] = [at + ranges[index][0] + least, at + ranges[index][1] + largest];
+            let [low, high] = ranges[index];
             let slope = function.linear.length() + 2.0 * function.size() * radius;
             let rounding = gamma(PLACE_ROUNDINGS) * (1.0 + (end - at).abs() + (at - start).abs());
             let margin = slope * image.gap + rounding;
-            beyond[index] = [start - first, last - end];
-            overshoot[index] = upper_max(upper_max(beyond[index][0], beyond[index][1]), 0.0) + margin;
-            lag[index] = upper_max(-least, largest) + overshoot[index];
-            feet[index] = [first - margin, last + margin].map(|parameter| clamped(parameter, [start, end]));
+            let [first, last] = [at + low + least - margin, at + high + largest + margin];
+            placement.offsets[index] = [start - at - least, at - end + largest];
+            placement.beyond[index] = [placement.offsets[index][0] - low, placement.offsets[index][1] + high];
+            placement.bracket[index] = upper_max(-least, largest);
+            placement.feet[index] = [first, last].map(|parameter| clamped(parameter, [start, end]));
+            placement.margin[index] = margin;
         }
-        Placement { functions, overshoot, lag, feet, beyond }
+        placement.limited([[f64::INFINITY; 2]; 2])
     }
 
     /// The pieces of B over a box; `None` where they are many.
@@ -195,6 +227,19 @@ impl<'a> Frame<'a> {
             }
         }
         Some(parts)
+    }
+
+    /// Whether the derivatives of A's height over B up to second order may let a bound reach the threshold.
+    pub(super) fn is_left_slowly(&self, context: &CellContext<'_>, threshold: f64) -> bool {
+        let (a, [h, k], normal) = (&context.jet, context.cell.half, self.normal);
+        let [s, t] = [h * a.s, k * a.t];
+        let paraboloid = self.osculating(normal);
+        let height = |vector: DVec3| normal.dot(vector);
+        let second = |own: DVec3, x: DVec3, y: DVec3| 0.5 * height(own) + x.dot(paraboloid.form * y);
+        let first = height(s).abs() + height(t).abs();
+        let [ss, st, tt] =
+            [second(h * h * a.ss, s, s), second(h * k * a.st, s, t), second(k * k * a.tt, t, t)];
+        first <= MAX_SLOPE * threshold && ss.abs() + 2.0 * st.abs() + tt.abs() <= MAX_SLOPE * threshold
     }
 
     /// The function with this gradient at the foot that changes on B, to second order, as along its tangent

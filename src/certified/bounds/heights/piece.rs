@@ -58,17 +58,28 @@ impl Piece {
         Self { degree, controls, radius: radius + error, error }
     }
 
+    pub(super) fn degree(&self) -> [usize; 2] {
+        self.degree
+    }
+
     /// A quadratic function on it. O(p q) where it is linear, else O(p² q²).
     pub(super) fn values(&self, quadric: &Quadric) -> Values {
-        let Quadric { linear, form } = *quadric;
-        let length = linear.length();
+        let linear = quadric.linear;
         if quadric.is_linear() {
+            let length = linear.length();
             let value = |control: &DVec4| (linear.dot(control.xyz()), control.w);
             let size = length * self.radius;
             let error = length * self.error + gamma(LINEAR_ROUNDINGS) * size;
             let coefficients = self.controls.iter().map(value).collect();
             return Values { degree: self.degree, coefficients, size, error };
         }
+        self.quadratic_values(quadric)
+    }
+
+    /// The same as a quotient of twice the degrees. O(p² q²).
+    pub(super) fn quadratic_values(&self, quadric: &Quadric) -> Values {
+        let Quadric { linear, form } = *quadric;
+        let length = linear.length();
         let right: Vec<DVec4> = self
             .controls
             .iter()

@@ -1,6 +1,5 @@
 //! Each term of the lemmas, against what it states.
 
-use super::piece::Values;
 use super::*;
 use crate::axis::Axis;
 use crate::bezier::Patch;
@@ -8,7 +7,6 @@ use crate::certified::faces::FaceRim;
 use crate::certified::testing::{Surfaces, closed, patch, through};
 use crate::flatness::Flatness;
 use crate::model::trim::RimSide;
-use crate::rounding::lower_min;
 use glam::{DMat3, DVec4};
 
 /// A random point of [-½, ½]³.
@@ -195,11 +193,13 @@ fn lags_contain_the_differences() {
     }
 }
 
-/// The frame of the middle of a patch, and a piece of A.
-fn with_frame(b: &Surfaces, check: impl FnOnce(&Frame<'_>, &Piece)) {
+/// A piece of A about the foot in the middle of a patch, and the patch over it.
+fn with_over(b: &Surfaces, check: impl FnOnce(Over<'_>)) {
     let frame = Frame::new(Chart::new(b.sheets(), 0, [0.4, 0.6])).unwrap();
     let a = through(|s, t| frame.jet.point + 0.05 * DVec3::new(s - 0.5, t - 0.4, 0.1 * s * t));
-    check(&frame, &Piece::new([2, 2], a.to_vec(), frame.jet.point, 1.0));
+    let a = Piece::new([2, 2], a.to_vec(), frame.jet.point, 1.0);
+    let (image, linear) = frame.image(&a).unwrap();
+    check(Over::of(frame, None, a, image, linear));
 }
 
 fn curved() -> Surfaces {
@@ -210,8 +210,8 @@ fn curved() -> Surfaces {
 /// of the parameters, and the frame's skewness.
 #[test]
 fn the_bound_has_every_term_of_the_lemma() {
-    with_frame(&curved(), |frame, a| {
-        let (image, mut placement) = frame.image(a).unwrap();
+    with_over(&curved(), |over| {
+        let (frame, a, image, mut placement) = (&over.frame, &over.a, &over.image, over.linear);
         let [first, second] = frame.tangents.map(DVec3::normalize);
         for overshoot in [[0.0; 2], [1e-3, 0.0], [0.0, 2e-3]] {
             for bend in [0.0, 0.05] {
@@ -223,8 +223,7 @@ fn the_bound_has_every_term_of_the_lemma() {
                 function.add_product(0.3, frame.normal, second);
                 function.add_product(0.4, first, first);
                 function.add_triple_product(0.5, frame.normal, first, second);
-                let over = Over { frame, a, image: &image, placement, overrun: 0.0 };
-                let bound = over.upper_bound(&function, 1.0);
+                let bound = over.bound_by(&function, &placement, 1.0);
                 let [low, high] = a.values_of_cubic(&function).range();
                 let ranges = image.parts.iter().map(|part| part.piece.values_of_cubic(&function).range());
                 let difference = ranges
@@ -246,7 +245,6 @@ fn the_bound_has_every_term_of_the_lemma() {
                 let expected = (height + beyond) / rest;
                 assert!((bound / expected - 1.0).abs() < 1e-9, "{bound:e} {expected:e} {overshoot:?} {bend}");
                 assert!(bound > expected, "The rounding of the turns is left out.");
-                placement = over.placement;
             }
         }
     });
@@ -256,28 +254,33 @@ fn the_bound_has_every_term_of_the_lemma() {
 #[test]
 fn an_excess_has_every_term_of_the_lemma() {
     let random = &mut fastrand::Rng::with_seed(319);
-    with_frame(&curved(), |frame, a| {
-        let (image, mut placement) = frame.image(a).unwrap();
+    with_over(&curved(), |mut over| {
+        let mut placement = over.linear;
+        let of_b = over.reach() - over.a.radius;
         for case in 0..40 {
             let point = vector(random);
-            let cell = Piece::new([1, 1], vec![point.extend(1.0); 4], DVec3::ZERO, 0.0);
+            over.a = Piece::new([1, 1], vec![point.extend(1.0); 4], DVec3::ZERO, 0.0);
             placement.functions = [0; 2].map(|_| quadric(random));
             placement.lag = [0; 2].map(|_| random.f64());
+            placement.overshoot = [0; 2].map(|_| random.f64());
+            let frame = &over.frame;
             placement.feet = frame.chart.parameters.map(|at| [at - random.f64(), at + random.f64()]);
-            let linear_lag = [0; 2].map(|_| random.f64());
+            over.linear.bracket = [0; 2].map(|_| random.f64());
+            let threshold = random.f64();
             let [axis, other] = if case % 2 == 0 { [0, 1] } else { [1, 0] };
             let (is_upwards, [a, b, c]) = (case % 4 < 2, vector(random).to_array());
             let side = RimSide { axis: Axis::BOTH[axis], is_upwards, coefficients: [a, b, c], slope: 0.0 };
-            let over = Over { frame, a: &cell, image: &image, placement, overrun: 0.0 };
-            let found = rim::excess(&over, &side, linear_lag);
+            let found = rim::excess(&over, &placement, &side, threshold).highest();
             let [g_v, g_u] = [axis, other].map(|axis| value(&Cubic::of(placement.functions[axis]), point));
             let [low, high] = placement.feet[other].map(|end| (end - frame.chart.parameters[other]).abs());
             let reach = low.max(high);
             let along = frame.inverse[other].dot(point);
             let height = if is_upwards { g_v } else { -g_v } - b * g_u - c * along * along;
+            let turn = placement.functions[other].size() * (point.length() + of_b) * threshold;
+            let linear_lag = over.linear.bracket[other] + placement.overshoot[other] + turn;
             let lags = placement.lag[axis]
                 + b.abs() * placement.lag[other]
-                + c.abs() * linear_lag[other] * (2.0 * reach + linear_lag[other]);
+                + c.abs() * linear_lag * (2.0 * reach + linear_lag);
             let expected = height - a + lags;
             assert!((found - expected).abs() < 1e-12, "{found} {expected} of case {case}");
             let sizes = a.abs() + reach * (b.abs() + reach * c.abs()) + height.abs() + lags;
@@ -309,14 +312,13 @@ fn steps_beyond_the_box_of_a_rim_are_refused() {
 /// Where the function turns too far there is no bound.
 #[test]
 fn a_function_that_turns_too_far_bounds_nothing() {
-    with_frame(&curved(), |frame, a| {
-        let (image, placement) = frame.image(a).unwrap();
-        let over = Over { frame, a, image: &image, placement, overrun: 0.0 };
+    with_over(&curved(), |over| {
+        let (frame, a, image) = (&over.frame, &over.a, &over.image);
         let first = frame.tangents[0].normalize();
         let bound = |share: f64, x: DVec3| {
             let mut function = Cubic::of(Quadric::of_plane(frame.normal));
             function.add_product(share, x, first);
-            over.upper_bound(&function, 1e9)
+            over.bound_by(&function, &over.linear, 1e9)
         };
         let reach = a.radius + image.parts.iter().map(|part| part.piece.radius).fold(0.0, upper_max);
         assert!(bound(0.99 / reach, first).is_finite());
@@ -370,11 +372,75 @@ fn placements_contain_the_parameters_of_feet() {
     assert!(many > 10 && cases > 1000, "{many} {cases}");
 }
 
+/// What is beyond the ends of the box is at most what an offset says, for each point of A and each of B.
+#[test]
+fn offsets_contain_what_is_beyond_the_ends() {
+    let random = &mut fastrand::Rng::with_seed(6);
+    let mut beyond = 0;
+    for case in 0..30 {
+        let b = Surfaces::new(vec![closed(950 + case, case % 2 == 1)], Flatness::None);
+        let flat = random.u32(0..b.places.count() as u32);
+        let frame =
+            Frame::new(Chart::new(b.sheets(), flat, [random.f64(), 0.8 * random.f64().round()])).unwrap();
+        let [s, t] = frame.tangents;
+        let a = through(|x, y| frame.jet.point + 0.3 * ((x - 0.5) * s + (y - 0.5) * t));
+        let a = Piece::new([2, 2], a.to_vec(), frame.jet.point, 10.0);
+        let Some((image, linear)) = frame.image(&a) else { continue };
+        for placement in [frame.closer_placement(&a, &image), linear] {
+            for axis in 0..2 {
+                let g = Cubic::of(placement.functions[axis]);
+                let of_a: Vec<f64> = a.samples(POINTS_ALONG).iter().map(|point| value(&g, *point)).collect();
+                // With the whole range of F and the ends of the box.
+                let [low, high] = a.values(&placement.functions[axis]).range();
+                let [start, end] = [
+                    placement.beyond[axis][0] - (placement.offsets[axis][0] - low),
+                    placement.beyond[axis][1] - (placement.offsets[axis][1] + high),
+                ];
+                assert!(start.abs() < 1e-12 && end.abs() < 1e-12, "{start:e} {end:e}");
+                for part in &image.parts {
+                    for (index, point) in part.piece.samples(POINTS_ALONG).into_iter().enumerate() {
+                        let line = [index / POINTS_ALONG, index % POINTS_ALONG][axis] as f64 * 0.25;
+                        let y = (1.0 - line) * part.places[axis][0] + line * part.places[axis][1];
+                        let bracket = y - value(&g, point);
+                        let ends = image.ends[axis];
+                        let at = frame.chart.parameters[axis];
+                        for g in &of_a {
+                            let f = at + g + bracket;
+                            let [first, last] = placement.offsets[axis];
+                            assert!(ends[0] - f <= first - g && f - ends[1] <= last + g, "{f} {ends:?}");
+                            beyond += usize::from(f < ends[0] || f > ends[1]);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(beyond > 100, "{beyond}");
+}
+
+/// Over a rim a bound counts only within what the threshold leaves, as the lags of linear functions hold for feet
+/// within it.
+#[test]
+fn an_overrun_counts_only_within_the_threshold() {
+    const HEIGHT: f64 = 1e-3;
+    with_over(&patch(through(|s, t| DVec3::new(s, t, 0.0))), |mut over| {
+        let raised = through(|s, t| over.frame.jet.point + DVec3::new(0.1 * s, 0.1 * t, HEIGHT));
+        over.a = Piece::new([2, 2], raised.to_vec(), over.frame.jet.point, 1.0);
+        let (image, linear) = over.frame.image(&over.a).unwrap();
+        (over.image, over.linear) = (image, linear);
+        let bound = |overrun: Option<f64>| over.with_overrun(&over.linear, overrun, 1.25 * HEIGHT);
+        assert!(bound(None).is_some_and(|bound| (HEIGHT..=HEIGHT * 1.01).contains(&bound)));
+        assert!(bound(Some(0.2 * HEIGHT)).is_some_and(|bound| bound >= 1.2 * HEIGHT));
+        assert!(bound(Some(0.3 * HEIGHT)).is_none());
+    });
+}
+
 /// Jumps of points count in the overshoot and in the ranges of feet, by the function's slope.
 #[test]
 fn gaps_widen_a_placement() {
-    with_frame(&curved(), |frame, a| {
-        let (mut image, linear) = frame.image(a).unwrap();
+    with_over(&curved(), |over| {
+        let Over { frame, a, mut image, linear, .. } = over;
+        let a = &a;
         let closer = frame.closer_placement(a, &image);
         image.gap = 1e-3;
         let radius = image.parts.iter().map(|part| part.piece.radius).fold(0.0, upper_max);

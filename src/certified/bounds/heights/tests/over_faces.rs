@@ -11,13 +11,13 @@ use crate::pieces::FacePieces;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// A model's pieces, and its faces.
-struct Cut {
-    pieces: Surfaces,
+pub(super) struct Cut {
+    pub(super) pieces: Surfaces,
     faces: TrimmedFaces,
 }
 
-/// Cuts a face with polygons for loops, of (u, v).
-fn cut(surface: SurfaceArrays, loops: &[&[[f64; 2]]]) -> Cut {
+/// A face of a surface, with polygons for loops, of (u, v).
+pub(super) fn face(surface: SurfaceArrays, loops: &[&[[f64; 2]]]) -> FaceArrays {
     let side = |corners: &[[f64; 2]], k: usize| TrimCurveArrays {
         degree: 1,
         knots: vec![0.0, 0.0, 1.0, 1.0],
@@ -25,7 +25,7 @@ fn cut(surface: SurfaceArrays, loops: &[&[[f64; 2]]]) -> Cut {
         ..TrimCurveArrays::default()
     };
     let sides = |corners: &&[[f64; 2]]| (0..corners.len()).map(|k| side(corners, k)).collect();
-    let face = FaceArrays {
+    FaceArrays {
         surface,
         trim: Some(loops.iter().map(sides).collect()),
         reversed: false,
@@ -33,28 +33,40 @@ fn cut(surface: SurfaceArrays, loops: &[&[[f64; 2]]]) -> Cut {
         kind: None,
         gap: 0.0,
         gap_measured: false,
-    };
-    let model = Model::from_faces(ModelArrays { faces: vec![face], ..ModelArrays::default() }).unwrap();
+    }
+}
+
+/// Cuts faces.
+pub(super) fn cut_all(faces: Vec<FaceArrays>) -> Cut {
+    let model = Model::from_faces(ModelArrays { faces, ..ModelArrays::default() }).unwrap();
     let (pieces, untrimmed) = FacePieces::new(&model).unwrap();
     Cut { pieces: Surfaces::of(&untrimmed), faces: pieces.trimmed_faces(&model) }
+}
+
+fn cut(surface: SurfaceArrays, loops: &[&[[f64; 2]]]) -> Cut {
+    cut_all(vec![face(surface, loops)])
 }
 
 /// Half the length of the plate, and of the diagonals of its hole.
 const PLATE: f64 = 0.9;
 const HOLE: f64 = 0.4;
 
-/// A square plate at height 0 with a hole whose corners are on the axes; u and v are x and y.
+/// A square plate at height 0 with a hole whose corners are on the axes.
 fn plate() -> Cut {
+    let outer = [[-PLATE, -PLATE], [PLATE, -PLATE], [PLATE, PLATE], [-PLATE, PLATE]];
+    let hole = [[HOLE, 0.0], [0.0, -HOLE], [-HOLE, 0.0], [0.0, HOLE]];
+    cut(plane(), &[&outer, &hole])
+}
+
+/// The square [-1, 1]² at height 0; u and v are x and y.
+pub(super) fn plane() -> SurfaceArrays {
     let corners = [-1.0, 1.0].map(|x| [-1.0, 1.0].map(|y| [x, y, 0.0, 1.0]));
-    let surface = SurfaceArrays {
+    SurfaceArrays {
         degree: [1, 1],
         knots: [[-1.0, -1.0, 1.0, 1.0].to_vec(), [-1.0, -1.0, 1.0, 1.0].to_vec()],
         counts: [2, 2],
         control_points: corners.concat(),
-    };
-    let outer = [[-PLATE, -PLATE], [PLATE, -PLATE], [PLATE, PLATE], [-PLATE, PLATE]];
-    let hole = [[HOLE, 0.0], [0.0, -HOLE], [-HOLE, 0.0], [0.0, HOLE]];
-    cut(surface, &[&outer, &hole])
+    }
 }
 
 /// The distance of a point of the plane from the plate.
@@ -65,7 +77,7 @@ fn distance([x, y]: [f64; 2]) -> f64 {
 }
 
 /// The bound of A's whole patch over a cut face, or over its pieces alone.
-fn bound(a: &Surfaces, b: &Cut, over_faces: bool, threshold: f64) -> Option<f64> {
+pub(super) fn bound(a: &Surfaces, b: &Cut, over_faces: bool, threshold: f64) -> Option<f64> {
     let target = b.pieces.operand().with_faces(over_faces.then_some(&b.faces));
     let pair = Pair { a: a.operand(), b: target, transform: RigidTransform::IDENTITY };
     let nearest = NearestPoint::new(pair.b);
@@ -77,7 +89,7 @@ fn bound(a: &Surfaces, b: &Cut, over_faces: bool, threshold: f64) -> Option<f64>
 }
 
 /// A flat patch at 45° about a point, so long from its centre to its corners.
-fn flat([x, y]: [f64; 2], size: f64) -> Surfaces {
+pub(super) fn flat([x, y]: [f64; 2], size: f64) -> Surfaces {
     let place = |s: f64, t: f64| DVec3::new(x + size * (s + t - 1.0), y + size * (s - t), 0.0);
     patch(through(place))
 }

@@ -1,0 +1,19 @@
+//! The bound is attained, no point is farther, and each term is that of its lemma.
+
+mod over_faces;
+mod several_faces;
+mod terms;
+mod whole_cells;
+
+use super::fit::{Fit, ORDERS, POINTS_ALONG};
+use super::frame::Frame;
+use super::over::Over;
+use super::piece::{Piece, Values};
+use super::quadric::{Cubic, Quadric};
+use super::{Heights, rim};
+use crate::certified::bounds::UpperBound;
+use crate::certified::cell_context::CellContext;
+use crate::certified::rounding::gamma;
+use crate::certified::sheets::Chart;
+use crate::rounding::{lower_min, upper_max};
+use glam::{DVec3, Vec4Swizzles};
