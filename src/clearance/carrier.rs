@@ -127,6 +127,7 @@ impl Carrier {
 mod tests {
     use super::*;
     use crate::bezier::Patch;
+    use crate::rounding::UNIT_ROUNDOFF;
     use glam::{DQuat, DVec4};
     use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -219,6 +220,33 @@ mod tests {
         assert_attained(across.separation(&outer), 0.4);
         assert_attained(outer.separation(&across), 0.4);
         assert_eq!(cylinder(1.5, turned).separation(&outer), 0.0, "of another kind");
+    }
+
+    /// The allowance of lemma C4: 64 roundings of both reaches, with the radii of circles, and of the
+    /// distance of both centres.
+    #[test]
+    fn a_separation_is_less_by_its_rounding() {
+        let carrier = |kind: Kind, x: f64, [low, high]: [f64; 2], reach: f64| Carrier {
+            center: x * DVec3::X,
+            kind,
+            range: [low, high],
+            reach,
+        };
+        let axis = DVec3::X;
+        for (kind, lengths) in [
+            (Kind::Point, 8.0 + 3.0 + 1.0),
+            (Kind::Circle(axis, 16.0), 8.0 + 3.0 + 1.0 + 32.0),
+            (Kind::Line(axis), 8.0 + 3.0 + 1.0),
+        ] {
+            let [outer, inner] = [carrier(kind, 0.0, [7.5, 8.0], 8.0), carrier(kind, 1.0, [1.0, 2.0], 3.0)];
+            // A line that is moved along itself is the same line.
+            let shift = if matches!(kind, Kind::Line(_)) { 0.0 } else { 1.0 };
+            let rounding = 64.0 * UNIT_ROUNDOFF * lengths;
+            for found in [outer.separation(&inner), inner.separation(&outer)] {
+                let less = 7.5 - 2.0 - shift - found;
+                assert!(rounding <= less && less <= 1.1 * rounding, "{less:e} for {rounding:e}");
+            }
+        }
     }
 
     /// Tilted in the plane of its middle, a cylinder of radius 1.5 comes nearer to that of 2 by

@@ -1,5 +1,9 @@
 //! The search for the least distance, best first over pairs.
 
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests;
+
 use super::Body;
 use super::body::pair_error;
 use super::hull::{HullDistance, hull_distance};

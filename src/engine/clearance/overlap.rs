@@ -91,15 +91,7 @@ impl<'a> Solids<'a> {
         let of_a = self.a.points_of_shells().into_iter().map(|point| self.transform.apply(point));
         let of_a = of_a.map(|point| (self.b.side_within(point, self.error()), point));
         let of_b = self.b.points_of_shells().into_iter().map(|point| (self.side_of_a(point), point));
-        let mut is_known = true;
-        for (side, point) in of_a.chain(of_b) {
-            match side {
-                Side::Inside => return Some(Overlap::Contained { inside_both: point.to_array() }),
-                Side::Outside => {}
-                Side::Undecided => is_known = false,
-            }
-        }
-        is_known.then_some(Overlap::None)
+        of_sides(of_a.chain(of_b))
     }
 
     /// Returns a point inside both solids, looked for about the place where they are nearest.
@@ -143,9 +135,58 @@ impl<'a> Solids<'a> {
     }
 }
 
+/// Returns the overlap of solids whose boundaries are apart, by points of all shells of both with
+/// their sides of the other solid; `None` if a side is not known and no point is inside.
+fn of_sides(mut sides: impl Iterator<Item = (Side, DVec3)>) -> Option<Overlap> {
+    let mut is_known = true;
+    let inside = sides.find(|&(side, _)| {
+        is_known &= side != Side::Undecided;
+        side == Side::Inside
+    });
+    match inside {
+        Some((_, point)) => Some(Overlap::Contained { inside_both: point.to_array() }),
+        None => is_known.then_some(Overlap::None),
+    }
+}
+
 /// Returns points of a patch about these parameters, with their normals.
 fn around(patch: &Patch<'_>, at: [f64; 2]) -> Vec<(DVec3, Option<DVec3>)> {
     let steps = STEPS.iter().flat_map(|&step| DIRECTIONS.map(|direction| direction.map(|part| step * part)));
     let places = steps.map(|step| [0, 1].map(|axis| (at[axis] + step[axis]).clamp(0.0, 1.0)));
     places.map(|place| patch.jet(place)).map(|jet| (jet.point, jet.normal())).collect()
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::shapes::sphere;
+    use glam::DQuat;
+
+    #[test]
+    fn solids_are_apart_only_if_the_side_of_every_shell_is_known() {
+        let of = |sides: &[Side]| {
+            let point = |index: usize| DVec3::splat(index as f64);
+            of_sides(sides.iter().enumerate().map(|(index, &side)| (side, point(index))))
+        };
+        let inside = |index: f64| Some(Overlap::Contained { inside_both: [index; 3] });
+        assert_eq!(of(&[Side::Outside, Side::Outside]), Some(Overlap::None));
+        assert_eq!(of(&[Side::Outside, Side::Undecided]), None);
+        assert_eq!(of(&[Side::Undecided, Side::Outside]), None);
+        assert_eq!(of(&[Side::Outside, Side::Inside]), inside(1.0));
+        assert_eq!(of(&[Side::Undecided, Side::Outside, Side::Inside]), inside(2.0));
+    }
+
+    /// Moved back by 1e8, a point is known up to 65 u (1e8 + 1e8), about 1.4e-6 (lemma R2).
+    #[test]
+    fn a_point_has_a_side_of_a_moved_solid_only_beyond_the_rounding_of_the_motion() {
+        let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap()).unwrap();
+        let offset = 1e8 * DVec3::X;
+        let transform = RigidTransform::new(DQuat::IDENTITY, offset).unwrap();
+        let solids = Solids::new([&ball, &ball], transform, 2.0).unwrap();
+        let side = |radius: f64| solids.side_of_a(offset + radius * DVec3::new(0.48, 0.6, 0.64));
+        assert_eq!([0.99, 1.0 - 1e-5].map(side), [Side::Inside; 2]);
+        assert_eq!([1.01, 1.0 + 1e-5].map(side), [Side::Outside; 2]);
+        assert_eq!([1.0 - 5e-7, 1.0 + 5e-7].map(side), [Side::Undecided; 2]);
+    }
 }

@@ -5,7 +5,7 @@ use super::clearance::{assert_clearance, clearance, pose};
 use super::solids::{cube, together};
 use glam::DVec3;
 use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
-use nurbs_hausdorff::{ClearanceOptions, Model, Overlap, RigidTransform};
+use nurbs_hausdorff::{ClearanceOptions, Model, Overlap, RigidTransform, SurfaceArrays};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 fn boxed(half: f64) -> Model {
@@ -57,6 +57,7 @@ fn boxes_nested_touching_and_crossing() {
     assert_clearance("edge on face", &other, &one, at(1.0 + 0.5_f64.sqrt(), FRAC_PI_4), 0.0);
     assert_clearance("crossing", &other, &one, at(1.2, 0.3), 0.0);
     assert!(matches!(overlap(&other, &one, at(0.2, 0.0)), Some(Overlap::Contained { .. })));
+    assert!(matches!(overlap(&one, &other, at(0.2, 0.0)), Some(Overlap::Contained { .. })));
     assert_eq!(overlap(&other, &one, at(1.5, 0.0)), Some(Overlap::Touching));
     assert!(matches!(overlap(&other, &one, at(1.2, 0.3)), Some(Overlap::Intersecting { .. })));
     assert_eq!(overlap(&other, &one, at(1.6, 0.0)), Some(Overlap::None));
@@ -128,6 +129,34 @@ fn cylinders_through_a_body_intersect_it() {
             let decided =
                 clearance(pin, &body, &ClearanceOptions { transform, limit, ..ClearanceOptions::default() });
             assert_eq!(decided.at_least, Some(false), "{name}");
+        }
+    }
+}
+
+/// Two boxes that have a face each in one surface, which jumps from one to the other: one of them
+/// is far off, the other in a larger box.
+#[test]
+fn bodies_that_share_a_surface_each_have_a_side() {
+    let far = pose([0.0, 0.0, 1.0], 0.0, [10.0, 0.0, 0.0]);
+    let arrays = |model: &Model| -> Vec<_> {
+        model.surfaces().iter().map(|surface| surface.clone().into_arrays()).collect()
+    };
+    let (near, away) = (arrays(&boxed(0.5)), arrays(&moved(&boxed(0.5), &far)));
+    let jump = vec![0.0, 0.0, 1.0, 1.0, 2.0, 2.0];
+    for is_near_first in [true, false] {
+        let [one, two] = if is_near_first { [&near, &away] } else { [&away, &near] };
+        let mut shared = one[4].clone();
+        shared.knots[0] = jump.clone();
+        shared.counts[0] = 4;
+        shared.control_points.extend(&two[4].control_points);
+        let rest = |faces: &[SurfaceArrays]| [&faces[..4], &faces[5..]].concat();
+        for faces in [[vec![shared.clone()], rest(one), rest(two)], [rest(one), rest(two), vec![shared]]] {
+            let both = Model::from_arrays(None, faces.concat()).unwrap();
+            let found = overlap(&both, &boxed(1.0), RigidTransform::IDENTITY);
+            let Some(Overlap::Contained { inside_both }) = found else { panic!("{found:?}") };
+            assert!(inside_both.iter().all(|coordinate| coordinate.abs() <= 0.5), "{inside_both:?}");
+            let apart = pose([0.0, 0.0, 1.0], 0.0, [0.0, 5.0, 0.0]);
+            assert_eq!(overlap(&both, &boxed(1.0), apart), Some(Overlap::None));
         }
     }
 }
