@@ -105,12 +105,8 @@ impl SignRule<'_> {
         if distance <= boundary.margin_at(point) {
             return 0.0;
         }
-        match side(boundary, target, point, boundary.clear_radius(clear), known) {
-            Side::Inside => -distance,
-            Side::Outside => distance,
-            Side::Undecided if distance <= boundary.reach() => 0.0,
-            Side::Undecided => f64::NAN,
-        }
+        let side = side(boundary, target, point, boundary.clear_radius(clear), known);
+        with_sign(side, distance, boundary.reach())
     }
 
     /// Returns the distance, negative behind the normal, as [`Signs::Faces`] states.
@@ -131,6 +127,17 @@ impl SignRule<'_> {
     }
 }
 
+/// Returns the distance of a point on this side, as [`Signs::Solid`] states; edges are joined up to
+/// `reach`.
+fn with_sign(side: Side, distance: f64, reach: f64) -> f64 {
+    match side {
+        Side::Inside => -distance,
+        Side::Outside => distance,
+        Side::Undecided if distance <= reach => 0.0,
+        Side::Undecided => f64::NAN,
+    }
+}
+
 /// Returns the side of a point about which a ball of this radius has no points of the model.
 ///
 /// The side does not change within a set without points of the boundary, so that balls that overlap
@@ -147,4 +154,18 @@ fn side(boundary: &Boundary, target: &Target, point: DVec3, radius: f64, known: 
         known.0 = Some(Ball { center: point, radius: if radius > 0.0 { radius } else { 0.0 }, side });
     }
     side
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_without_a_side_is_on_the_boundary_or_has_no_sign() {
+        let signed = |side: Side, distance: f64| with_sign(side, distance, 0.25);
+        assert_eq!([signed(Side::Inside, 0.5), signed(Side::Outside, 0.5)], [-0.5, 0.5]);
+        assert_eq!([signed(Side::Inside, 0.125), signed(Side::Outside, 0.125)], [-0.125, 0.125]);
+        assert_eq!(signed(Side::Undecided, 0.25), 0.0);
+        assert!(signed(Side::Undecided, 0.26).is_nan());
+    }
 }

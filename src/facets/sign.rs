@@ -107,4 +107,23 @@ mod tests {
         }
         assert!(inside > 200, "{inside}");
     }
+
+    /// Two triangles on both sides of an edge, turned so that their normals are rounded: oriented
+    /// against each other they have no normal on it, however the sum of both is rounded.
+    #[test]
+    fn normals_that_cancel_but_for_rounding_have_no_sum() {
+        for turn in 1..40 {
+            let rotation =
+                glam::DQuat::from_axis_angle(DVec3::new(1.0, -2.0, 0.5).normalize(), 0.1 * f64::from(turn));
+            let vertices = [DVec3::ZERO, DVec3::Y, DVec3::new(1.0, 0.3, 0.0), DVec3::new(-1.0, 0.4, 0.0)]
+                .map(|vertex| rotation * vertex);
+            let normal = |other: [u32; 3]| {
+                let mesh = TriangleMesh::new(&vertices, &[[0, 1, 2], other]).unwrap();
+                FacetTarget::of_mesh(&mesh).pseudonormal(0.5 * vertices[1])
+            };
+            assert_eq!(normal([0, 1, 3]), None, "{turn}");
+            let along = normal([1, 0, 3]).unwrap().normalize();
+            assert!(along.distance(rotation * DVec3::NEG_Z) < 1e-12, "{along}");
+        }
+    }
 }

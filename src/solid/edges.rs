@@ -96,3 +96,47 @@ fn edge(patch: &Patch<'_>, axis: usize, end: usize) -> Curve {
     };
     Curve { center: patch.center, controls }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::bezier::extract;
+    use crate::model::{Model, SurfaceArrays};
+
+    /// Two squares in one surface, between which it continues, or jumps over a crack.
+    #[test]
+    fn a_surface_ends_where_it_jumps() {
+        let count = |ends: &[f64], knots: &[f64]| {
+            let row = |&x: &f64| [[x, 0.0, 0.0, 1.0], [x, 1.0, 0.0, 1.0]];
+            let arrays = SurfaceArrays {
+                degree: [1, 1],
+                knots: [knots.to_vec(), vec![0.0, 0.0, 1.0, 1.0]],
+                counts: [ends.len(), 2],
+                control_points: ends.iter().flat_map(row).collect(),
+            };
+            edges(&extract(&Model::from_arrays(None, vec![arrays]).unwrap())).len()
+        };
+        assert_eq!(count(&[0.0, 1.0, 2.0], &[0.0, 0.0, 1.0, 2.0, 2.0]), 6);
+        assert_eq!(count(&[0.0, 1.0, 1.5, 2.5], &[0.0, 0.0, 1.0, 1.0, 2.0, 2.0]), 8);
+    }
+
+    /// A tetrahedron has six edges of two triangles; without one of these three are single. A sliver
+    /// with two equal corners has two equal edges, which cancel.
+    #[test]
+    fn edges_of_one_triangle_are_single() {
+        let [a, b, c, d] = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+        let counts = |triangles: &[[DVec3; 3]]| {
+            let edges = Edges::of_triangles(triangles.iter().copied());
+            assert_eq!(edges.surfaces, triangles.len());
+            [edges.equal.len(), edges.single.len()]
+        };
+        let faces = [[a, b, c], [a, b, d], [a, c, d], [b, c, d]];
+        assert_eq!(counts(&faces), [6, 0]);
+        assert_eq!(counts(&faces[..3]), [3, 3]);
+        assert_eq!(counts(&[[a, b, b]]), [1, 0]);
+        let single = Edges::of_triangles(faces[..1].iter().copied()).single;
+        let ends: Vec<[DVec3; 2]> = single.iter().map(|edge| edge.curve.ends()).collect();
+        assert_eq!(ends, [[a, b], [b, c], [c, a]]);
+    }
+}

@@ -267,3 +267,69 @@ fn in_one_direction([a, b]: [EdgePart; 2]) -> [EdgePart; 2] {
     let b = EdgePart { curve: b.curve.reversed(), ..b };
     [a, b]
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::rounding::UNIT_ROUNDOFF;
+
+    fn edge(surface: usize, points: &[[f64; 3]]) -> Edge {
+        let controls = points.iter().map(|&point| DVec3::from_array(point).extend(1.0)).collect();
+        Edge { surface, curve: Curve { center: DVec3::ZERO, controls } }
+    }
+
+    fn boundary(single: Vec<Edge>, gap: f64) -> Boundary {
+        let surfaces = single.len();
+        let control_box = single.iter().flat_map(|edge| edge.curve.points()).fold(Aabb::EMPTY, Aabb::with);
+        let edges = Edges { surfaces, equal: Vec::new(), single };
+        Boundary::new(edges, PointError::default(), &control_box, gap, 1)
+    }
+
+    /// A straight edge and one that rises to a height of 0.1 between the same ends.
+    #[test]
+    fn edges_whose_middles_are_far_apart_stay_free() {
+        let [start, end] = [[0.0; 3], [1.0, 0.0, 0.0]];
+        let edges = || vec![edge(0, &[start, end]), edge(1, &[start, [0.5, 0.2, 0.0], end])];
+        for (gap, free) in [(0.0, 2), (0.09, 2), (0.11, 0)] {
+            let found = boundary(edges(), gap);
+            assert_eq!((found.free_edges().len(), found.is_closed()), (free, free == 0), "{gap}");
+        }
+    }
+
+    /// A loop and its copy that runs the other way round are joined by strips without width.
+    #[test]
+    fn closed_edges_are_joined_whichever_way_they_run() {
+        let mut points = vec![[0.0; 3], [2.0, -1.0, 0.0], [2.0, 3.0, 0.0], [-1.0, 2.0, 0.0], [0.0; 3]];
+        let one = edge(0, &points);
+        points.reverse();
+        let found = boundary(vec![one, edge(1, &points)], 0.0);
+        assert!(found.is_closed());
+        let thickness = 1.0 - found.clear_radius(1.0);
+        assert!(thickness < 2.5 * RELATIVE_RADIUS * 5.0, "{thickness}");
+    }
+
+    /// The terms of m in lemma S3, each where the others vanish or are subtracted, and twice the sum
+    /// in the radius of balls without points (lemma S4).
+    #[test]
+    fn the_margin_has_the_terms_of_the_lemma() {
+        let margin = |aabb: Aabb, deviation: f64, max_degree: usize| {
+            let mut error = PointError::default();
+            error.include_deviation(deviation);
+            let edges = Edges { surfaces: 1, ..Edges::default() };
+            let found = Boundary::new(edges, error, &aabb, 0.0, max_degree);
+            assert_eq!(found.clear_radius(1.0), 1.0 - 2.0 * found.margin);
+            found.margin
+        };
+        let is_near = |found: f64, expected: f64| {
+            assert!(expected <= found && found <= 1.02 * expected, "{found:e} for {expected:e}");
+        };
+        let corner = DVec3::new(3.0, 0.0, 4.0);
+        let [origin, point] = [DVec3::ZERO, corner].map(|at| Aabb { min: at, max: at });
+        is_near(margin(origin, 0.25, 3), 0.5);
+        is_near(margin(point, 0.0, 3), UNIT_ROUNDOFF * 64.0 * 5.0);
+        // With as many halvings as a patch may take, H = 64.
+        let both = Aabb { min: -corner, max: corner };
+        let halvings = margin(both, 0.0, 3) - margin(point, 0.0, 3);
+        is_near(halvings, UNIT_ROUNDOFF * 2.0 * 64.0 * 3.0 * 10.0);
+    }
+}

@@ -66,3 +66,44 @@ fn angle(jet: &Jet, parameters: [f64; 2]) -> f64 {
         _ => PI,
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::bezier::extract;
+    use crate::model::{Model, SurfaceArrays};
+    use glam::DQuat;
+
+    /// Two halves of a square, turned so that their normals are rounded: oriented against each other
+    /// they have no normal on their common edge, however the sum of both is rounded.
+    #[test]
+    fn normals_that_cancel_but_for_rounding_have_no_sum() {
+        for turn in 1..40 {
+            let rotation =
+                DQuat::from_axis_angle(DVec3::new(1.0, -2.0, 0.5).normalize(), 0.1 * f64::from(turn));
+            let half = |x: f64, rows: [f64; 2]| {
+                let control = |x: f64, y: f64| {
+                    let point = rotation * DVec3::new(x, y, 0.0);
+                    [point.x, point.y, point.z, 1.0]
+                };
+                let knots = vec![0.0, 0.0, 1.0, 1.0];
+                let control_points = rows.iter().flat_map(|&y| [control(0.0, y), control(x, y)]).collect();
+                SurfaceArrays {
+                    degree: [1, 1],
+                    knots: [knots.clone(), knots],
+                    counts: [2, 2],
+                    control_points,
+                }
+            };
+            let normal = |other: [f64; 2]| {
+                let model = Model::from_arrays(None, vec![half(1.0, [0.0, 1.0]), half(-1.0, other)]).unwrap();
+                let target = Target::new(extract(&model).patches);
+                pseudonormal(&target, rotation * DVec3::new(0.0, 0.5, 0.0), 1e-9)
+            };
+            assert_eq!(normal([0.0, 1.0]), None, "{turn}");
+            let along = normal([1.0, 0.0]).unwrap();
+            assert!(along.distance(rotation * DVec3::NEG_Z) < 1e-12, "{along}");
+        }
+    }
+}

@@ -84,10 +84,10 @@ impl Ray {
         let [low, high] = points.fold(none, |[low, high], point| {
             let height = normal.dot(point);
             // Points that overflowed may be anywhere.
-            if height.is_nan() {
-                [f64::NEG_INFINITY, f64::INFINITY]
-            } else {
+            if height.is_finite() {
                 [low.min(height), high.max(height)]
+            } else {
+                [f64::NEG_INFINITY, f64::INFINITY]
             }
         });
         // A height has at most √3 times the error of a coordinate, and its own rounding.
@@ -141,5 +141,116 @@ impl Range {
         let sums = self.diagonals.iter().any(|&[low, high]| low > 2.0 * margin || high < -2.0 * margin);
         let [low, high] = [self.low, self.high];
         sums || low.x > margin || high.x < -margin || low.y > margin || high.y < -margin
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    const MARGIN: f64 = 1e-3;
+
+    fn along_z() -> Ray {
+        Ray::new(DVec3::ZERO, DVec3::Z, MARGIN)
+    }
+
+    fn segment() -> Ray {
+        Ray::segment(DVec3::ZERO, 5.0 * DVec3::Z, MARGIN)
+    }
+
+    fn range(points: &[DVec3]) -> Range {
+        Range::of(points.iter().copied())
+    }
+
+    /// Long hulls beside the axis, whose least distance from it is along x, along y or between both,
+    /// where a sum of two coordinates has twice the error of one (lemma S3).
+    #[test]
+    fn a_hull_lies_beside_a_ray_only_beyond_the_margin() {
+        for sign in [1.0, -1.0] {
+            for (toward, limit) in [
+                (DVec3::X, MARGIN),
+                (DVec3::Y, MARGIN),
+                (DVec3::new(0.5, 0.5, 0.0), 2.0 * MARGIN),
+                (DVec3::new(0.5, -0.5, 0.0), 2.0 * MARGIN),
+            ] {
+                let across = DVec3::Z.cross(toward);
+                let is_beside = |distance: f64| {
+                    let nearest = sign * distance * toward + DVec3::Z;
+                    segment().is_beside(&range(&[nearest - 9.0 * across, nearest + 9.0 * across]))
+                };
+                assert!(!is_beside(0.99 * limit), "{toward} {sign}");
+                assert!(is_beside(1.01 * limit), "{toward} {sign}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_hull_lies_ahead_behind_or_beyond_only_past_the_margin() {
+        let about = |low: f64, high: f64| range(&[DVec3::new(-1.0, -1.0, low), DVec3::new(1.0, 1.0, high)]);
+        for (low, high, is_ahead) in [
+            (1.01 * MARGIN, 5.0 - 1.01 * MARGIN, true),
+            (0.99 * MARGIN, 4.0, false),
+            (1.0, 5.0 - 0.99 * MARGIN, false),
+        ] {
+            assert_eq!(segment().is_ahead(&about(low, high)), is_ahead, "{low} to {high}");
+        }
+        assert!(along_z().is_ahead(&about(1.01 * MARGIN, 1e9)));
+        for (low, high, is_beside) in [
+            (-1.0, -1.01 * MARGIN, true),
+            (-1.0, -0.99 * MARGIN, false),
+            (5.0 + 1.01 * MARGIN, 9.0, true),
+            (5.0 + 0.99 * MARGIN, 9.0, false),
+        ] {
+            assert_eq!(segment().is_beside(&about(low, high)), is_beside, "{low} to {high}");
+        }
+    }
+
+    /// Boxes within the margin of a segment are looked at, whichever side they lie on.
+    #[test]
+    fn boxes_within_the_margin_are_met() {
+        for (toward, start) in [
+            (DVec3::X, DVec3::Z),
+            (DVec3::NEG_X, DVec3::Z),
+            (DVec3::Y, DVec3::Z),
+            (DVec3::NEG_Y, DVec3::Z),
+            (DVec3::NEG_Z, DVec3::ZERO),
+            (DVec3::Z, 5.0 * DVec3::Z),
+        ] {
+            let count = |distance: f64| {
+                let center = start + (distance + 0.5) * toward;
+                let aabb = Aabb { min: center - 0.5, max: center + 0.5 };
+                segment().leaves(&Bvh::new(&[aabb])).len()
+            };
+            assert_eq!([0.99 * MARGIN, 1.01 * MARGIN].map(count), [1, 0], "{toward}");
+        }
+    }
+
+    /// A point that overflowed may be anywhere, so that nothing is known of a hull with it.
+    #[test]
+    fn points_that_overflowed_lie_nowhere() {
+        let (aside, ahead) = (DVec3::new(9.0, 9.0, 1.0), DVec3::new(0.0, 0.0, 1.0));
+        for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for axis in 0..3 {
+                let with_wrong = |mut point: DVec3| {
+                    let sound = point;
+                    point[axis] = wrong;
+                    range(&[sound, point, sound])
+                };
+                assert!(!segment().is_beside(&with_wrong(aside)), "{wrong} of {axis}");
+                assert!(!segment().is_ahead(&with_wrong(ahead)), "{wrong} of {axis}");
+                let mut point = ahead;
+                point[axis] = wrong;
+                for ray in [along_z(), segment()] {
+                    for normal in [DVec3::X, DVec3::Y, DVec3::Z, DVec3::NEG_Z, DVec3::ONE.normalize()] {
+                        let sound = ahead + normal;
+                        let found = ray.beyond_plane(normal, [sound, point].into_iter());
+                        assert!(
+                            point.dot(normal).is_finite() || found.is_none(),
+                            "{wrong} of {axis} along {normal}: {found:?}"
+                        );
+                    }
+                }
+            }
+        }
     }
 }

@@ -95,3 +95,64 @@ fn direction(index: u64) -> DVec3 {
     let radius = (1.0 - z * z).sqrt();
     DVec3::new(radius * cos, radius * sin, z).normalize()
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::bezier::extract;
+    use crate::model::{Model, SurfaceArrays};
+    use crate::rounding::UNIT_ROUNDOFF;
+    use crate::solid::Edges;
+
+    /// The first faces of the cube [-1, 1]³.
+    fn cube(faces: usize) -> (Target, Boundary) {
+        let face = |index: usize| {
+            let end = [-1.0, 1.0][index % 2];
+            let corner = |[a, b]: [f64; 2]| {
+                let mut point = DVec3::new(end, a, b);
+                (0..index / 2).for_each(|_| point = DVec3::new(point.z, point.x, point.y));
+                [point.x, point.y, point.z, 1.0]
+            };
+            let knots = vec![0.0, 0.0, 1.0, 1.0];
+            let control_points = [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]].map(corner).to_vec();
+            SurfaceArrays { degree: [1, 1], knots: [knots.clone(), knots], counts: [2, 2], control_points }
+        };
+        let model = Model::from_arrays(None, (0..faces).map(face).collect()).unwrap();
+        let (bezier, control_box) = (extract(&model), model.bounding_box());
+        let edges = Edges::of_surfaces(&bezier);
+        let boundary = Boundary::new(edges, bezier.point_error, &control_box, 0.0, 1);
+        (Target::new(bezier.patches), boundary)
+    }
+
+    /// A point that is known up to an error has a side only if all points as near have it. Heights
+    /// above a face count beyond twice the margin.
+    #[test]
+    fn the_error_of_a_point_counts() {
+        let (target, boundary) = cube(6);
+        for (x, side) in [(1.001, Side::Outside), (0.999, Side::Inside)] {
+            for (error, expected) in [(0.0, side), (0.45e-3, side), (1.1e-3, Side::Undecided)] {
+                let found = boundary.side(&target, DVec3::new(x, 0.2, -0.3), error);
+                assert_eq!(found, expected, "{x} within {error}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_model_that_is_open_has_no_sides() {
+        let (target, boundary) = cube(5);
+        assert_eq!(boundary.free_edges().len(), 4);
+        assert_eq!(boundary.side(&target, DVec3::ZERO, 0.0), Side::Undecided);
+        let (target, boundary) = cube(6);
+        assert_eq!(boundary.side(&target, DVec3::ZERO, 0.0), Side::Inside);
+    }
+
+    /// The last term of m in lemma S3, that of the point's own length.
+    #[test]
+    fn the_margin_grows_with_the_distance_from_the_origin() {
+        let (_, boundary) = cube(6);
+        let found = boundary.margin_at(1e9 * DVec3::new(0.6, 0.0, 0.8)) - boundary.margin_at(DVec3::ZERO);
+        let expected = UNIT_ROUNDOFF * 64.0 * 1e9;
+        assert!(expected <= found && found <= 1.02 * expected, "{found:e}");
+    }
+}

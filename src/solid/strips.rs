@@ -119,3 +119,57 @@ impl Curve {
         })
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    fn line(start: [f64; 3], end: [f64; 3]) -> Curve {
+        let controls = [start, end].map(|point| DVec3::from_array(point).extend(1.0)).to_vec();
+        Curve { center: DVec3::ZERO, controls }
+    }
+
+    fn upwards(x: f64, y: f64) -> Ray {
+        Ray::new(DVec3::new(x, y, 0.0), DVec3::Z, 1e-9)
+    }
+
+    /// A cone over the points of a corner is within their extent of each.
+    #[test]
+    fn a_corner_is_as_thick_as_its_points_are_apart() {
+        let mut covering = Covering::default();
+        covering.add_corner(vec![DVec3::ONE, DVec3::ONE + DVec3::new(3.0, 0.0, 4.0)]);
+        covering.add_corner(vec![DVec3::ZERO]);
+        assert_eq!(covering.thickness, 5.0);
+    }
+
+    #[test]
+    fn a_ray_through_the_hull_of_a_corner_does_not_avoid_it() {
+        let corner =
+            Strip::Corner([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 2.0)).to_vec());
+        assert!(!corner.is_avoided(&upwards(0.3, 0.3)));
+        assert!(corner.is_avoided(&upwards(-0.1, 0.3)));
+        assert!(corner.is_avoided(&upwards(0.6, 0.6)));
+    }
+
+    /// Two edges with a ray between them, far from both.
+    #[test]
+    fn a_ray_between_two_partners_does_not_avoid_their_strip() {
+        let curves = [line([-1.0, -3.0, 2.0], [-1.0, 3.0, 2.0]), line([1.0, -3.0, 2.5], [1.0, 3.0, 2.5])];
+        let strip = Strip::Pair(curves);
+        assert!(!strip.is_avoided(&upwards(0.0, 0.1)));
+        assert!(strip.is_avoided(&upwards(1.1, 0.1)) && strip.is_avoided(&upwards(0.0, 3.1)));
+        let aabb = strip.bounding_box();
+        assert_eq!([aabb.min, aabb.max], [DVec3::new(-1.0, -3.0, 2.0), DVec3::new(1.0, 3.0, 2.5)]);
+        let leaves = upwards(1.0, 0.1).leaves(&crate::bvh::Bvh::new(&[aabb]));
+        assert_eq!(leaves.len(), 1, "the box has both curves");
+    }
+
+    /// The points of a strip are within twice its tube of both curves (lemma S1).
+    #[test]
+    fn a_strip_is_twice_as_thick_as_its_tube() {
+        let mut covering = Covering::default();
+        let curves = [line([0.0; 3], [1.0, 0.0, 0.0]), line([0.0, 0.25, 0.0], [1.0, 0.25, 0.0])];
+        covering.add_pair(curves, 0.5, 0);
+        assert_eq!(covering.thickness, 0.5);
+    }
+}

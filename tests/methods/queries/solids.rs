@@ -4,7 +4,9 @@ use glam::DVec3;
 use nurbs_hausdorff::internals::engine::{Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::part;
 use nurbs_hausdorff::shapes::{cone, cylinder, sphere, torus};
-use nurbs_hausdorff::{DeviationField, FieldOptions, Model, NurbsSurface, Side, Signs, SurfaceArrays};
+use nurbs_hausdorff::{
+    ClosestPointOptions, DeviationField, FieldOptions, Model, NurbsSurface, Side, Signs, SurfaceArrays,
+};
 
 /// Numbers in [0, 1) from a seed, by SplitMix64.
 struct Random(u64);
@@ -227,8 +229,13 @@ fn cracks_within_the_gap_close() {
         if closed {
             assert_eq!(model.side([0.3, 0.1, 0.9]), Side::Inside);
             assert_eq!(model.side([1.0, 1.0, 1.1]), Side::Outside);
-            // In the crack no ray is certain.
-            assert_eq!(model.side([1.0, 0.1, 1.0 + 0.5 * crack]), Side::Undecided);
+            // In the crack no ray is certain, and the deviation is 0.
+            let between = [1.0, 0.1, 1.0 + 0.5 * crack];
+            assert_eq!(model.side(between), Side::Undecided);
+            let options = ClosestPointOptions::default();
+            let found = Engine::cpu().closest_points(&model, &between, &options).wait().unwrap();
+            assert_eq!((found.signs, found.signed[0]), (Signs::Solid, 0.0));
+            assert!((found.distances[0] - 0.5 * crack).abs() < 1e-12);
         }
     }
 }
