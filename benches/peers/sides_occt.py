@@ -1,15 +1,18 @@
 """Compares the sides of points with winding numbers and with OpenCASCADE's BRepClass3d_SolidClassifier.
 
-    python3 benches/peers/sides_occt.py points FOLDER
+    python3 benches/peers/sides_occt.py points FOLDER [SEED]
     cargo bench --bench sides -- FOLDER/*
-    python3 benches/peers/sides_occt.py compare FOLDER
+    python3 benches/peers/sides_occt.py compare FOLDER [SECONDS [DEFLECTION]]
 
 Needs cadquery-ocp, libigl and numpy. FOLDER has STEP files. `points` writes to target/sides 10,000 random points of
 each box, and 10,000 at 1e-7 to 1e-1 of the diagonal from vertices and edges: on the normals of their faces, on
 the bisectors of these, and on lines from random points through them. `compare` prints how many points the
-bench put on another side than the oracle: where OpenCASCADE's triangles (deflection 1e-5 of the diagonal) are
-farther off than ten deflections their winding number, nearer ones its classifier, for up to eight seconds a file;
-nearer than the gap of the file's faces, which it closes in another way, either side may be right.
+bench put on another side than the oracle: where OpenCASCADE's triangles (DEFLECTION is a part of the diagonal, 1e-5 if
+not given) are farther off than ten deflections their winding number, nearer ones its classifier, for up to SECONDS a
+file, eight if not given; nearer than the gap of the file's faces, which it closes in another way, either side may be
+right. Points that the classifier puts on the boundary, for the tolerance that the file's edges get, are judged by the
+winding number if they are farther from the faces than the gap and from the triangles than two deflections; the last
+columns have how many of the others there are, and how many of these beyond the gap.
 """
 
 import sys
@@ -28,16 +31,24 @@ from OCP.BRepExtrema import BRepExtrema_DistShapeShape
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
 from OCP.gp import gp_Pnt, gp_Vec
 from OCP.STEPControl import STEPControl_Reader
-from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_IN, TopAbs_ON, TopAbs_REVERSED, TopAbs_SOLID, TopAbs_VERTEX
+from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_IN, TopAbs_ON, TopAbs_OUT, TopAbs_REVERSED, TopAbs_SOLID, TopAbs_VERTEX
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS, TopoDS_Compound
 from OCP.TopTools import TopTools_ShapeMapHasher
 
 POINTS = 10_000
+SEED = 30
 DEFLECTION = 1e-5
-NEAR = 10 * DEFLECTION
+# Nearer than so many deflections the triangles do not decide.
+NEAR = 10
 OPENCASCADE_SECONDS = 8
+
+# About so many of the undecided points are measured from the faces, which takes tens of milliseconds each.
+MEASURED = 200
+
+# The distance up to which the classifier puts a point on the boundary: far below those of the points.
+ON_BOUNDARY = 1e-9
 FOLDER = Path("target/sides")
 
 
@@ -103,9 +114,9 @@ def places(shape, random):
     return found
 
 
-def write_points(path, shape):
+def write_points(path, shape, seed=SEED):
     """Writes the points of a shape for the bench: first random ones, then those beside edges and corners."""
-    random = np.random.default_rng(30)
+    random = np.random.default_rng(seed)
     low, high = box_of(shape)
     size = np.linalg.norm(high - low)
     lines = [(low + (high - low) * (1.1 * random.random(3) - 0.05), "random") for _ in range(POINTS)]
@@ -147,7 +158,27 @@ def triangles(shape, deflection):
     return np.array(points), np.array(corners)
 
 
-def compare(path, shape):
+def off(point, faces):
+    """The distance of a point from faces."""
+    return BRepExtrema_DistShapeShape(BRepBuilderAPI_MakeVertex(gp_Pnt(*point)).Vertex(), faces).Value()
+
+
+class Classifier:
+    """The classifier of a solid, which is asked only for points in its box."""
+
+    def __init__(self, solid):
+        self.low, self.high = box_of(solid)
+        self.solid = BRepClass3d_SolidClassifier(solid)
+
+    def state(self, point):
+        reach = ON_BOUNDARY + 1e-3 * np.max(self.high - self.low)
+        if np.any(point < self.low - reach) or np.any(point > self.high + reach):
+            return TopAbs_OUT
+        self.solid.Perform(gp_Pnt(*point), ON_BOUNDARY)
+        return self.solid.State()
+
+
+def compare(path, shape, seconds=OPENCASCADE_SECONDS, deflection=DEFLECTION):
     gap, *lines = (FOLDER / f"{path.stem}.txt").read_text().splitlines()
     gap, rows = float(gap.split()[1]), [line.split() for line in lines]
     if not rows:
@@ -157,60 +188,62 @@ def compare(path, shape):
     sides = [row[-1] for row in rows]
     low, high = box_of(shape)
     size = np.linalg.norm(high - low)
-    vertices, corners = triangles(shape, DEFLECTION * size)
+    vertices, corners = triangles(shape, deflection * size)
     apart = np.sqrt(igl.point_mesh_squared_distance(points, vertices, corners)[0])
     winding = igl.fast_winding_number(vertices, corners, points)
     faces, builder = TopoDS_Compound(), BRep_Builder()
     builder.MakeCompound(faces)
     for face in explored(shape, TopAbs_FACE):
         builder.Add(faces, face)
-    classifiers = [BRepClass3d_SolidClassifier(solid) for solid in explored(shape, TopAbs_SOLID)]
-    counts = dict(far=0, near=0, unchecked=0, in_gap=0, wrong=0, undecided=0)
-    farthest, started = 0.0, time.process_time()
+    classifiers = [Classifier(solid) for solid in explored(shape, TopAbs_SOLID)]
+    counts = dict(far=0, near=0, unchecked=0, in_gap=0, wrong=0, on=0, on_beyond=0)
+    undecided = points[[side == "Undecided" for side in sides]]
+    of_undecided = [off(point, faces) for point in undecided[:: len(undecided) // MEASURED + 1]]
+    started = time.process_time()
     for point, side, distance, number in zip(points, sides, apart, winding, strict=True):
         if side == "Undecided":
-            counts["undecided"] += 1
-            farthest = max(farthest, distance)
             continue
-        if distance > NEAR * size:
+        if distance > NEAR * deflection * size:
             # The winding number of solids in voids of others is not above 1 either.
             inside = round(number) % 2 == 1
             counts["far"] += 1
-        elif time.process_time() - started > OPENCASCADE_SECONDS:
+        elif time.process_time() - started > seconds:
             counts["unchecked"] += 1
             continue
         else:
-            states = []
-            for classifier in classifiers:
-                classifier.Perform(gp_Pnt(*point), 1e-9)
-                states.append(classifier.State())
-            if TopAbs_ON in states:
-                counts["unchecked"] += 1
+            states = [classifier.state(point) for classifier in classifiers]
+            if TopAbs_ON not in states:
+                inside = sum(state == TopAbs_IN for state in states) % 2 == 1
+                counts["near"] += 1
+            elif off(point, faces) > gap and distance > 2 * deflection * size:
+                inside = round(number) % 2 == 1
+                counts["far"] += 1
+            else:
+                counts["on"] += 1
+                counts["on_beyond"] += off(point, faces) > gap
                 continue
-            inside = sum(state == TopAbs_IN for state in states) % 2 == 1
-            counts["near"] += 1
         if inside != (side == "Inside"):
-            vertex = BRepBuilderAPI_MakeVertex(gp_Pnt(*point)).Vertex()
-            off = BRepExtrema_DistShapeShape(vertex, faces).Value()
-            counts["in_gap" if off <= gap else "wrong"] += 1
-            print(f"{path.name}: {point.tolist()} {side}, {off:.2e} from the faces, winding {number:.4f}", file=sys.stderr)
+            apart_exactly = off(point, faces)
+            counts["in_gap" if apart_exactly <= gap else "wrong"] += 1
+            print(f"{path.name}: {point.tolist()} {side}, {apart_exactly:.2e} from the faces, winding {number:.4f}", file=sys.stderr)
     print(f"| {path.name} | {gap:.1e} | {len(points)} | {counts['far']} | {counts['near']} | {counts['unchecked']} |"
-          f" {counts['undecided']} | {farthest:.1e} | {counts['in_gap']} | {counts['wrong']} |", flush=True)
+          f" {len(undecided)} | {max(of_undecided, default=0):.1e} | {counts['in_gap']} | {counts['wrong']} | {counts['on']} |"
+          f" {counts['on_beyond']} |", flush=True)
 
 
-def main(step, folder):
+def main(step, folder, *options):
     FOLDER.mkdir(parents=True, exist_ok=True)
     if step == "compare":
-        print("| model | gap | points | by winding | by classifier | not checked | undecided | farthest from the triangles "
-              "| on the other side, in the gap | beyond it |")
-        print("|" + "---|" * 10)
+        print("| model | gap | points | by winding | by classifier | not checked | undecided | farthest of these "
+              "| on the other side, in the gap | beyond it | on the boundary by the classifier | of these beyond the gap |")
+        print("|" + "---|" * 12)
     for path in sorted(Path(folder).iterdir()):
         if path.suffix.lower() not in (".step", ".stp"):
             continue
         if step == "points":
-            write_points(path, read(path))
+            write_points(path, read(path), *map(int, options))
         elif (FOLDER / f"{path.stem}.txt").exists():
-            compare(path, read(path))
+            compare(path, read(path), *map(float, options))
 
 
 if __name__ == "__main__":

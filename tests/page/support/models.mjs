@@ -63,6 +63,56 @@ export const sphereParts = {
   b: spherePart(2.2, [0, 3], [-0.5 * Math.PI, 2], (point) => point),
 };
 
+/** A bilinear face with these corners in turn. */
+const face = ([a, b, c, d]) => ({
+  degree: [1, 1],
+  knots_u: [0, 0, 1, 1],
+  knots_v: [0, 0, 1, 1],
+  ctrl: [
+    [a, b],
+    [d, c],
+  ].map((row) => row.map((corner) => [...corner, 1])),
+});
+
+/** The cube [-half, half]³. */
+export const cube = (half) => ({
+  surfaces: [0, 1, 2].flatMap((axis) =>
+    [-half, half].map((end) => {
+      const corner = (u, v) => [0, 1, 2].map((k) => [end, u, v][(k - axis + 3) % 3]);
+      return face([corner(-half, -half), corner(half, -half), corner(half, half), corner(-half, half)]);
+    }),
+  ),
+});
+
+/** The tetrahedron with every second corner of that cube. */
+export function tetrahedron(half) {
+  const corners = [
+    [half, half, half],
+    [half, -half, -half],
+    [-half, half, -half],
+    [-half, -half, half],
+  ];
+  const triangle = (left) => corners.filter((_, index) => index !== left);
+  return { surfaces: corners.map((_, left) => face([...triangle(left), triangle(left)[2]])) };
+}
+
+/** A cylinder of radius 2 about z from -1 to 1, with a bore of radius 1 if so asked. */
+export function cylinder({ bored }) {
+  const ruled = ([inner, low], [outer, high]) => ({
+    degree: [2, 1],
+    knots_u: knots(4),
+    knots_v: [0, 0, 1, 1],
+    ctrl: arc(0, 4).map(([x, y, w]) => [
+      [inner * x, inner * y, low, w],
+      [outer * x, outer * y, high, w],
+    ]),
+  });
+  const hole = bored ? 1 : 0;
+  const caps = [-1, 1].map((z) => ruled([hole, z], [2, z]));
+  const walls = (bored ? [1, 2] : [2]).map((radius) => ruled([radius, -1], [radius, 1]));
+  return { surfaces: [...caps, ...walls] };
+}
+
 /** The STEP text of squares of side 1 in a row, each a face of its own shell's body. */
 export function stepSquares(count, width = 1) {
   const lines = [];
