@@ -79,7 +79,12 @@ export const cube = (half) => ({
   surfaces: [0, 1, 2].flatMap((axis) =>
     [-half, half].map((end) => {
       const corner = (u, v) => [0, 1, 2].map((k) => [end, u, v][(k - axis + 3) % 3]);
-      return face([corner(-half, -half), corner(half, -half), corner(half, half), corner(-half, half)]);
+      return face([
+        corner(-half, -half),
+        corner(half, -half),
+        corner(half, half),
+        corner(-half, half),
+      ]);
     }),
   ),
 });
