@@ -308,6 +308,36 @@ mod tests {
         }
     }
 
+    /// A side is as far within its parabola as arcs are, and by 8 roundings of the domain of each coefficient's
+    /// term besides, which its slope is enlarged by, too.
+    #[test]
+    fn a_side_has_its_rounding() {
+        let square = [[-0.5, -1.0], [0.5, -1.0], [0.5, 1.0], [-0.5, 1.0]];
+        let winding = region(&square, 0.0).winding();
+        let (b, c) = (0.5, 0.25);
+        for (is_upwards, sign, v) in [(true, 1.0, 0.75), (false, -1.0, 0.25)] {
+            let coefficients = [0.0, sign * b, sign * c];
+            let origin = DVec2::new(0.5, v);
+            let graph = Graph { axis: Axis::V, origin, coefficients };
+            let half = DVec2::splat(1.0 / 32.0);
+            let bounds = [origin - half, origin + half];
+            let rim = winding.rim_of(&[(graph.clone(), None)], bounds, &[is_upwards]).unwrap();
+            let pieces = winding.pieces_in([rim.region.low().into(), rim.region.high().into()]).unwrap();
+            let depth = pieces
+                .iter()
+                .map(|(_, arc)| -graph.least(&arc.piece, sign, winding.rounding()))
+                .fold(0.0, upper_max);
+            // The loop is straight, at v of the point: below the parabola by as much as that rises.
+            let rise = b / 32.0 + c / 1024.0;
+            assert!(depth >= rise && depth < 2.0 * rise, "{depth} {rise}");
+            let rounding = 8.0 * winding.rounding() * (1.0 + b + c);
+            let [side] = &rim.sides[..] else { panic!("{rim:?}") };
+            let own = |found: f64| (found / rounding - 1.0).abs() < 0.1;
+            assert!(own(side.slope - (b + 2.0 * c / 32.0)), "{side:?} {rounding:e}");
+            assert!(own(-side.coefficients[0] - depth), "{side:?} {depth:e} {rounding:e}");
+        }
+    }
+
     /// The part of [-1, 1] × [-2, 2] within a polygon, with sides of this middle weight, 0 for straight ones: they
     /// bulge by a fifth of their length, outwards or inwards in turn.
     fn region(corners: &[[f64; 2]], weight: f64) -> Trim {

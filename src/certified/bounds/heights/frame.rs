@@ -56,7 +56,7 @@ pub(super) struct Image {
 pub(super) struct Part {
     pub(super) piece: Piece,
     pub(super) places: [[f64; 2]; 2],
-    errors: [f64; 2],
+    pub(super) errors: [f64; 2],
 }
 
 /// Where the fixed points for the points of a cell are, by functions g of space that are near B's parameters.

@@ -205,6 +205,41 @@ mod tests {
         assert!(bounded >= 8, "{bounded}");
     }
 
+    /// The rounding of weights, γ₆₄ of twice the radius, is added to the difference of both nets.
+    #[test]
+    fn the_rounding_of_weights_is_added() {
+        const THRESHOLD: f64 = 2e-3;
+        let random = &mut fastrand::Rng::with_seed(322);
+        let mut bounded = 0;
+        for case in 0..24 {
+            let controls = graph(random, [1, 2]);
+            let b = surface([1, 2], controls.clone());
+            let (degree, mut controls) = mapped([1, 2], &controls, [0.6, 1.9], case % 8);
+            for control in &mut controls {
+                control[2] += 1e-3;
+            }
+            let a = surface(degree, controls);
+            let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
+            let nearest = NearestPoint::new(pair.b);
+            let start = nearest.nearest(pair.point_of_a(0, [0.5; 2]), Foot::start(0, [0.5; 2]), 0.0);
+            let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &start);
+            let Some(bound) = ProjectiveDifference.evaluate(&mut context, THRESHOLD) else { continue };
+            bounded += 1;
+            let foot = context.foot();
+            let chart = Chart::new(pair.b.sheets.unwrap(), foot.patch, foot.parameters);
+            let target = chart.neighbour([0; 2]);
+            let map = ProjectiveMap::new(&context, &chart, &target, THRESHOLD).unwrap();
+            let y = map.net(&target, context.jet.point);
+            let controls = context.patch.restricted([0.0, 1.0], [0.0, 1.0]);
+            let x = Net::new(degree, controls, context.jet.point - context.patch.center, 1.0);
+            let farthest = y.controls.iter().map(|control| (control.xyz() / control.w).length());
+            let lemma = 2.0 * gamma(64.0) * farthest.fold(0.0, f64::max);
+            let found = bound - x.max_difference(&y, THRESHOLD).unwrap();
+            assert!((found / lemma - 1.0).abs() < 1e-3, "{found:e} {lemma:e}");
+        }
+        assert!(bounded > 0);
+    }
+
     /// No point is farther than the bound, where points are moved at random.
     #[test]
     fn no_point_is_farther_than_the_bound() {

@@ -163,3 +163,28 @@ fn a_step_over_a_seam_leaves_its_gap() {
         assert!((GAP..1.01 * GAP).contains(&bound), "{bound:e}");
     }
 }
+
+/// Boxes and sums of bounds are widened by 16 roundings, also what is beyond an end.
+#[test]
+fn boxes_and_sums_are_widened() {
+    const WIDENED: f64 = 1.0 + 16.0 * UNIT_ROUNDOFF;
+    const HEIGHT: f64 = 0.125;
+    let b = profile(1, &[], &[[0.0, 0.0], [1.0, 0.0]]);
+    let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
+    for (image, half) in [([0.5, 0.75], 0.125), ([0.75, 0.5], 0.125)] {
+        let sliding = Sliding::new(&chart, [0, 0], [image, [0.25, 0.75]], orientation(false));
+        assert!(sliding.half[0] >= WIDENED * half && sliding.half[1] >= WIDENED * 0.25, "{sliding:?}");
+        let difference = 0.5 * chart.jet().s + HEIGHT * DVec3::Z;
+        let (longest, quotient) = (difference.length(), [difference.extend(1.0); 4]);
+        // The tangents and the rows of P have length 1.
+        let residual = HEIGHT + 3.0 * 16.0 * UNIT_ROUNDOFF * longest;
+        let steps = sliding.steps(&quotient, longest);
+        let extent = [0, 1].map(|axis| sliding.half[axis] + steps[axis]);
+        let reach = sliding.chart.reach_over_creases(extent);
+        let beyond = sliding.overshoot(0, [1, 1], &quotient, reach.domain[0]);
+        let of_steps = sliding.chart.step_error(&reach, sliding.half, steps, Over::Patches);
+        let expected = WIDENED * (residual + WIDENED * beyond + of_steps);
+        let bound = sliding.upper_bound([1, 1], &quotient, 1.0).unwrap_or(f64::INFINITY);
+        assert!((bound / expected - 1.0).abs() <= 3.0 * UNIT_ROUNDOFF, "{bound} {expected}");
+    }
+}

@@ -13,7 +13,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 /// A model's pieces, and its faces.
 pub(super) struct Cut {
     pub(super) pieces: Surfaces,
-    faces: TrimmedFaces,
+    pub(super) faces: TrimmedFaces,
 }
 
 /// A face of a surface, with polygons for loops, of (u, v).
@@ -52,7 +52,7 @@ const PLATE: f64 = 0.9;
 const HOLE: f64 = 0.4;
 
 /// A square plate at height 0 with a hole whose corners are on the axes.
-fn plate() -> Cut {
+pub(super) fn plate() -> Cut {
     let outer = [[-PLATE, -PLATE], [PLATE, -PLATE], [PLATE, PLATE], [-PLATE, PLATE]];
     let hole = [[HOLE, 0.0], [0.0, -HOLE], [-HOLE, 0.0], [0.0, HOLE]];
     cut(plane(), &[&outer, &hole])

@@ -194,7 +194,7 @@ fn lags_contain_the_differences() {
 }
 
 /// A piece of A about the foot in the middle of a patch, and the patch over it.
-fn with_over(b: &Surfaces, check: impl FnOnce(Over<'_>)) {
+pub(super) fn with_over(b: &Surfaces, check: impl FnOnce(Over<'_>)) {
     let frame = Frame::new(Chart::new(b.sheets(), 0, [0.4, 0.6])).unwrap();
     let a = through(|s, t| frame.jet.point + 0.05 * DVec3::new(s - 0.5, t - 0.4, 0.1 * s * t));
     let a = Piece::new([2, 2], a.to_vec(), frame.jet.point, 1.0);
@@ -202,7 +202,7 @@ fn with_over(b: &Surfaces, check: impl FnOnce(Over<'_>)) {
     check(Over::of(frame, None, a, image, linear));
 }
 
-fn curved() -> Surfaces {
+pub(super) fn curved() -> Surfaces {
     patch(through(|s, t| DVec3::new(s + 0.1 * s * t, t - 0.1 * s * s, 0.2 * s * t + 0.1 * s * s)))
 }
 
@@ -210,11 +210,13 @@ fn curved() -> Surfaces {
 /// of the parameters, and the frame's skewness.
 #[test]
 fn the_bound_has_every_term_of_the_lemma() {
-    with_over(&curved(), |over| {
-        let (frame, a, image, mut placement) = (&over.frame, &over.a, &over.image, over.linear);
-        let [first, second] = frame.tangents.map(DVec3::normalize);
+    with_over(&curved(), |mut over| {
+        let (own_skew, mut placement) = (over.frame.skew, over.linear);
         for overshoot in [[0.0; 2], [1e-3, 0.0], [0.0, 2e-3]] {
-            for bend in [0.0, 0.05] {
+            for (bend, skew) in [(0.0, own_skew), (0.05, own_skew), (0.0, 1e-3), (0.05, 1e-3)] {
+                over.frame.skew = skew;
+                let (frame, a, image) = (&over.frame, &over.a, &over.image);
+                let [first, second] = frame.tangents.map(DVec3::normalize);
                 placement.overshoot = overshoot;
                 placement.functions[0].form = DMat3::IDENTITY * bend;
                 placement.functions[1].form = DMat3::IDENTITY * (2.0 * bend);

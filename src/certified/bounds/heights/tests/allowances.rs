@@ -1,0 +1,227 @@
+//! Allowances of the lemmas that are as small as rounding, or that need several patches of B.
+
+use super::over_faces::{plane, plate};
+use super::terms::{curved, with_over};
+use super::*;
+use crate::axis::Axis;
+use crate::bezier::extract;
+use crate::certified::rounding::UNIT_ROUNDOFF;
+use crate::certified::testing::{Surfaces, clamped, closed, patch, through};
+use crate::flatness::Flatness;
+use crate::model::{Model, SurfaceArrays};
+use glam::DMat3;
+
+fn assert_close(found: f64, expected: f64, relative: f64) {
+    assert!((found - expected).abs() <= relative * expected.abs(), "{found:e} {expected:e}");
+}
+
+/// ν is the norm of I − T P − n nᵀ, both tangents' parts along n and 64 roundings of the terms of such a product.
+#[test]
+fn skewness_is_that_of_the_frame() {
+    let random = &mut fastrand::Rng::with_seed(3171);
+    let (mut off, mut along) = (0, [0; 2]);
+    for _ in 0..20 {
+        let mut vector = || DVec3::from_array([0; 3].map(|_| random.f64() - 0.5));
+        let (p, q) = (vector(), 10.0 * vector());
+        let b = patch(through(|s, t| s * p + t * q + 0.1 * s * t * p.cross(q)));
+        let frame = Frame::new(Chart::new(b.sheets(), 0, [0.3, 0.7])).unwrap();
+        let n = frame.normal;
+        let columns = |x: DVec3, y: DVec3| DMat3::from_cols(x * y.x, x * y.y, x * y.z);
+        let rest = DMat3::IDENTITY
+            - 0.5 * (columns(n, n) + columns(n, n).transpose())
+            - columns(frame.tangents[0], frame.inverse[0])
+            - columns(frame.tangents[1], frame.inverse[1]);
+        let norm = (0..9).map(|index| rest.col(index / 3)[index % 3].powi(2)).sum::<f64>().sqrt();
+        let parts = frame.tangents.map(|tangent| n.dot(tangent).abs() / tangent.length());
+        let sizes = 1.0
+            + frame.tangents[0].length() * frame.inverse[0].length()
+            + frame.tangents[1].length() * frame.inverse[1].length();
+        assert_close(frame.skew, norm + parts[0] + parts[1] + gamma(64.0 * sizes), 2e-5);
+        off += usize::from(norm > 1e-4 * frame.skew);
+        along = [0, 1].map(|axis| along[axis] + usize::from(parts[axis] > 1e-4 * frame.skew));
+    }
+    assert!(off > 5 && along[0] > 5 && along[1] > 5, "{off} {along:?}");
+}
+
+/// The rounding of the lines of B's patches is added to the bracket at both of its ends.
+#[test]
+fn the_rounding_of_lines_widens_a_placement() {
+    const ERRORS: [f64; 2] = [5e-4, 1e-3];
+    with_over(&curved(), |over| {
+        let Over { frame, a, mut image, linear, .. } = over;
+        for before in [linear, frame.closer_placement(&a, &image)] {
+            image.parts[0].errors = ERRORS;
+            let after = frame.placement(&a, &image, before.functions);
+            image.parts[0].errors = [0.0; 2];
+            for (axis, error) in ERRORS.into_iter().enumerate() {
+                for end in 0..2 {
+                    assert_close(after.offsets[axis][end] - before.offsets[axis][end], error, 1e-9);
+                    let sign = [-1.0, 1.0][end];
+                    assert_close(after.feet[axis][end] - before.feet[axis][end], sign * error, 1e-9);
+                }
+                assert_close(after.bracket[axis] - before.bracket[axis], error, 1e-9);
+            }
+        }
+    });
+}
+
+/// The error of a part of B is that of the lines on both of its sides.
+#[test]
+fn the_rounding_of_a_part_is_that_of_both_lines() {
+    let b = Surfaces::new(vec![closed(900, false)], Flatness::None);
+    for flat in 0..b.places.count() as u32 {
+        let frame = Frame::new(Chart::new(b.sheets(), flat, [0.5; 2])).unwrap();
+        let (image, _) = over_several(&frame);
+        let chart = &frame.chart;
+        for part in &image.parts {
+            for axis in Axis::BOTH {
+                let index = axis.index();
+                let middle = chart.parameters[index] + 0.5 * (part.places[index][0] + part.places[index][1]);
+                let start = |line: isize| chart.parameter(axis, line, 0.0);
+                let line = (-8..8).find(|&line| start(line) <= middle && middle < start(line + 1)).unwrap();
+                let error = [line, line + 1]
+                    .map(|line| if line == 0 || line == 1 { 0.0 } else { chart.line_error(axis, line) });
+                assert_eq!(part.errors[index], error[0] + error[1]);
+            }
+        }
+    }
+}
+
+/// The image of a piece that is large against B's patches, with the piece.
+fn over_several(frame: &Frame<'_>) -> (Image, Piece) {
+    let [s, t] = frame.tangents;
+    let a = through(|x, y| frame.jet.point + 1.1 * ((x - 0.5) * s + (y - 0.5) * t));
+    let a = Piece::new([2, 2], a.to_vec(), frame.jet.point, 10.0);
+    let (image, _) = frame.image(&a).unwrap();
+    assert!(image.parts.len() > 2, "{}", image.parts.len());
+    (image, a)
+}
+
+/// A box within B is left by the rounding of places alone: γ₃₂ of 1 and of the distances of both ends.
+#[test]
+fn the_rounding_of_places_widens_a_placement() {
+    with_over(&curved(), |over| {
+        let Over { frame, a, image, linear, .. } = over;
+        for placement in [linear, frame.closer_placement(&a, &image)] {
+            for axis in 0..2 {
+                let [start, end] = image.ends[axis];
+                let margin = gamma(32.0) * (1.0 + (end - start));
+                assert!(placement.beyond[axis].iter().all(|beyond| *beyond < 0.0));
+                assert_close(placement.overshoot[axis], margin, 1e-9);
+                assert_close(placement.lag[axis] - placement.bracket[axis], margin, 0.1);
+                let [low, high] = a.values(&placement.functions[axis]).range();
+                let [first, last] = placement.offsets[axis];
+                assert_close(start + low - first - placement.feet[axis][0], margin, 0.2);
+                assert_close(placement.feet[axis][1] - (end + high + last), margin, 0.2);
+            }
+        }
+    });
+}
+
+/// Of several pieces of B the one farthest from the foot counts, whichever it is.
+#[test]
+fn the_largest_radius_of_several_pieces_counts() {
+    const RADIUS: f64 = 8.0;
+    const GAP: f64 = 1e-3;
+    let b = Surfaces::new(vec![closed(900, false)], Flatness::None);
+    let frame = Frame::new(Chart::new(b.sheets(), 0, [0.5; 2])).unwrap();
+    let (mut image, a) = over_several(&frame);
+    let functions = frame.closer_placement(&a, &image).functions;
+    image.gap = GAP;
+    let linear = frame.placement(&a, &image, frame.inverse.map(Quadric::of_plane));
+    let own = a.radius;
+    let mut over = Over::of(frame, None, a, image, linear);
+    for farthest in 0..over.image.parts.len() {
+        for (index, part) in over.image.parts.iter_mut().enumerate() {
+            part.piece.radius = if index == farthest { RADIUS } else { 1.0 };
+        }
+        assert_close(over.reach(), RADIUS + own, 1e-12);
+        let placement = over.frame.placement(&over.a, &over.image, functions);
+        for (axis, function) in functions.iter().enumerate() {
+            let slope = function.linear.length() + 2.0 * function.size() * RADIUS;
+            let [first, last] = placement.beyond[axis];
+            assert_close(placement.overshoot[axis] - first.max(last).max(0.0), slope * GAP, 1e-9);
+        }
+    }
+}
+
+/// A plane of two patches along x, with lengths along x and a gap between them, or the same along y.
+fn two_patches(lengths: [f64; 2], gap: f64, transposed: bool) -> Surfaces {
+    let [first, second] = lengths;
+    let places = [[0.0, 0.0], [first, 0.0], [first, gap], [first + second, gap]];
+    let rows: Vec<[[f64; 4]; 2]> = places.map(|[x, z]| [0.0, 1.0].map(|y| [x, y, z, 1.0])).to_vec();
+    let columns = || [0, 1].map(|side| rows.iter().map(|row| row[side]).collect::<Vec<_>>()).concat();
+    let swapped = || columns().into_iter().map(|[x, y, z, w]| [y, x, z, w]).collect();
+    let (degree, knots) = ([1, 1], [clamped(1, &[0.5, 0.5]), clamped(1, &[])]);
+    let arrays = if transposed {
+        let [along, across] = knots;
+        SurfaceArrays { degree, counts: [2, 4], knots: [across, along], control_points: swapped() }
+    } else {
+        SurfaceArrays { degree, counts: [4, 2], knots, control_points: rows.concat() }
+    };
+    Surfaces::new(vec![arrays], Flatness::None)
+}
+
+/// A drift is as fast as the fastest patch that its box touches, on either side, and has the gaps between them; a
+/// box that leaves the surface has none.
+#[test]
+fn a_drift_has_the_speed_and_the_gap_of_every_patch() {
+    const GAP: f64 = 2e-10;
+    const STEPS: [f64; 2] = [1e-6, 3e-6];
+    for transposed in [false, true] {
+        for lengths in [[0.5, 2.0], [2.0, 0.5]] {
+            for own in 0..2 {
+                let b = two_patches(lengths, GAP, transposed);
+                let frame = Frame::new(Chart::new(b.sheets(), own as u32, [0.5; 2])).unwrap();
+                let middle = frame.jet.point;
+                let a = through(|s, t| middle + 5.0 * DVec3::new(s - 0.5, t - 0.5, 0.0));
+                let a = Piece::new([2, 2], a.to_vec(), middle, 1.0);
+                let (image, _) = frame.image(&a).unwrap();
+                let drift = |along: [f64; 2], across: [f64; 2]| {
+                    let (parameters, steps) = if transposed {
+                        ([across, along], [STEPS[1], STEPS[0]])
+                    } else {
+                        ([along, across], STEPS)
+                    };
+                    frame.drift(&image, parameters, steps)
+                };
+                // From the chart's patch towards the other one.
+                let towards = |end: f64| if own == 0 { [0.25, end] } else { [1.0 - end, 0.75] };
+                let within = [0.25, 0.75];
+                let alone = STEPS[0] * lengths[own] + STEPS[1];
+                assert_close(drift(towards(0.75), within).unwrap(), alone, 1e-7);
+                let both = STEPS[0] * 2.0 + STEPS[1] + GAP;
+                assert_close(drift(towards(1.25), within).unwrap(), both, 1e-7);
+                // γ₃₂ of 1 and of the extent is the rounding of the box's ends: 48 roundings, of which 40 matter.
+                let at_line = towards(1.0 - 40.0 * UNIT_ROUNDOFF);
+                assert_close(drift(at_line, within).unwrap(), both, 1e-7);
+                assert!(drift(towards(2.001), within).is_none() && drift(towards(2.0), within).is_some());
+                assert!(drift(towards(-0.001), within).is_some());
+                let beyond = if own == 0 { [-0.001, 0.75] } else { [0.25, 1.001] };
+                assert!(drift(beyond, within).is_none());
+                assert!(drift(within, [-0.001, 0.75]).is_none() && drift(within, [0.25, 1.001]).is_none());
+            }
+        }
+    }
+}
+
+/// The error of a face's points is that of its surface, and is added to the bound.
+#[test]
+fn the_error_of_a_faces_points_is_added() {
+    const HEIGHT: f64 = 1e-3;
+    let plate = plate();
+    let face = || plate.faces.chart(&Chart::new(plate.pieces.sheets(), 0, [0.5; 2])).unwrap();
+    let error = extract(&Model::from_arrays(None, vec![plane()]).unwrap()).point_error.after(0);
+    assert!(error > 0.0);
+    assert_eq!(face().point_error, error);
+    for error in [0.0, 0.25] {
+        let mut face = face();
+        face.point_error = error;
+        let frame = Frame::new(face.chart).unwrap();
+        let raised = through(|s, t| frame.jet.point + DVec3::new(HEIGHT * s, HEIGHT * t, HEIGHT));
+        let a = Piece::new([2, 2], raised.to_vec(), frame.jet.point, 1.0);
+        let (image, linear) = frame.image(&a).unwrap();
+        let bound = Over::of(frame, Some(face), a, image, linear).upper_bound(1.0).unwrap();
+        assert_close(bound, HEIGHT + error, 1e-9);
+    }
+}
