@@ -308,6 +308,21 @@ mod tests {
         }
     }
 
+    /// The same on a piece of second order: the slope is that at its end, and the sizes are those there.
+    #[test]
+    fn the_depth_of_a_parabola_has_its_rounding() {
+        let graph = Graph { axis: Axis::V, origin: DVec2::ZERO, coefficients: [0.25, 0.5, 0.5] };
+        let points = [DVec2::new(-0.5, 0.125), DVec2::new(0.0, 0.125), DVec2::new(0.5, 0.625)];
+        let piece = TrimPiece { controls: points.map(|point| point.extend(1.0)).to_vec(), curve: 0 };
+        let (slope, sizes) = (1.0 + 0.5 + 0.5, 0.625 + 0.25 + 0.5 * (0.5 + 0.25));
+        for rounding in [0.0, 1e-3] {
+            let of_places = slope * (rounding + gamma(32.0 * 8.0));
+            let expected = of_places + gamma(2.0 * (2.0 * 2.0 + 34.0)) * sizes;
+            let depth = -graph.least(&piece, 1.0, rounding);
+            assert!((depth / expected - 1.0).abs() < 1e-2, "{depth:e} {expected:e}");
+        }
+    }
+
     /// A side is as far within its parabola as arcs are, and by 8 roundings of the domain of each coefficient's
     /// term besides, which its slope is enlarged by, too.
     #[test]

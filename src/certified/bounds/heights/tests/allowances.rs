@@ -1,13 +1,15 @@
 //! Allowances of the lemmas that are as small as rounding, or that need several patches of B.
 
-use super::over_faces::{plane, plate};
+use super::over_faces::{cut_all, face, plane, plate};
 use super::terms::{curved, with_over};
 use super::*;
 use crate::axis::Axis;
 use crate::bezier::extract;
+use crate::certified::faces::{FaceChart, FaceRim};
 use crate::certified::rounding::UNIT_ROUNDOFF;
 use crate::certified::testing::{Surfaces, clamped, closed, patch, through};
 use crate::flatness::Flatness;
+use crate::model::trim::RimSide;
 use crate::model::{Model, SurfaceArrays};
 use glam::DMat3;
 
@@ -224,4 +226,129 @@ fn the_error_of_a_faces_points_is_added() {
         let bound = Over::of(frame, Some(face), a, image, linear).upper_bound(1.0).unwrap();
         assert_close(bound, HEIGHT + error, 1e-9);
     }
+}
+
+/// Δ is that of all pieces of B, in whatever order they are.
+#[test]
+fn every_piece_counts_in_the_difference() {
+    let b = Surfaces::new(vec![closed(900, false)], Flatness::None);
+    let frame = Frame::new(Chart::new(b.sheets(), 0, [0.5; 2])).unwrap();
+    let (image, a) = over_several(&frame);
+    let linear = frame.placement(&a, &image, frame.inverse.map(Quadric::of_plane));
+    let mut over = Over::of(frame, None, a, image, linear);
+    let plane = Cubic::of(Quadric::of_plane(over.frame.normal));
+    let first = over.bound_by(&plane, &over.linear, 1e9);
+    assert!(first.is_finite());
+    for _ in 0..over.image.parts.len() {
+        over.image.parts.rotate_left(1);
+        assert_close(over.bound_by(&plane, &over.linear, 1e9), first, 1e-12);
+    }
+}
+
+/// The bracket has 16 roundings of each of its terms: both parameters and the function.
+#[test]
+fn a_lag_has_the_rounding_of_every_term() {
+    for (ends, size) in [([8.0, 0.0], 0.0), ([0.0, 8.0], 0.0), ([0.0, 0.0], 8.0)] {
+        for axis in Axis::BOTH {
+            let values = Values { degree: [1, 1], coefficients: vec![(0.0, 1.0); 4], size, error: 0.0 };
+            assert_close(values.lag(axis, ends)[0], -8.0 * gamma(16.0), 1e-9);
+        }
+    }
+}
+
+/// An excess has 32 roundings of each of its terms: the side's three, and the function's on the cell.
+#[test]
+fn an_excess_has_the_rounding_of_every_term() {
+    const REACH: f64 = 0.5;
+    with_over(&curved(), |mut over| {
+        let mut placement = over.linear;
+        let at = over.frame.chart.parameters;
+        placement.feet = at.map(|at| [at - REACH, at + REACH]);
+        [placement.lag, placement.overshoot, over.linear.bracket] = [[0.0; 2]; 3];
+        for (x, coefficients, sizes) in [
+            (0.0, [1.0, 0.0, 0.0], 1.0),
+            (0.0, [0.0, 8.0, 0.0], 8.0 * REACH),
+            (0.0, [0.0, 0.0, 8.0], 8.0 * REACH * REACH),
+            (8.0, [0.0; 3], 8.0),
+        ] {
+            over.a = Piece::new([1, 1], vec![(x * DVec3::X).extend(1.0); 4], DVec3::ZERO, 0.0);
+            placement.functions = [Quadric::of_plane(if x > 0.0 { DVec3::X } else { DVec3::ZERO }); 2];
+            let side = RimSide { axis: Axis::V, is_upwards: true, coefficients, slope: 0.0 };
+            let constant = rim::excess(&over, &placement, &side, 1.0).constant;
+            assert_close(constant + coefficients[0], gamma(32.0) * sizes, 0.1);
+        }
+    });
+}
+
+/// Excesses of two sides are larger by 128 roundings before the steps are made of them.
+#[test]
+fn steps_along_both_axes_have_their_rounding() {
+    let side = |axis: Axis, slope: f64| RimSide { axis, is_upwards: true, coefficients: [0.0; 3], slope };
+    let ([s, t], [x, y]) = ([3.0, 0.25], [1.0, 2.0]);
+    let [along_u, along_v] = rim::steps(&[side(Axis::U, s), side(Axis::V, t)], &[x, y]);
+    let rounding = gamma(128.0) * (1.0 + s) * (1.0 + t) * (x + y);
+    assert_close(along_u * (1.0 - s * t) - (x + s * y), (1.0 + s) * rounding, 0.05);
+    assert_close(along_v * (1.0 - s * t) - (y + t * x), (1.0 + t) * rounding, 0.05);
+}
+
+/// Points that are within a side count as on it: no step is made shorter by that.
+#[test]
+fn a_point_within_a_side_is_no_negative_excess() {
+    with_over(&curved(), |over| {
+        let side = |axis: Axis| RimSide { axis, is_upwards: true, coefficients: [0.0; 3], slope: 0.5 };
+        let rim = FaceRim { sides: Axis::BOTH.map(side).to_vec(), parameters: [[0.3, 0.7]; 2] };
+        let mut placement = over.linear;
+        placement.feet = [[0.45, 0.55]; 2];
+        let overrun = |excesses: [f64; 2]| rim::overrun_of(&over, &placement, &rim, &excesses, 1.0).unwrap();
+        let on_it = overrun([1e-3, 0.0]);
+        assert_eq!(overrun([1e-3, -1e-3]), on_it);
+        assert_eq!(overrun([1e-3, -1.0]), on_it);
+        assert_eq!(overrun([-1e-3, 1e-3]), overrun([0.0, 1e-3]));
+    });
+}
+
+/// A parabola of the face's parameters is one of the chart's, by the widths of the chart's patch.
+#[test]
+fn a_rim_is_in_the_parameters_of_the_chart() {
+    let value = |u: f64| 0.5 + 0.1 * u + 0.2 * u * u;
+    let slope = |u: f64| 0.1 + 0.4 * u;
+    let [us, vs] = [[-1.0, -0.5, 1.0], [-1.0, 0.2, 1.0]];
+    let surface = SurfaceArrays {
+        degree: [1, 1],
+        knots: [us, vs].map(|[low, line, high]| vec![low, low, line, high, high]),
+        counts: [3, 3],
+        control_points: us.map(|x| vs.map(|y| [x, y, 0.0, 1.0])).concat(),
+    };
+    let left = [-0.6, value(-0.6)];
+    let right = [0.6, value(0.6)];
+    let mut arrays = face(surface, &[&[[-0.6, -0.6], [0.6, -0.6], right, left]]);
+    let top = &mut arrays.trim.as_mut().unwrap()[0][2];
+    top.degree = 2;
+    top.knots = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
+    top.control_points.insert(1, [0.0, right[1] - 0.6 * slope(0.6), 1.0]);
+    let b = cut_all(vec![arrays]);
+    let of = |flat: u32| b.faces.chart(&Chart::new(b.pieces.sheets(), flat, [0.5; 2])).unwrap();
+    let is_in_patch = |face: &FaceChart<'_>| {
+        let [u, v] = face.chart.surface_parameters();
+        u > us[1] && v > vs[1]
+    };
+    let mut face = (0..b.pieces.places.count() as u32).map(of).find(is_in_patch).unwrap();
+    // The patch is 1.5 by 0.8 long.
+    let [u, v] = [0.1, 0.45];
+    let at = [(u - us[1]) / 1.5, (v - vs[1]) / 0.8];
+    face.chart = face.chart.moved([0, 0], at);
+    let box_ = [[0.3, 0.5], [0.25, 0.45]];
+    let rim = face.rims(box_).into_iter().find(|rim| rim.sides.len() == 1).unwrap();
+    let side = rim.sides[0];
+    assert!(side.axis == Axis::V && side.is_upwards);
+    let expected = [(value(u) - v) / 0.8, slope(u) * 1.5 / 0.8, 0.2 * 1.5 * 1.5 / 0.8];
+    for (found, expected) in side.coefficients.into_iter().zip(expected) {
+        assert_close(found, expected, 1e-6);
+    }
+    assert_close(side.slope, expected[1] + 2.0 * expected[2] * (0.5 - at[0]), 1e-6);
+    for (found, expected) in rim.parameters[0].into_iter().zip(box_[0]) {
+        assert_close(found, expected, 1e-6);
+    }
+    assert!(rim.parameters[1][0] < box_[1][0]);
+    assert_close(rim.parameters[1][1], box_[1][1], 1e-6);
 }
