@@ -253,7 +253,8 @@ mod tests {
             let along = (b - a).normalize();
             let across = along.cross(point(random)).normalize();
             let width = 10.0_f64.powf(-12.0 + 12.0 * random.f64());
-            let corners = [a, b, a.lerp(b, random.f64()) + width * across];
+            let mut corners = [a, b, a.lerp(b, random.f64()) + width * across];
+            corners.rotate_left(random.usize(0..3));
             // Near an end too, where a foot that is moved along the sliver would leave it.
             let [s, t] = [random.f64(), random.f64()].map(|at| at.powi(random.i32(1..40)));
             let inside = Facet::Triangle(corners).point([1.0 - s, s * (1.0 - t), s * t]);

@@ -126,3 +126,67 @@ fn groups(mesh: &TriangleMesh) -> Vec<Group> {
     };
     mesh.groups().iter().map(group).collect()
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::facets::PointCloud;
+    use crate::rounding::UNIT_ROUNDOFF;
+    use num_rational::BigRational;
+    use num_traits::{Signed, ToPrimitive};
+
+    fn exact(number: f64) -> BigRational {
+        BigRational::from_float(number).unwrap()
+    }
+
+    fn on_axis(x: f64) -> PreparedFacets {
+        PreparedFacets::new(&Facets::Cloud(PointCloud::new(vec![DVec3::X * x]).unwrap()))
+    }
+
+    /// The factor is a rounded quotient of units, and each coordinate a rounded product; where both
+    /// rounding errors have one sign the error exceeds a single one.
+    #[test]
+    fn scaled_coordinates_are_within_their_error_of_the_exact_ones() {
+        let random = &mut fastrand::Rng::with_seed(71);
+        let mut largest = 0.0_f64;
+        for round in 0..4000 {
+            let [a, b] = [0; 2].map(|_| 1.0 + random.f64());
+            // Coordinates so small that a product underflows are rounded by more than their part.
+            let x = if round % 10 == 0 { 3e-320 * random.f64() } else { 1.0 + random.f64() };
+            let facets = on_axis(x).scaled(b / a);
+            let Facet::Point(point) = facets.target.facet(0) else { panic!("a cloud has points") };
+            let off = (exact(point.x) - exact(b) / exact(a) * exact(x)).abs();
+            assert!(off <= exact(facets.error), "{x:e} {b} / {a}");
+            if round % 10 > 0 {
+                largest = largest.max(off.to_f64().unwrap() / (UNIT_ROUNDOFF * point.x));
+            }
+        }
+        assert!(largest > 1.1, "{largest}");
+    }
+
+    /// An error before is scaled too, and is added.
+    #[test]
+    fn errors_are_scaled_with_their_coordinates() {
+        for factor in [0.25, 3.0] {
+            let facets = on_axis(1.0);
+            let erring = PreparedFacets::with(facets.target.clone(), 0.5, Arc::clone(&facets.groups));
+            let error = erring.scaled(factor).error;
+            let expected = 0.5 * factor + 2.0 * UNIT_ROUNDOFF * factor;
+            assert!(error >= expected && error <= expected * (1.0 + 1e-15), "{error} {expected}");
+            // Points of patches are as far off as the coordinates that they are made of.
+            let of_patches = erring.point_error().after(0) - facets.point_error().after(0);
+            assert!((of_patches - 0.5).abs() <= 1e-15, "{of_patches}");
+        }
+    }
+
+    /// The boxes of a scaled tree are those of its facets.
+    #[test]
+    fn queries_of_scaled_facets_are_those_of_the_scaled_points() {
+        let points: Vec<DVec3> = (0..100).map(|k| DVec3::X * f64::from(k)).collect();
+        let facets = PreparedFacets::new(&Facets::Cloud(PointCloud::new(points).unwrap())).scaled(4.0);
+        assert_eq!(facets.target.bounding_box().max, DVec3::X * 396.0);
+        let (foot, _, lower) = facets.target.certified(DVec3::new(200.0, 1.0, 0.0), 0);
+        assert_eq!((facets.target.index(foot.facet), lower), (50, 1.0));
+    }
+}

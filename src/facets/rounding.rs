@@ -29,3 +29,13 @@ pub(super) fn cut_rounding(length: f64) -> f64 {
 pub(super) fn sag_rounding(length: f64) -> f64 {
     gamma(SAG_ROUNDINGS) * length
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rounding_of_a_facet_adds_what_underflow_takes() {
+        assert_eq!(facet_rounding(0.0), VANISHING_LENGTH);
+    }
+}

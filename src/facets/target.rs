@@ -244,3 +244,83 @@ impl FacetTarget {
         }
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::facets::TriangleMesh;
+    use crate::facets::facet_rounding;
+    use num_rational::BigRational;
+    use num_traits::Zero;
+
+    fn mesh(corners: &[DVec3]) -> FacetTarget {
+        let triangles: Vec<[u32; 3]> =
+            (0..corners.len() as u32 / 3).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+        FacetTarget::of_mesh(&TriangleMesh::new(corners, &triangles).unwrap())
+    }
+
+    fn exact(point: DVec3) -> [BigRational; 3] {
+        point.to_array().map(|number| BigRational::from_float(number).unwrap())
+    }
+
+    fn squared(number: f64) -> BigRational {
+        let number = BigRational::from_float(number).unwrap();
+        &number * &number
+    }
+
+    /// Four times the square of the exact area.
+    fn exact_square(corners: &[DVec3]) -> BigRational {
+        let [a, b, c] = [0, 1, 2].map(|corner| exact(corners[corner]));
+        let of = |end: &[BigRational; 3], axis: usize| &end[axis % 3] - &a[axis % 3];
+        let across = |axis: usize| of(&b, axis + 1) * of(&c, axis + 2) - of(&b, axis + 2) * of(&c, axis + 1);
+        [0, 1, 2].map(across).into_iter().fold(BigRational::zero(), |sum, one| sum + &one * &one)
+    }
+
+    /// In exact arithmetic, of triangles of any size and far from the origin, where differences of
+    /// coordinates are rounded; without an allowance neither bound holds.
+    #[test]
+    fn areas_hold_the_exact_ones() {
+        let random = &mut fastrand::Rng::with_seed(72);
+        let mut missed = [0; 2];
+        for round in 0..2000 {
+            let size = if round % 2 == 0 { 1.0 } else { 1000.0 };
+            let point = |random: &mut fastrand::Rng| DVec3::from_array([0; 3].map(|_| random.f64() - 0.5));
+            let mut corners = [0; 3].map(|_| size * point(random));
+            if round % 3 == 0 {
+                // A sliver has an area of the size of its rounding.
+                corners[2] = corners[0].lerp(corners[1], random.f64()) + 1e-14 * size * point(random);
+            }
+            let area = mesh(&corners).area(0);
+            let square = exact_square(&corners);
+            let four = BigRational::from_float(4.0).unwrap();
+            assert!(&four * squared(area.lower) <= square, "{area:?} of {corners:?}");
+            assert!(&four * squared(area.upper) >= square, "{area:?} of {corners:?}");
+            let middle = &four * squared(0.5 * (area.lower + area.upper));
+            missed[usize::from(middle < square)] += 1;
+        }
+        assert!(missed.iter().all(|&count| count > 500), "{missed:?}");
+    }
+
+    /// Lemma F3: a facet whose box is no nearer than the nearest point found is not visited, and
+    /// counts with the distance of that point.
+    #[test]
+    fn facets_that_are_not_visited_are_no_nearer_than_the_nearest_point() {
+        let random = &mut fastrand::Rng::with_seed(73);
+        let height = 0.7;
+        let corners: Vec<DVec3> =
+            (0..3 * 40).map(|_| DVec3::new(random.f64(), random.f64(), height)).collect();
+        let target = mesh(&corners);
+        for _ in 0..4000 {
+            let from = DVec3::new(random.f64(), random.f64(), random.f64());
+            let start = target.nearest(from, 0, 0.0).facet;
+            let (foot, _, lower) = target.certified(from, start);
+            let exact = (0..target.len() as u32)
+                .map(|facet| target.distance_squared(facet, from))
+                .fold(f64::INFINITY, crate::rounding::lower_min)
+                .sqrt();
+            assert!(lower - facet_rounding(2.0) <= exact, "{lower} {exact}");
+            assert!(foot.distance_squared.sqrt() >= exact);
+        }
+    }
+}

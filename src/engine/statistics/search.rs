@@ -308,3 +308,23 @@ fn take_widest(
         left -= width;
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::shapes::sphere;
+    use glam::DVec3;
+
+    /// Lemma F10: the triangles are within their distance of the computed surfaces, which are within
+    /// their error of the exact ones.
+    #[test]
+    fn a_stand_in_has_the_error_of_its_surfaces() {
+        let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap()).unwrap();
+        let of_points = ball.bezier().point_error.after(0);
+        let length = ball.control_box().farthest_from_origin();
+        let of_cells = StandIn::new(&ball.bezier().patches, 1e-2, length).unwrap().error;
+        assert!(of_points > 0.0 && of_cells + of_points > of_cells);
+        assert!(stand_in(&ball, 1e-2).unwrap().error >= of_cells + of_points);
+    }
+}

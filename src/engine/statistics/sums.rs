@@ -141,3 +141,178 @@ fn sorted<T: Weighted>(parts: &[T], bound: fn(Spread) -> f64) -> Vec<(f64, f64)>
     sort_pairs(&mut sorted);
     sorted
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use num_rational::BigRational;
+    use num_traits::Zero;
+
+    /// The number of parts whose weights a sum in float64 loses.
+    const LOST: u32 = 64;
+
+    struct Part {
+        weight: [f64; 2],
+        spread: Spread,
+    }
+
+    impl Weighted for Part {
+        fn weight(&self) -> Area {
+            Area { lower: self.weight[0], upper: self.weight[1] }
+        }
+
+        fn spread(&self) -> Spread {
+            self.spread
+        }
+    }
+
+    fn part(weight: [f64; 2], [lower, upper]: [f64; 2], mean: [f64; 2], square: [f64; 2]) -> Part {
+        Part { weight, spread: Spread { lower, upper, mean, square } }
+    }
+
+    /// A part of this weight, all of whose points are at one distance.
+    fn at(weight: f64, distance: f64) -> Part {
+        let square = [distance * distance; 2];
+        part([weight; 2], [distance; 2], [distance; 2], square)
+    }
+
+    fn sums(parts: &[Part], over: Measure, known: Area, limit: f64, percentiles: &[f64]) -> Sums {
+        let percentiles = percentiles.to_vec();
+        let options = StatisticsOptions { limit: Some(limit), percentiles, ..StatisticsOptions::default() };
+        Sums::of(parts, &options, over, known)
+    }
+
+    const UNKNOWN: Area = Area { lower: 0.0, upper: f64::INFINITY };
+
+    fn exact(number: f64) -> BigRational {
+        BigRational::from_float(number).unwrap()
+    }
+
+    fn holds(lower: f64, value: &BigRational, upper: f64) {
+        assert!(exact(lower) <= *value && *value <= exact(upper), "[{lower:e}, {upper:e}] {value}");
+    }
+
+    /// Checks that an interval is a given one but for a rounding that widens it.
+    fn is_about(Bounded { lower, upper }: Bounded, [low, high]: [f64; 2]) {
+        let rounding = 1e-14 * high;
+        assert!(low - rounding <= lower && lower <= low, "{lower} {low}");
+        assert!(high <= upper && upper <= high + rounding, "{upper} {high}");
+    }
+
+    /// Lemma F9 for two parts of the weights [1, 2] and [2, 4]: w = 3 and W = 6.
+    #[test]
+    fn intervals_are_those_of_the_lemma() {
+        let parts = [
+            part([1.0, 2.0], [1.0, 4.0], [2.0, 3.0], [4.0, 16.0]),
+            part([2.0, 4.0], [3.0, 8.0], [5.0, 6.0], [36.0, 49.0]),
+        ];
+        let found = |limit: f64| sums(&parts, Measure::Area, UNKNOWN, limit, &[0.125, 0.5, 0.875]);
+        let Sums { total, mean, rms, percentiles, .. } = found(0.0);
+        is_about(Bounded { lower: total.lower, upper: total.upper }, [3.0, 6.0]);
+        // (1 · 2 + 2 · 5) / 6 and (2 · 3 + 4 · 6) / 3; of squares 76 / 6 and 228 / 3.
+        is_about(mean, [2.0, 10.0]);
+        is_about(rms, [(76.0_f64 / 6.0).sqrt(), 76.0_f64.sqrt()]);
+        // Parts are at most 1, though 6 / 3 may be beyond 0.5, and 4 / 3 beyond 5.
+        for (limit, expected) in [(0.5, [0.5, 1.0]), (2.0, [1.0 / 3.0, 1.0]), (5.0, [0.0, 1.0])] {
+            is_about(found(limit).beyond.unwrap().part, expected);
+        }
+        let narrow = [part([1.0, 1.5], [1.0, 4.0], [2.0; 2], [4.0; 2]), at(2.0, 8.0)];
+        let narrow = |limit: f64| sums(&narrow, Measure::Area, UNKNOWN, limit, &[0.25, 0.75]);
+        is_about(narrow(2.0).beyond.unwrap().part, [2.0 / 3.5, 1.0]);
+        is_about(narrow(4.0).beyond.unwrap().part, [2.0 / 3.5, 2.0 / 3.0]);
+        // Within 1 there may be 2, which is 0.5 · 3 and more; then all.
+        for (of, lower) in percentiles.iter().zip([1.0, 1.0, 3.0]) {
+            // The second part may be 4, of which 3 (1 − 0.125) is less.
+            assert_eq!((of.distance.lower, of.distance.upper), (lower, 8.0));
+        }
+        // 2 of 3 are beyond 4, which 0.75 of 3 is more than and 0.25 is not.
+        let narrow = narrow(0.0).percentiles;
+        assert_eq!(narrow.iter().map(|of| of.distance.lower).collect::<Vec<_>>(), [1.0, 8.0]);
+        assert_eq!(narrow.iter().map(|of| of.distance.upper).collect::<Vec<_>>(), [4.0, 8.0]);
+    }
+
+    /// A part whose least distance is the limit may have no point beyond it.
+    #[test]
+    fn a_part_at_the_limit_is_not_beyond_it() {
+        let beyond = sums(&[at(1.0, 2.0)], Measure::Area, UNKNOWN, 2.0, &[]).beyond.unwrap().part;
+        assert_eq!((beyond.lower, beyond.upper), (0.0, 0.0));
+        let nan = part([1.0; 2], [0.0, f64::NAN], [0.0; 2], [0.0; 2]);
+        assert_eq!(sums(&[nan], Measure::Area, UNKNOWN, 2.0, &[]).beyond.unwrap().part.upper, 1.0);
+    }
+
+    /// To 1, terms below half of the spacing of numbers add nothing, and those above it a whole one.
+    #[test]
+    fn sums_hold_the_exact_ones() {
+        for term in [UNIT_ROUNDOFF, 1.25 * UNIT_ROUNDOFF] {
+            let parts: Vec<Part> =
+                std::iter::once(at(1.0, 1.0)).chain((0..LOST).map(|_| at(term, 1.0))).collect();
+            let total = sums(&parts, Measure::Area, UNKNOWN, 0.0, &[]).total;
+            let sum: BigRational = parts.iter().map(|part| exact(part.weight[0])).sum();
+            assert_ne!(exact(parts.iter().map(|part| part.weight[0]).sum()), sum);
+            holds(total.lower, &sum, total.upper);
+            // A sum that is known to be more narrow stays so.
+            let known = Area { lower: 1.0, upper: 1.0 + 2.0 * f64::from(LOST) * term };
+            let total = sums(&parts, Measure::Area, known, 0.0, &[]).total;
+            assert_eq!((total.lower, total.upper), (known.lower, known.upper));
+        }
+    }
+
+    #[test]
+    fn quotients_hold_the_exact_ones() {
+        for [a, b] in (1..40).flat_map(|a| (1..40).map(move |b| [a, b].map(f64::from))) {
+            let Bounded { lower, upper } = quotients(a, a, Area { lower: b, upper: b });
+            holds(lower, &(exact(a) / exact(b)), upper);
+        }
+        is_about(quotients(1.0, 1.0, Area { lower: 2.0, upper: 4.0 }), [0.25, 0.5]);
+    }
+
+    /// Half of the weight is reached at the 32nd of 64 parts that sums in float64 lose, from below and
+    /// from above, where the total is known exactly.
+    #[test]
+    fn percentiles_hold_where_sums_are_rounded() {
+        let lost = |k: u32| at(UNIT_ROUNDOFF, f64::from(k));
+        let check = |bottom: f64, part: f64| {
+            let mut parts = vec![at(bottom, 0.0), at(1.0, 1000.0)];
+            parts.extend((1..=LOST).map(lost));
+            let total = bottom + 1.0 + f64::from(LOST) * UNIT_ROUNDOFF;
+            let sum: BigRational = parts.iter().map(|part| exact(part.weight[0])).sum();
+            assert_eq!(exact(total), sum);
+            let known = Area { lower: total, upper: total };
+            let percentile = sums(&parts, Measure::Area, known, 0.0, &[part]).percentiles[0];
+            // The exact percentile: the least distance within which there is that part of the sum.
+            parts.sort_by(|one, other| one.spread.lower.total_cmp(&other.spread.lower));
+            let mut within = BigRational::zero();
+            let reached = parts.iter().find(|one| {
+                within += exact(one.weight[0]);
+                within >= exact(part) * &sum
+            });
+            let distance = reached.unwrap().spread.lower;
+            assert!((1.0..=f64::from(LOST)).contains(&distance), "{distance}");
+            let Bounded { lower, upper } = percentile.distance;
+            assert!(lower <= distance && distance <= upper, "{distance} [{lower}, {upper}]");
+        };
+        check(1.0, 0.5);
+        // What is left of the sum from above is far smaller than it, and so are its roundings.
+        let small = 0.5_f64.powi(20);
+        let beyond = 1.0 + f64::from(LOST) * UNIT_ROUNDOFF;
+        check(small, (small + 31.5 * UNIT_ROUNDOFF) / (small + beyond));
+        // The part within 1 is 1 − 1.4 u, which is rounded to 1 − u.
+        let parts =
+            [at(1.0 - 2.0 * UNIT_ROUNDOFF, 1.0), at(0.6 * UNIT_ROUNDOFF, 1.0), at(1.4 * UNIT_ROUNDOFF, 2.0)];
+        let known = Area { lower: 1.0, upper: 1.0 };
+        let found = sums(&parts, Measure::Area, known, 0.0, &[1.0 - UNIT_ROUNDOFF]).percentiles[0];
+        assert!(found.distance.lower <= 2.0 && found.distance.upper >= 2.0, "{found:?}");
+    }
+
+    /// 0.1 in float64 is more than a tenth, so that one of ten points is not that part.
+    #[test]
+    fn percentiles_of_counts_are_exact() {
+        let points: Vec<Part> = (1..=10).map(|k| at(1.0, f64::from(k))).collect();
+        let found = sums(&points, Measure::Count, UNKNOWN, 0.0, &[0.1, 0.5, 0.95]).percentiles;
+        assert!(exact(0.1) * exact(10.0) > exact(1.0));
+        for (of, distance) in found.iter().zip([2.0, 5.0, 10.0]) {
+            assert_eq!((of.distance.lower, of.distance.upper), (distance, distance));
+        }
+    }
+}
