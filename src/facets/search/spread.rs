@@ -386,4 +386,19 @@ mod tests {
             );
         }
     }
+
+    /// Of more facets than are looked at, the others may be nearer: here one near a corner, beyond
+    /// many above the middle.
+    #[test]
+    fn a_facet_beyond_many_others_may_be_nearest() {
+        let corners = [DVec3::ZERO, DVec3::X * 3.0, DVec3::Y * 3.0];
+        let middle = DVec3::new(1.0, 1.0, 0.0);
+        // As many near the corner, so that the halves of the tree are the two.
+        let near = [middle + DVec3::Z, DVec3::Z * 0.25];
+        let points: Vec<DVec3> =
+            (0..4 * MAX_NEAR).map(|k| near[k % 2] + DVec3::X * 1e-6 * k as f64).collect();
+        let b = FacetTarget::of_cloud(&PointCloud::new(points).unwrap());
+        let (spread, _) = spread_of_triangle(&b, &corners, 0, 0.0);
+        assert!(spread.lower <= 0.25, "{spread:?}");
+    }
 }
