@@ -188,3 +188,60 @@ fn boxes_and_sums_are_widened() {
         assert!((bound / expected - 1.0).abs() <= 3.0 * UNIT_ROUNDOFF, "{bound} {expected}");
     }
 }
+
+/// The heights of a surface over the unit square of two by two patches, of which the lines along y are double: at x
+/// of 0, 1/2, 1/2 and 1, and at y of 0, 1/2 and 1; or the same with x and y exchanged.
+fn four_patches(heights: [[f64; 3]; 4], transposed: bool) -> Surfaces {
+    let (xs, ys) = ([0.0, 0.5, 0.5, 1.0], [0.0, 0.5, 1.0]);
+    let [along, across] = [clamped(1, &[0.5, 0.5]), clamped(1, &[0.5])];
+    let arrays = if transposed {
+        let points = (0..3).flat_map(|j| (0..4).map(move |i| [ys[j], xs[i], heights[i][j], 1.0]));
+        let control_points = points.collect();
+        SurfaceArrays { degree: [1, 1], counts: [3, 4], knots: [across, along], control_points }
+    } else {
+        let points = (0..4).flat_map(|i| (0..3).map(move |j| [xs[i], ys[j], heights[i][j], 1.0]));
+        let control_points = points.collect();
+        SurfaceArrays { degree: [1, 1], counts: [4, 3], knots: [along, across], control_points }
+    };
+    Surfaces::new(vec![arrays], Flatness::None)
+}
+
+/// Seams count along both axes, by the largest jump on each line: creases, gaps, and gaps that grow along the
+/// seam.
+#[test]
+fn seams_count_by_their_largest_jumps() {
+    const RISE: f64 = 1e-3;
+    const GAP: f64 = 2e-10;
+    const STEP: f64 = 0.25;
+    let flat = [0.0; 3];
+    for transposed in [false, true] {
+        let by_axes = |[along, across]: [f64; 2]| if transposed { [across, along] } else { [along, across] };
+        let error = |heights: [[f64; 3]; 4], half: [f64; 2], steps: [f64; 2]| {
+            let b = four_patches(heights, transposed);
+            let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
+            let reach = chart.reach_over_creases([4.0; 2]);
+            let gap = chart.gap(&reach, by_axes(half));
+            (chart.step_error(&reach, by_axes(half), by_axes(steps), Over::Patches), gap)
+        };
+        let close = |found: f64, lemma: f64| {
+            assert!((lemma..1.01 * lemma).contains(&found), "{found:e} {lemma:e} {transposed}");
+        };
+        // A crease of RISE at the start of the line that vanishes over the first patch: M_st is RISE, too.
+        let (found, _) = error([flat, flat, flat, [RISE, 0.0, 0.0]], [0.75, 0.75], [STEP, 0.0]);
+        close(found, (0.75 * RISE + RISE) * STEP);
+        // A gap that vanishes over the first patch, and one over both.
+        let [first, both] = [[GAP, 0.0, 0.0], [GAP; 3]];
+        let (found, gap) = error([flat, flat, first, first], [0.75, 0.125], [0.0, STEP]);
+        close(gap, GAP);
+        close(found, GAP + GAP * STEP);
+        close(error([flat, flat, first, first], [0.75, 0.75], [0.0, 0.0]).1, GAP);
+        close(error([flat, flat, both, both], [0.75, 0.75], [0.0, 0.0]).1, GAP);
+    }
+    // Over two lines the gaps add up.
+    let points = [[0.0, 0.0], [0.4, 0.0], [0.4, GAP], [0.6, GAP], [0.6, 0.0], [1.0, 0.0]];
+    let b = profile(1, &[0.4, 0.4, 0.6, 0.6], &points);
+    let chart = Chart::new(b.sheets(), 0, [0.5; 2]);
+    let reach = chart.reach_over_creases([2.0, 0.25]);
+    let gap = chart.gap(&reach, [1.25, 0.25]);
+    assert!((2.0 * GAP..2.02 * GAP).contains(&gap), "{gap:e}");
+}
