@@ -13,7 +13,11 @@ const made = ".setup/wasm-made-from";
 
 // Panic messages name source files without the folders of this machine. Cargo
 // adds these flags to those of .cargo/config.toml.
-const rustFlags = `--remap-path-prefix=${process.env.CARGO_HOME || join(homedir(), ".cargo")}=cargo`;
+const remapped = `--remap-path-prefix=${process.env.CARGO_HOME || join(homedir(), ".cargo")}=cargo`;
+
+// LLVM inlines functions up to a size of 225. Up to 150 the core is 25 KiB smaller, gzipped, and the
+// reference pairs take 1.01 to 1.03 times as long in Node.
+const rustFlags = `${remapped} -Cllvm-args=--inline-threshold=150`;
 
 /**
  * The modules: the core, the readers of CAD files, those of meshes and those of scans, which are

@@ -69,12 +69,13 @@ impl Border {
             }
             border
         };
-        match &over.face {
+        let rims = match &over.face {
             Some(face) if !face.holds(placement.feet) => {
-                face.rims(placement.feet).into_iter().map(|rim| of(Some(rim))).collect()
+                face.rims(placement.feet).into_iter().map(Some).collect()
             }
-            _ => vec![of(None)],
-        }
+            _ => vec![None],
+        };
+        rims.into_iter().map(of).collect()
     }
 
     /// The bound for the points of the cell that are beyond no open side by more than this length, for feet within
@@ -122,26 +123,24 @@ impl Side {
     /// An upper bound on the lesser of two excesses as lengths over the cell, by the combination of both that varies
     /// least.
     pub(super) fn lesser_excess(&self, other: &Self) -> f64 {
-        let pairs = || {
-            let coefficients = self.excess.values.coefficients.iter().zip(&other.excess.values.coefficients);
-            coefficients.map(|((one, weight), (two, _))| {
-                [(self, one), (other, two)]
-                    .map(|(side, value)| side.length * (value / weight + side.excess.constant))
-            })
-        };
+        let lengths: Vec<[f64; 2]> = (0..self.excess.values.coefficients.len())
+            .map(|index| [self.coefficient(index), other.coefficient(index)])
+            .collect();
         // The share with which the combination varies least.
-        let count = self.excess.values.coefficients.len() as f64;
-        let mean = pairs().fold([0.0; 2], |[one, two], pair| [one + pair[0] / count, two + pair[1] / count]);
-        let (mut product, mut square) = (0.0, 0.0);
-        for [one, two] in pairs() {
-            let (two, difference) = (two - mean[1], (two - mean[1]) - (one - mean[0]));
-            product += two * difference;
-            square += difference * difference;
+        let count = lengths.len() as f64;
+        let (mut mean, mut product, mut square) = ([0.0; 2], 0.0, 0.0);
+        for pair in &lengths {
+            mean = [mean[0] + pair[0] / count, mean[1] + pair[1] / count];
+        }
+        for pair in &lengths {
+            let [one, two] = [pair[0] - mean[0], pair[1] - mean[1]];
+            product += two * (two - one);
+            square += (two - one) * (two - one);
         }
         let share: f64 = product / square;
         let share = if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) };
         let mut highest = f64::NEG_INFINITY;
-        for [one, two] in pairs() {
+        for [one, two] in lengths {
             highest = upper_max(highest, share * one + (1.0 - share) * two);
         }
         highest + share * self.error() + (1.0 - share) * other.error()
