@@ -13,7 +13,7 @@ use super::over::Over;
 use super::{framed, places};
 use crate::certified::cell_context::CellContext;
 use crate::certified::nearest::Foot;
-use crate::rounding::upper_max;
+use crate::rounding::{upper_max, upper_min};
 
 /// The largest distance, relative to the threshold, by which a point may be beyond an open side of the face
 /// that it is compared with.
@@ -41,9 +41,9 @@ impl<'a> Candidate<'a> {
     /// differ from values.
     fn beyond(&self, index: usize) -> f64 {
         let of_border = |border: &Border| {
-            border.open.iter().map(|side| side.coefficient(index)).fold(f64::NEG_INFINITY, f64::max)
+            border.open.iter().map(|side| side.coefficient(index)).fold(f64::NEG_INFINITY, upper_max)
         };
-        self.borders.iter().map(of_border).fold(f64::INFINITY, f64::min)
+        self.borders.iter().map(of_border).fold(f64::INFINITY, upper_min)
     }
 }
 
@@ -93,7 +93,8 @@ fn place_beyond(candidates: &[Candidate<'_>], degree: [usize; 2], largest: f64) 
     let columns = degree[1] + 1;
     let mut farthest = (largest, None);
     for index in 0..(degree[0] + 1) * columns {
-        let beyond = candidates.iter().map(|candidate| candidate.beyond(index)).fold(f64::INFINITY, f64::min);
+        let beyond =
+            candidates.iter().map(|candidate| candidate.beyond(index)).fold(f64::INFINITY, upper_min);
         if beyond > farthest.0 {
             farthest = (beyond, Some(index));
         }

@@ -6,6 +6,7 @@ use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::testing::{Surfaces, patch, through};
 use crate::model::SurfaceArrays;
 use crate::model::trim::FaceArrays;
+use crate::rounding::upper_min;
 
 type Polygon = Vec<[f64; 2]>;
 
@@ -224,7 +225,7 @@ fn no_point_over_several_faces_is_farther_than_the_bound() {
             let Some(upper) = bound(&a, &whole, true, threshold) else { continue };
             bounded += 1;
             let alone = parts.iter().filter_map(|part| bound(&a, part, true, threshold));
-            over_several += usize::from(alone.fold(f64::INFINITY, f64::min) > upper);
+            over_several += usize::from(alone.fold(f64::INFINITY, upper_min) > upper);
             let mut farthest = 0.0_f64;
             for _ in 0..30 {
                 let target = a.operand().patch(0).point([random.f64(), random.f64()]);
