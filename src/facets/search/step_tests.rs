@@ -138,7 +138,7 @@ fn no_point_of_an_explored_part_is_beyond_what_is_decided() {
             continue;
         }
         assert!(found.decided >= farthest_corner - 1e-12, "{} {farthest_corner}", found.decided);
-        attained = attained.max(farthest_corner / found.decided);
+        attained = upper_max(attained, farthest_corner / found.decided);
         count += 1;
     }
     assert!(count > 500 && attained > 0.999, "{count} {attained}");
