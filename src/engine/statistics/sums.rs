@@ -223,7 +223,7 @@ mod tests {
         is_about(narrow(4.0).beyond.unwrap().part, [2.0 / 3.5, 2.0 / 3.0]);
         // Within 1 there may be 2, which is 0.5 · 3 and more; then all.
         for (of, lower) in percentiles.iter().zip([1.0, 1.0, 3.0]) {
-            // The second part may be 4, of which 3 (1 − 0.125) is less.
+            // The second part may weigh 4, and 3 (1 − 0.125) is less than that.
             assert_eq!((of.distance.lower, of.distance.upper), (lower, 8.0));
         }
         // 2 of 3 are beyond 4, which 0.75 of 3 is more than and 0.25 is not.

@@ -23,7 +23,7 @@ const STEP_ROUNDINGS: f64 = 8.0;
 /// The ends of the surface and, of a trimmed face, the sides of a rim. *Open* are those beyond which points of the
 /// cell are too far.
 pub(super) struct Border {
-    /// That of the points that are beyond no open end by more than that.
+    /// The placement for the points of the cell that exceed each open end by at most the largest excess.
     placement: Placement,
     is_open: [[bool; 2]; 2],
     rim: Option<FaceRim>,

@@ -79,8 +79,15 @@ pub(super) struct Placement {
     margin: [f64; 2],
 }
 
+impl Image {
+    /// The largest distance of its control points from the foot.
+    pub(super) fn radius(&self) -> f64 {
+        self.parts.iter().fold(0.0, |radius, part| upper_max(radius, part.piece.radius))
+    }
+}
+
 impl Placement {
-    /// The same for the points of the cell of which F is beyond each end by no more than this.
+    /// The placement for those points of the cell for which F exceeds each end of the box by at most these limits.
     pub(super) fn limited(&self, limits: [[f64; 2]; 2]) -> Self {
         let least = |axis: usize| [0, 1].map(|end| upper_min(self.beyond[axis][end], limits[axis][end]));
         let beyond = [least(0), least(1)];
@@ -165,7 +172,7 @@ impl<'a> Frame<'a> {
 
     pub(super) fn placement(&self, a: &Piece, image: &Image, functions: [Quadric; 2]) -> Placement {
         let ranges = functions.map(|function| a.values(&function).range());
-        let radius = image.parts.iter().fold(0.0, |radius, part| upper_max(radius, part.piece.radius));
+        let radius = image.radius();
         let mut placement = Placement {
             functions,
             overshoot: [0.0; 2],

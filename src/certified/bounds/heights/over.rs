@@ -72,9 +72,10 @@ impl<'a> Over<'a> {
         self.with_overrun(&placement, overrun, threshold)
     }
 
-    /// The bound where the points of B that are compared with the cell's are beyond a rim of the face by at most
-    /// an overrun, which holds for feet within the threshold; `None` where the bound exceeds that, or where these points are
-    /// beyond the surface by more than what the threshold leaves.
+    /// The bound with what points of B may be beyond a rim of the face, where cells are over one.
+    ///
+    /// An overrun holds for feet within the threshold: the result is `None` where the bound exceeds what the
+    /// overrun leaves of it, and where points of B may be beyond the surface by more than that.
     pub(super) fn with_overrun(
         &self,
         placement: &Placement,
@@ -98,7 +99,7 @@ impl<'a> Over<'a> {
 
     /// The sum of the largest distances of the cell's points and of those of B from the foot.
     pub(super) fn reach(&self) -> f64 {
-        self.image.parts.iter().fold(0.0, |radius, part| upper_max(radius, part.piece.radius)) + self.a.radius
+        self.image.radius() + self.a.radius
     }
 
     /// l of the lemma.

@@ -189,8 +189,9 @@ fn boxes_and_sums_are_widened() {
     }
 }
 
-/// The heights of a surface over the unit square of two by two patches, of which the lines along y are double: at x
-/// of 0, 1/2, 1/2 and 1, and at y of 0, 1/2 and 1; or the same with x and y exchanged.
+/// A surface of two by two bilinear patches over the unit square. Its control points have these heights at
+/// x = 0, 1/2, 1/2 and 1 and at y = 0, 1/2 and 1. The knot 1/2 is double along x, so that the surface may jump
+/// there. `transposed` exchanges x and y.
 fn four_patches(heights: [[f64; 3]; 4], transposed: bool) -> Surfaces {
     let (xs, ys) = ([0.0, 0.5, 0.5, 1.0], [0.0, 0.5, 1.0]);
     let [along, across] = [clamped(1, &[0.5, 0.5]), clamped(1, &[0.5])];

@@ -194,7 +194,7 @@ fn a_drift_has_the_speed_and_the_gap_of_every_patch() {
                 assert_close(drift(towards(0.75), within).unwrap(), alone, 1e-7);
                 let both = STEPS[0] * 2.0 + STEPS[1] + GAP;
                 assert_close(drift(towards(1.25), within).unwrap(), both, 1e-7);
-                // γ₃₂ of 1 and of the extent is the rounding of the box's ends: 48 roundings, of which 40 matter.
+                // The ends of the box are rounded by γ₃₂ (1 + ½), which is 48 roundings; the line is 40 roundings away.
                 let at_line = towards(1.0 - 40.0 * UNIT_ROUNDOFF);
                 assert_close(drift(at_line, within).unwrap(), both, 1e-7);
                 assert!(drift(towards(2.001), within).is_none() && drift(towards(2.0), within).is_some());

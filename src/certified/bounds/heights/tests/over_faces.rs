@@ -60,12 +60,37 @@ pub(super) fn plate() -> Cut {
 
 /// The square [-1, 1]² at height 0; u and v are x and y.
 pub(super) fn plane() -> SurfaceArrays {
-    let corners = [-1.0, 1.0].map(|x| [-1.0, 1.0].map(|y| [x, y, 0.0, 1.0]));
+    plane_between([-1.0, 1.0], [-1.0, 1.0])
+}
+
+/// A rectangle at height 0; u and v are x and y.
+pub(super) fn plane_between([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> SurfaceArrays {
+    let corners = [x0, x1].map(|x| [y0, y1].map(|y| [x, y, 0.0, 1.0]));
     SurfaceArrays {
         degree: [1, 1],
-        knots: [[-1.0, -1.0, 1.0, 1.0].to_vec(), [-1.0, -1.0, 1.0, 1.0].to_vec()],
+        knots: [vec![x0, x0, x1, x1], vec![y0, y0, y1, y1]],
         counts: [2, 2],
         control_points: corners.concat(),
+    }
+}
+
+/// The part of a plane between two corners, at a height.
+pub(super) fn flat_between([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], height: f64) -> Surfaces {
+    patch(through(|s, t| DVec3::new(x0 + s * (x1 - x0), y0 + t * (y1 - y0), height)))
+}
+
+/// A point of a curved surface.
+pub(super) fn bent(s: f64, t: f64) -> DVec3 {
+    DVec3::new(s + 0.2 * s * t, t - 0.2 * s * s, 0.3 * s * t - 0.2 * t * t)
+}
+
+/// The surface of these points over the unit square.
+pub(super) fn bent_surface() -> SurfaceArrays {
+    SurfaceArrays {
+        degree: [2, 2],
+        knots: [0; 2].map(|_| vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0]),
+        counts: [3, 3],
+        control_points: through(bent).iter().map(|control| control.to_array()).collect(),
     }
 }
 
@@ -186,9 +211,7 @@ fn a_height_over_a_face_is_the_distance() {
 fn a_cell_beyond_a_loop_is_at_its_overrun() {
     const BEYOND: f64 = 1e-4;
     let plate = plate();
-    let at = |x: [f64; 2], y: [f64; 2]| {
-        patch(through(|s, t| DVec3::new(x[0] + s * (x[1] - x[0]), y[0] + t * (y[1] - y[0]), 0.0)))
-    };
+    let at = |x: [f64; 2], y: [f64; 2]| flat_between(x, y, 0.0);
     let edge = |low: f64| [low, PLATE + BEYOND];
     for swapped in [false, true] {
         for sign in [1.0, -1.0] {
@@ -207,23 +230,15 @@ fn a_cell_beyond_a_loop_is_at_its_overrun() {
 #[test]
 fn no_point_about_a_loop_of_a_curved_face_is_farther_than_the_bound() {
     let random = &mut fastrand::Rng::with_seed(3190);
-    let of = |s: f64, t: f64| DVec3::new(s + 0.2 * s * t, t - 0.2 * s * s, 0.3 * s * t - 0.2 * t * t);
-    let controls = through(of);
-    let surface = SurfaceArrays {
-        degree: [2, 2],
-        knots: [[0.0, 0.0, 0.0, 1.0, 1.0, 1.0].to_vec(), [0.0, 0.0, 0.0, 1.0, 1.0, 1.0].to_vec()],
-        counts: [3, 3],
-        control_points: controls.iter().map(|control| control.to_array()).collect(),
-    };
     // A polygon of many corners about a circle, and one with a reflex corner.
     let round: Vec<[f64; 2]> = (0..40)
         .map(|k| std::f64::consts::TAU * f64::from(k) / 40.0)
         .map(|angle| [0.5 + 0.3 * angle.cos(), 0.5 + 0.35 * angle.sin()])
         .collect();
-    let bent = [[0.2, 0.2], [0.8, 0.25], [0.75, 0.5], [0.5, 0.55], [0.45, 0.8], [0.25, 0.75]];
+    let reflex = [[0.2, 0.2], [0.8, 0.25], [0.75, 0.5], [0.5, 0.55], [0.45, 0.8], [0.25, 0.75]];
     let (mut bounded, mut over_loops) = (0, 0);
-    for loop_ in [&round[..], &bent[..]] {
-        let b = cut(surface.clone(), &[loop_]);
+    for loop_ in [&round[..], &reflex[..]] {
+        let b = cut(bent_surface(), &[loop_]);
         let pair_b = b.pieces.operand();
         let nearest = NearestPoint::new(pair_b);
         for _ in 0..300 {
@@ -240,7 +255,7 @@ fn no_point_about_a_loop_of_a_curved_face_is_farther_than_the_bound() {
             };
             let a = patch(through(|s, t| {
                 let [u, v] = place(s, t);
-                of(u, v)
+                bent(u, v)
             }));
             let Some(upper) = bound(&a, &b, true, 0.02) else { continue };
             bounded += 1;

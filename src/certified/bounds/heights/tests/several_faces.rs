@@ -1,10 +1,11 @@
 //! Cells over lines between faces, and over corners in which several meet.
 
-use super::over_faces::{Cut, bound, cut_all, face, flat, plane};
+use super::over_faces::{
+    Cut, bent, bent_surface, bound, cut_all, face, flat, flat_between, plane, plane_between,
+};
 use super::*;
 use crate::certified::nearest::{Foot, NearestPoint};
-use crate::certified::testing::{Surfaces, patch, through};
-use crate::model::SurfaceArrays;
+use crate::certified::testing::{patch, through};
 use crate::model::trim::FaceArrays;
 use crate::rounding::upper_min;
 
@@ -20,16 +21,9 @@ fn faces(polygons: &[Polygon]) -> Cut {
     cut_all(polygons.iter().map(|polygon| face(plane(), &[polygon])).collect())
 }
 
-/// A surface of its own for a rectangle of the plane, which ends where the face does.
-fn own_surface([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> FaceArrays {
-    let corners = [x0, x1].map(|x| [y0, y1].map(|y| [x, y, 0.0, 1.0]));
-    let surface = SurfaceArrays {
-        degree: [1, 1],
-        knots: [vec![x0, x0, x1, x1], vec![y0, y0, y1, y1]],
-        counts: [2, 2],
-        control_points: corners.concat(),
-    };
-    face(surface, &[&rectangle([x0, x1], [y0, y1])])
+/// A face on a surface that ends where the face does.
+fn own_surface(x: [f64; 2], y: [f64; 2]) -> FaceArrays {
+    face(plane_between(x, y), &[&rectangle(x, y)])
 }
 
 /// A cell over the lines of two to four faces lies on them, whether the lines are loops or ends of surfaces, straight
@@ -98,11 +92,6 @@ fn a_cell_over_a_slit_is_at_half_its_width() {
     }
 }
 
-/// The part of the plane between two corners, at a height.
-fn flat_between([x0, x1]: [f64; 2], [y0, y1]: [f64; 2], height: f64) -> Surfaces {
-    patch(through(|s, t| DVec3::new(x0 + s * (x1 - x0), y0 + t * (y1 - y0), height)))
-}
-
 /// Over a slit that opens like a wedge the bound is half its width at the cell's end, whichever end that is.
 #[test]
 fn a_cell_over_a_wedge_is_at_half_its_greatest_width() {
@@ -160,22 +149,9 @@ fn a_cell_over_two_faces_is_at_the_overrun_of_their_loops() {
     }
 }
 
-/// A surface in whose parameters lines are curved.
-fn bent(s: f64, t: f64) -> DVec3 {
-    DVec3::new(s + 0.2 * s * t, t - 0.2 * s * s, 0.3 * s * t - 0.2 * t * t)
-}
-
-/// Faces of a bent surface, a polygon of which the middle is moved at random: the surface is the same, in the
-/// parameters of the polygons.
+/// Faces of the bent surface, one for each polygon of its parameters.
 fn bent_faces(polygons: &[Polygon]) -> Cut {
-    let controls = through(bent).iter().map(|control| control.to_array()).collect();
-    let surface = SurfaceArrays {
-        degree: [2, 2],
-        knots: [0; 2].map(|_| vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0]),
-        counts: [3, 3],
-        control_points: controls,
-    };
-    cut_all(polygons.iter().map(|polygon| face(surface.clone(), &[polygon])).collect())
+    cut_all(polygons.iter().map(|polygon| face(bent_surface(), &[polygon])).collect())
 }
 
 /// Of several faces of a curved surface about a random corner, with slits and without, no point of a cell is
