@@ -25,6 +25,7 @@ from OCP.BRepGProp import BRepGProp
 from OCP.BRepTools import BRepTools
 from OCP.GProp import GProp_GProps
 from OCP.IGESControl import IGESControl_Reader, IGESControl_Writer
+from OCP.Interface import Interface_Static
 from OCP.Message import Message
 from OCP.STEPControl import STEPControl_Reader
 from OCP.TopAbs import TopAbs_FACE
@@ -88,6 +89,9 @@ def translate(path, text):
     before = resource.getrusage(resource.RUSAGE_SELF)
     is_iges = path.suffix.lower() in (".igs", ".iges")
     reader = IGESControl_Reader() if is_iges else STEPControl_Reader()
+    # OpenCASCADE moves a model by a placement among the items of its representation; ISO 10303-43 gives such
+    # a placement no effect on the others.
+    Interface_Static.SetCVal_s("read.step.root.transformation", "OFF")
     reader.ReadFile(str(path))
     reader.TransferRoots()
     shape = reader.OneShape()

@@ -357,3 +357,14 @@ fn a_quarter_of_a_sphere_may_have_a_pole_on_an_edge() {
     let (model, _) = face(text, quarter);
     assert_near(areas(&model)[0], PI * 4.0, 1e-6);
 }
+
+/// SolidWorks states the inner sheet of a degenerate torus by a major radius below 0: the point at (u, v)
+/// is at the distance -1 + 2 cos v from the axis and at the height 2 sin v. The area is that of a surface of
+/// revolution, 2 pi ∫ 2 (2 cos v - 1) dv from 0 to pi / 6.
+#[test]
+fn a_torus_with_a_negative_major_radius_is_its_inner_sheet() {
+    let surface = "TOROIDAL_SURFACE('',@,-1.,2.)";
+    let (model, report) = between_rings(surface, [[1.0, 0.0], [3_f64.sqrt() - 1.0, 1.0]]);
+    assert_near(areas(&model)[0], 4.0 * PI * (1.0 - PI / 6.0), 1e-9);
+    assert!(report.gap < 1e-9, "{}", report.gap);
+}

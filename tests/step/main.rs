@@ -17,6 +17,7 @@ mod loops;
 mod p_curves;
 mod polygons;
 mod real_files;
+mod seams;
 mod splines;
 mod units;
 

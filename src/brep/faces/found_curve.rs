@@ -3,7 +3,7 @@
 use super::gap::Gap;
 use super::section::Section;
 use crate::brep::gap::Lifted;
-use crate::brep::nurbs::{Curve, Spline};
+use crate::brep::nurbs::{Curve, Spline, Surface};
 use crate::brep::topology::{Edge, Face, Topology};
 use glam::DAffine3;
 
@@ -30,17 +30,17 @@ impl FoundCurve {
     }
 }
 
-/// Returns a curve on the surface, over a range, beside the edge; `None` if either is missing.
+/// Returns a curve on the surface, over a range, beside the edge; `None` if the edge has no curve.
 pub(super) fn lifted<'a>(
     file: &'a Topology,
-    face: &Face,
+    (face, surface): (&Face, &'a Surface),
     edge: &'a Edge,
     location: &DAffine3,
     (curve, range): (&'a Curve, [f64; 2]),
 ) -> Option<Lifted<'a>> {
-    let (&Ok(surface), Some(space)) = (&face.surface, &edge.curve) else { return None };
+    let space = edge.curve.as_ref()?;
     Some(Lifted {
-        surface: &file.surfaces[surface],
+        surface,
         surface_location: face.location,
         curve,
         range,

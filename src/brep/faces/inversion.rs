@@ -2,7 +2,7 @@
 
 use super::found_curve::{FoundCurve, lifted};
 use super::gap::Gap;
-use super::projection::{Projector, Traced, angle, on_meridian};
+use super::projection::{Projector, Traced, angle, is_across_seam, on_meridian};
 use crate::brep::nurbs::{Curve, Frame, Spline, Surface, project};
 use crate::brep::report::FaceFault;
 use crate::brep::topology::{Edge, Face, Topology};
@@ -71,14 +71,14 @@ pub(super) fn invert(
     if let Some(ends) = line {
         let [start, end] = on_side(surface, ends, reversed);
         let line = Curve::Line { point: start, direction: end - start };
-        let gap = lifted(file, face, edge, location, (&line, [0.0, 1.0]));
+        let gap = lifted(file, (face, surface), edge, location, (&line, [0.0, 1.0]));
         let gap = gap.as_ref().map_or_else(Gap::default, Gap::of);
         let curve = Spline::segment([0.0, 1.0], start, end);
         return Ok(FoundCurve { curve, gap, fitted: false, section: None, deviation: 0.0, is_placed: false });
     }
     let fit = traced.fit(surface, &mut projector)?;
     let on_surface = Curve::Spline(fit.clone().into());
-    let lifted = lifted(file, face, edge, location, (&on_surface, space.range));
+    let lifted = lifted(file, (face, surface), edge, location, (&on_surface, space.range));
     let gap = lifted.as_ref().map_or_else(Gap::default, Gap::of);
     let found = FoundCurve { curve: fit, gap, fitted: true, section: None, deviation: 0.0, is_placed: false };
     Ok(match &lifted {
@@ -171,13 +171,17 @@ fn revolution_parameters(
 }
 
 /// Returns the ends of the parameter line through points with these parameters; `None` where
-/// a point is farther from the line's point of equal parameter than the tolerance.
+/// a point is farther from the line's point of equal parameter than the tolerance, or the points pass a
+/// seam at which the parameters do not continue.
 fn parameter_line(
     points: &[DVec3],
     parameters: &[DVec3],
     surface: &Surface,
     size: f64,
 ) -> Option<[DVec3; 2]> {
+    if parameters.windows(2).any(|pair| is_across_seam(surface, pair[1] - pair[0])) {
+        return None;
+    }
     [0, 1].into_iter().find_map(|axis| {
         let value = parameters[parameters.len() / 2][axis];
         let on_line = |parameter: &DVec3| {

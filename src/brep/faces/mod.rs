@@ -26,6 +26,7 @@ use glam::DVec3;
 use loops::Loops;
 use mapping::Mapped;
 use metric::Metric;
+use std::borrow::Cow;
 use uses::TrimUse;
 
 /// A face in the form of the interchange.
@@ -53,8 +54,9 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
     let ShapeKind::Face(face) = &file.shapes[shape].kind else {
         return Err(FaceFault::new("BREP_FACE", "the shape is not a face"));
     };
-    let surface = &file.surfaces[*face.surface.as_ref().map_err(FaceFault::clone)?];
-    let Loops { loops, remarks, complement_fits } = loops::of_face(file, shape, surface)?;
+    let stated = &file.surfaces[*face.surface.as_ref().map_err(FaceFault::clone)?];
+    let (surface, Loops { loops, remarks, complement_fits }) = loops_of(file, shape, stated)?;
+    let surface = surface.as_ref();
     let remarks = face.remarks.iter().cloned().chain(remarks).collect();
     let scale = face.location.matrix3.determinant().abs().cbrt();
     let arrays = |net: SurfaceNet, trim, is_measured: bool| FaceArrays {
@@ -95,6 +97,24 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
     let is_measured = curves().any(|curve| curve.gap.is_measured);
     let trim = mapped.iter().map(|curves| curves.iter().map(curve_arrays).collect()).collect();
     Ok(Converted { face: arrays(net, Some(trim), is_measured), exact, fitted, remarks, complement_fits })
+}
+
+/// Returns the loops of a face, and its surface: as the file states it, or, if an edge crosses the seam of
+/// a closed B-spline, with parameters that continue over the seam.
+fn loops_of<'a>(
+    file: &Topology,
+    shape: usize,
+    stated: &'a Surface,
+) -> Result<(Cow<'a, Surface>, Loops), FaceFault> {
+    let fault = match loops::of_face(file, shape, stated) {
+        Ok(loops) => return Ok((Cow::Borrowed(stated), loops)),
+        Err(fault) => fault,
+    };
+    let Some(continued) = stated.continued() else { return Err(fault) };
+    match loops::of_face(file, shape, &continued) {
+        Ok(loops) => Ok((Cow::Owned(continued), loops)),
+        Err(_) => Err(fault),
+    }
 }
 
 /// Returns the ranges of u and v that loops cover.

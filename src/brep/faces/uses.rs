@@ -4,7 +4,7 @@ use super::found_curve::{FoundCurve, lifted};
 use super::gap::Gap;
 use super::inversion::invert;
 use super::section::Section;
-use crate::brep::nurbs::Spline;
+use crate::brep::nurbs::{Spline, Surface};
 use crate::brep::report::FaceFault;
 use crate::brep::topology::{Edge, Face, Orientation, PCurve, ShapeKind, Topology, Use};
 use glam::{DAffine3, DVec3};
@@ -106,6 +106,7 @@ pub(super) fn of_wire(
     file: &Topology,
     face_shape: usize,
     wire: &Use,
+    surface: &Surface,
     origin: Origin,
 ) -> Result<Vec<TrimUse>, FaceFault> {
     let ShapeKind::Face(face) = &file.shapes[face_shape].kind else { return Ok(Vec::new()) };
@@ -119,7 +120,7 @@ pub(super) fn of_wire(
             Orientation::Internal | Orientation::External => continue,
         };
         let location = wire.location * child.location;
-        let found = of_edge(file, face, edge, &location, (origin, reversed));
+        let found = of_edge(file, (face, surface), edge, &location, (origin, reversed));
         let found = found.map_err(|FaceFault { code, why }| FaceFault {
             code,
             why: format!("edge {}: {why}", child.shape),
@@ -165,13 +166,12 @@ fn vertices(file: &Topology, edge: usize) -> [Option<usize>; 2] {
 /// length.
 fn of_edge(
     file: &Topology,
-    face: &Face,
+    (face, surface): (&Face, &Surface),
     edge: &Edge,
     location: &DAffine3,
     (origin, reversed): (Origin, bool),
 ) -> Result<Option<FoundCurve>, FaceFault> {
     let Ok(index) = face.surface else { return Ok(None) };
-    let surface = &file.surfaces[index];
     let stated = p_curve(edge, index, location, &face.location);
     let Some(p_curve) = stated.filter(|_| origin == Origin::Stated || edge.curve.is_none()) else {
         if edge.degenerate {
@@ -188,7 +188,7 @@ fn of_edge(
     if !spline.points().all(DVec3::is_finite) {
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
     }
-    let lifted = lifted(file, face, edge, location, (curve, p_curve.range));
+    let lifted = lifted(file, (face, surface), edge, location, (curve, p_curve.range));
     let gap = lifted.as_ref().map_or_else(Gap::default, Gap::of);
     let found =
         FoundCurve { curve: spline, gap, fitted: deviation > 0.0, section: None, deviation, is_placed: true };

@@ -57,6 +57,36 @@ impl Basis {
         Some(basis)
     }
 
+    /// Returns the periodic basis whose knots beyond one period these are, and the index of its first control
+    /// point: the functions of the control points that follow its own must be those of the first ones. Of
+    /// clamped knots all control points but the last are its own. `None` for a basis that is periodic,
+    /// or whose knots do not repeat.
+    pub(crate) fn continued(&self) -> Option<(Self, usize)> {
+        let (degree, count) = (self.degree, self.poles.len());
+        let [start, end] = self.domain();
+        let period = end - start;
+        // No function depends on the outer knots.
+        let knots = &self.knots[1..count + degree];
+        let cycle: Vec<f64> = knots.iter().copied().filter(|&knot| start <= knot && knot < end).collect();
+        let repeats = knots
+            .iter()
+            .zip(knots.get(cycle.len()..)?)
+            .all(|(knot, later)| (knot + period - later).abs() <= KNOT_RESOLUTION * period);
+        if self.cycle.is_some() || !repeats {
+            return None;
+        }
+        let mut pairs: Vec<(f64, usize)> = Vec::new();
+        for &knot in &cycle {
+            match pairs.last_mut() {
+                Some((last, times)) if *last == knot => *times += 1,
+                _ => pairs.push((knot, 1)),
+            }
+        }
+        pairs.push((end, pairs.first()?.1));
+        let first = spline::span(&self.knots, degree, count, start) - degree;
+        Some((Self::new(degree, cycle.len(), &pairs, true)?, first))
+    }
+
     /// Returns the period of a periodic basis.
     pub(crate) fn period(&self) -> Option<f64> {
         self.cycle.as_ref().map(|cycle| cycle.period)

@@ -155,6 +155,16 @@ impl Curve {
         }
     }
 
+    /// Returns a closed B-spline with a parameter that continues over its end; `None` for other curves.
+    pub(crate) fn continued(&self) -> Option<Self> {
+        let Self::Spline(SplineCurve { basis, poles, .. }) = self else { return None };
+        let (basis, first) = basis.continued()?;
+        let count = basis.pole_count();
+        let repeats = poles.iter().zip(poles.get(count..)?).all(|(pole, later)| pole == later);
+        let own = poles.get(first..first + count).filter(|_| repeats)?;
+        Some(Self::Spline(SplineCurve::new(basis, own.to_vec())))
+    }
+
     /// Returns the length after which the curve meets itself, whether or not its parameter
     /// continues.
     pub(crate) fn closure(&self) -> Option<f64> {

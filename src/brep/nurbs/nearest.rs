@@ -37,7 +37,12 @@ pub(crate) fn nearest_parameter(curve: &Curve, point: DVec3) -> Option<f64> {
             let range = curve.natural_range()?;
             let distance = |t: f64| curve.point(t).distance_squared(point);
             let first = samples(curve, range).min_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
-            Some(polished(curve, point, first, range))
+            let found = polished(curve, point, first, range);
+            // The ends of a closed curve are one point, and the nearest one may be beside either.
+            let [start, end] = range;
+            let other = [(start, end), (end, start)].into_iter().find(|&(at, _)| at == found);
+            let beside = other.map(|(_, other)| polished(curve, point, other, range));
+            Some(beside.filter(|&beside| distance(beside) < distance(found)).unwrap_or(found))
         }
     }
 }

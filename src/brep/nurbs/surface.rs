@@ -115,17 +115,59 @@ impl SplineSurface {
         grid
     }
 
-    /// Returns whether the first and last row of control points along an axis coincide.
+    /// Returns whether the first and last row of control points along an axis coincide, or rows repeat.
     fn closed(&self, axis: usize) -> bool {
         let rows = self.poles.len() / self.columns;
         let scale = self.poles.iter().map(|&pole| project(pole).abs().max_element()).fold(0.0, f64::max);
         let near =
             |a: usize, b: usize| project(self.poles[a]).distance(project(self.poles[b])) <= CLOSED * scale;
-        if axis == 0 {
+        let ends_meet = if axis == 0 {
             (0..self.columns).all(|j| near(j, (rows - 1) * self.columns + j))
         } else {
             (0..rows).all(|i| near(i * self.columns, (i + 1) * self.columns - 1))
+        };
+        ends_meet || self.repeats(axis).is_some()
+    }
+}
+
+impl SplineSurface {
+    /// Returns the periodic basis along an axis, and the index of its first control points, if those that follow
+    /// its own are the first ones.
+    fn repeats(&self, axis: usize) -> Option<(Basis, usize)> {
+        let (basis, first) = self.bases[axis].continued()?;
+        let counts = [self.poles.len() / self.columns, self.columns];
+        let count = basis.pole_count();
+        let same = |i: usize, other: usize| self.pole(axis, i, other) == self.pole(axis, i - count, other);
+        let all = (count..counts[axis]).all(|i| (0..counts[1 - axis]).all(|other| same(i, other)));
+        (all && first + count <= counts[axis]).then_some((basis, first))
+    }
+
+    /// Returns the control point of an index along an axis and one along the other.
+    fn pole(&self, axis: usize, index: usize, other: usize) -> DVec4 {
+        self.poles[if axis == 0 { index * self.columns + other } else { other * self.columns + index }]
+    }
+
+    /// Returns the surface with parameters that continue over the seams at which control points repeat; `None`
+    /// if there are none.
+    fn continued(&self) -> Option<Self> {
+        let mut continued = self.clone();
+        let mut is_new = false;
+        for axis in [0, 1] {
+            let Some((basis, first)) = continued.repeats(axis) else { continue };
+            let others =
+                0..if axis == 0 { continued.columns } else { continued.poles.len() / continued.columns };
+            let own = first..first + basis.pole_count();
+            let pole = |index, other| continued.pole(axis, index, other);
+            continued.poles = if axis == 0 {
+                own.flat_map(|index| others.clone().map(move |other| pole(index, other))).collect()
+            } else {
+                others.flat_map(|other| own.clone().map(move |index| pole(index, other))).collect()
+            };
+            continued.bases[axis] = basis;
+            continued.columns = continued.bases[1].pole_count();
+            is_new = true;
         }
+        is_new.then_some(continued)
     }
 }
 
@@ -252,6 +294,21 @@ impl Surface {
             Self::Extrusion { profile, .. } => [profile.period(), None],
             Self::Spline(spline) => [spline.bases[0].period(), spline.bases[1].period()],
             Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.periods(),
+        }
+    }
+
+    /// Returns the surface with parameters that continue over the seams of closed B-splines; `None` if
+    /// there are none.
+    pub(crate) fn continued(&self) -> Option<Self> {
+        match self {
+            Self::Spline(spline) => spline.continued().map(Self::Spline),
+            Self::Extrusion { direction, profile } => {
+                Some(Self::Extrusion { direction: *direction, profile: profile.continued()? })
+            }
+            Self::Revolution { frame, profile, kind } => {
+                Some(Self::Revolution { frame: *frame, profile: profile.continued()?, kind })
+            }
+            _ => None,
         }
     }
 

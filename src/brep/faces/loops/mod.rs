@@ -12,6 +12,7 @@ mod chain;
 mod frame;
 mod nesting;
 mod order;
+mod periods;
 mod rings;
 
 use super::uses::{self, Origin, TrimUse};
@@ -54,7 +55,7 @@ fn of_curves(file: &Topology, shape: usize, surface: &Surface, origin: Origin) -
         if !bounds || !matches!(file.shapes[wire.shape].kind, ShapeKind::Wire) {
             continue;
         }
-        let uses = uses::of_wire(file, shape, wire, origin)?;
+        let uses = uses::of_wire(file, shape, wire, surface, origin)?;
         if !uses.is_empty() {
             chains.push(turned_about_seam(chain::chain(uses, surface)?, surface));
         }

@@ -1,6 +1,8 @@
 //! Loops that run around a period and so do not close in the parameters.
 
 use super::chain::Chain;
+use super::nesting::points;
+use super::periods::{is_inside, widest_gap};
 use crate::brep::faces::uses::TrimUse;
 use crate::brep::nurbs::{Spline, Surface};
 use crate::brep::report::FaceFault;
@@ -12,8 +14,9 @@ use glam::DVec3;
 /// # Errors
 /// `BREP_RING` if a ring bounds no region of the surface.
 pub(super) fn close(chains: Vec<Chain>, surface: &Surface) -> Result<Vec<Vec<TrimUse>>, FaceFault> {
-    let (closed, rings): (Vec<_>, Vec<_>) = chains.into_iter().partition(|chain| chain.turns == [0, 0]);
+    let (closed, mut rings): (Vec<_>, Vec<_>) = chains.into_iter().partition(|chain| chain.turns == [0, 0]);
     let mut loops: Vec<Vec<TrimUse>> = closed.into_iter().map(|chain| chain.uses).collect();
+    begin_beside(&mut rings, &loops, surface)?;
     match <[Chain; 2]>::try_from(rings) {
         Ok(pair) => loops.push(join(pair, surface)?),
         Err(rings) => match <[Chain; 1]>::try_from(rings) {
@@ -26,6 +29,50 @@ pub(super) fn close(chains: Vec<Chain>, surface: &Surface) -> Result<Vec<Vec<Tri
         },
     }
     Ok(loops)
+}
+
+/// Equally spaced places around a period that are tried for a cut.
+const PLACES: u32 = 32;
+
+/// Begins the rings, where there is such a place, at one whose parameter line neither passes a closed loop nor
+/// any ring twice: the holes of a face may lie anywhere around the period, and rings may run back and forth.
+fn begin_beside(rings: &mut [Chain], loops: &[Vec<TrimUse>], surface: &Surface) -> Result<(), FaceFault> {
+    let Some(first) = rings.first() else { return Ok(()) };
+    let (along, _) = axis(first)?;
+    let period = surface.closures()[along].unwrap_or_default();
+    let values = |uses: &[TrimUse]| -> Vec<f64> {
+        let inner = uses.iter().flat_map(points).map(|point| point[along]);
+        inner.chain(uses.last().map(|last| last.curve.end()[along])).collect()
+    };
+    let around: Vec<Vec<f64>> = rings.iter().map(|ring| values(&ring.uses)).collect();
+    let extent = |uses: &Vec<TrimUse>| {
+        let values = values(uses);
+        [
+            values.iter().copied().fold(f64::INFINITY, f64::min),
+            values.into_iter().fold(f64::NEG_INFINITY, f64::max),
+        ]
+    };
+    let holes: Vec<[f64; 2]> = loops.iter().map(extent).collect();
+    let is_free = |place: f64| {
+        !holes.iter().any(|&hole| is_inside(place, hole, period))
+            && around.iter().all(|ring| passes(ring, place, period) <= 1)
+    };
+    let start = first.uses[0].curve.start()[along];
+    let between = if holes.is_empty() { start } else { widest_gap(&holes, period) };
+    let spaced = (0..PLACES).map(|place| start + period * (f64::from(place) + 0.5) / f64::from(PLACES));
+    let place = [start, between].into_iter().chain(spaced).find(|&place| is_free(place));
+    if let Some(place) = place.filter(|&place| place != start) {
+        for ring in rings {
+            ring.uses = begun_at(std::mem::take(&mut ring.uses), along, place, period)?;
+        }
+    }
+    Ok(())
+}
+
+/// Returns how often a polygon around a period passes a place.
+fn passes(values: &[f64], place: f64, period: f64) -> u64 {
+    let turn = |value: f64| ((value - place) / period).floor();
+    values.windows(2).map(|pair| (turn(pair[1]) - turn(pair[0])).abs() as u64).sum()
 }
 
 /// Returns the axis along which a ring runs once, and its direction.

@@ -4,7 +4,7 @@ mod meridian;
 mod tracing;
 
 pub(super) use meridian::{angle, on_meridian};
-pub(super) use tracing::Traced;
+pub(super) use tracing::{Traced, is_across_seam};
 
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, extract};

@@ -185,8 +185,13 @@ impl<'a> Traced<'a> {
                 if piece == pieces { high } else { low + fraction * (high - low) }
             };
             let mut from = self.node(projector, low, near(low), part)?;
-            if spline.controls.is_empty() {
-                spline.controls.push(from.at.extend(1.0));
+            match spline.controls.last() {
+                None => spline.controls.push(from.at.extend(1.0)),
+                Some(last) if is_across_seam(surface, from.at - last.truncate()) => {
+                    let why = format!("the edge crosses the seam of the {}", surface.kind());
+                    return Err(FaceFault::new("BREP_NO_P_CURVE", why));
+                }
+                Some(_) => {}
             }
             for piece in 1..=pieces {
                 let to = self.node(projector, at(piece), near(at(piece)), part)?;
@@ -267,6 +272,14 @@ impl<'a> Traced<'a> {
         continued.at[exact] = at[exact];
         Ok(continued)
     }
+}
+
+/// Returns whether a step of the parameters leads from one end of a closed surface to the other, where they do
+/// not continue.
+pub(in crate::brep::faces) fn is_across_seam(surface: &Surface, step: DVec3) -> bool {
+    let (closures, periods) = (surface.closures(), surface.periods());
+    let is_across = |axis: usize| closures[axis].is_some_and(|length| step[axis].abs() > 0.5 * length);
+    (0..2).any(|axis| periods[axis].is_none() && is_across(axis))
 }
 
 /// The conditions under which a piece of a fit is made.

@@ -90,11 +90,18 @@ fn elementary(file: &Exchange<'_>, entity: &Entity<'_>, scale: &Scale) -> Result
         }
         "SPHERICAL_SURFACE" => (circle(0.0, length(entity, 2, scale)?), "sphere"),
         kind => {
-            let [major, minor] = [length(entity, 2, scale)?, length(entity, 3, scale)?];
+            let (major, minor) = (entity.number(2)? * scale.length(), length(entity, 3, scale)?);
+            let ratio = major / minor;
             let whole = circle(major, minor);
-            let is_degenerate = kind == "DEGENERATE_TOROIDAL_SURFACE" && major < minor;
-            let sheet = if is_degenerate { sheet(whole, major / minor, entity.flag(4)?) } else { whole };
-            (sheet, "torus")
+            let profile = match kind {
+                // Systems state the inner sheet of a degenerate torus by a major radius below 0, which
+                // the standard excludes: the part on the positive side of the axis.
+                "TOROIDAL_SURFACE" if -1.0 < ratio && ratio < 0.0 => sheet(whole, ratio, true),
+                _ if !(major > 0.0 && major.is_finite()) => return Err(entity.fault(2, "a length above 0")),
+                "DEGENERATE_TOROIDAL_SURFACE" if ratio < 1.0 => sheet(whole, ratio, entity.flag(4)?),
+                _ => whole,
+            };
+            (profile, "torus")
         }
     };
     Ok(Surface::Revolution { frame, profile, kind })
