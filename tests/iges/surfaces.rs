@@ -140,6 +140,76 @@ fn pieces_that_miss_each_other_are_joined_within_the_gap() {
     assert!((most..1.001 * most).contains(&model.gap()), "{:e}", model.gap());
 }
 
+/// The size of the jump of [`jumping`].
+const JUMP: f64 = 5e-6;
+
+/// A curve of two straight pieces along x, of which the second is moved along y by the jump.
+fn jumping(text: &mut IgesText) -> Id {
+    let mut values = vec![0.0, 1.0, 2.0];
+    for piece in 0..3 {
+        let mut powers = [0.0; 12];
+        if piece < 2 {
+            (powers[0], powers[1], powers[4]) = (f64::from(piece), 1.0, f64::from(piece) * JUMP);
+        }
+        values.extend(powers);
+    }
+    text.add(112, 0, format!("3,0,3,2,{}", numbers(&values)))
+}
+
+/// The second piece begins where the first one ends, which moves its first point by the whole jump: as the
+/// profile of a surface, as one of two curves with lines between them, and as a composite of two lines.
+#[test]
+fn pieces_of_curves_are_joined_within_the_gap() {
+    let surfaces: [fn(&mut IgesText) -> Id; 3] = [
+        |text| {
+            let directrix = jumping(text);
+            text.add(122, 0, format!("{directrix},0.,0.,3."))
+        },
+        |text| {
+            let first = jumping(text);
+            let second =
+                text.spline(1, &[0.0, 0.0, 2.0, 2.0], &[([0.0, 0.0, 3.0], 1.0), ([2.0, 0.0, 3.0], 1.0)]);
+            text.add(118, 1, format!("{first},{second},0,1"))
+        },
+        |text| {
+            let parts =
+                [text.line([0.0, 0.0, 0.0], [1.0, 0.0, 0.0]), text.line([1.0, JUMP, 0.0], [2.0, JUMP, 0.0])];
+            let directrix = text.composite(&parts);
+            text.add(122, 0, format!("{directrix},0.,0.,3."))
+        },
+    ];
+    for surface in surfaces {
+        let mut text = IgesText::new();
+        surface(&mut text);
+        let (model, report) = read(&text);
+        assert_eq!((report.faces, report.gap_proven), (1, true));
+        assert!((JUMP..1.001 * JUMP).contains(&model.gap()), "{:e}", model.gap());
+    }
+}
+
+/// The same of an edge, on a plane and on a B-spline.
+#[test]
+fn pieces_of_an_edge_are_joined_within_the_gap() {
+    for is_plane in [true, false] {
+        let mut text = IgesText::new();
+        let corners = [[0.0, 0.0, 0.0], [2.0, JUMP, 0.0], [2.0, 3.0, 0.0], [0.0, 3.0, 0.0]];
+        let mut sides = vec![jumping(&mut text)];
+        for side in 1..4 {
+            sides.push(text.line(corners[side], corners[(side + 1) % 4]));
+        }
+        let boundary = text.composite(&sides);
+        if is_plane {
+            text.add(108, 1, format!("0.,0.,1.,0.,{boundary},0.,0.,0.,0."));
+        } else {
+            let square = [[-1.0, -1.0, 0.0], [4.0, -1.0, 0.0], [-1.0, 4.0, 0.0], [4.0, 4.0, 0.0]];
+            let surface = text.bilinear(square);
+            text.trimmed(surface, Some((0, boundary)), &[]);
+        }
+        let (model, _) = read(&text);
+        assert!((JUMP..1.3 * JUMP).contains(&model.gap()), "{is_plane}: {:e}", model.gap());
+    }
+}
+
 /// The vector of an offset points to its side.
 #[test]
 fn an_offset_is_on_the_side_stated() {

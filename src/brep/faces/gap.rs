@@ -30,7 +30,8 @@ impl Gap {
     /// The proven bound on the distance of a curve from its edge, or what is measured where no
     /// bound is found, as on offsets that are not rational.
     pub(super) fn of(lifted: &Lifted<'_>) -> Self {
-        lifted.gap().map_or_else(|| Self::measured(lifted.measured_by_spans()), Self::proven)
+        let found = lifted.gap().map_or_else(|| Self::measured(lifted.measured_by_spans()), Self::proven);
+        found.plus(Self::proven(lifted.edge_error()))
     }
 
     /// Returns the sum with the gap of an approximation of the same curve.

@@ -42,9 +42,10 @@ pub(super) fn invert(
         // The error is one of the edge's own coordinates.
         let error = scale * to_face.matrix3.determinant().abs().cbrt() * error;
         let approximation = if error > 0.0 { Gap::measured(error) } else { Gap::default() };
+        let moved = scale * to_face.matrix3.determinant().abs().cbrt() * file.curves[space.curve].error();
         return Ok(FoundCurve {
             curve,
-            gap: Gap::proven(gap).plus(approximation),
+            gap: Gap::proven(gap + moved).plus(approximation),
             fitted: error > 0.0,
             section: None,
             deviation: 0.0,

@@ -59,7 +59,8 @@ impl Section {
         let curve = Curve::Spline(section.into());
         let section = Lifted { surface: &surface, curve: &curve, range, ..*lifted };
         let measured = section.measured();
-        (measured <= most).then(|| section.gap_of_exact().map_or(Gap::measured(measured), Gap::proven))
+        let gap = || section.gap_of_exact().map_or(Gap::measured(measured), Gap::proven);
+        (measured <= most).then(|| gap().plus(Gap::proven(lifted.edge_error())))
     }
 
     /// Returns the section between two values of u of the net, exact.

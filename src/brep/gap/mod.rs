@@ -48,6 +48,11 @@ pub(super) struct Lifted<'a> {
 }
 
 impl Lifted<'_> {
+    /// Returns a bound on the distance between the edge and the file's.
+    pub(super) fn edge_error(&self) -> f64 {
+        self.edge_location.matrix3.determinant().abs().cbrt() * self.edge.error()
+    }
+
     /// Returns an upper bound on the distance from every point of either curve to the other,
     /// with rounding; `None` if none is found.
     pub(super) fn gap(&self) -> Option<f64> {

@@ -46,13 +46,15 @@ pub(crate) struct SplineCurve {
     poles: Vec<DVec4>,
     /// The curve over [`Basis::domain`].
     one_period: Spline,
+    /// A bound on the distance between a point of it and that of the file's curve at the same parameter.
+    error: f64,
 }
 
 impl From<Spline> for SplineCurve {
     /// The clamped spline over its whole domain.
     fn from(spline: Spline) -> Self {
         let basis = Basis::with_knots(spline.degree, spline.knots.clone(), spline.controls.len());
-        Self { basis, poles: spline.controls.clone(), one_period: spline }
+        Self { basis, poles: spline.controls.clone(), one_period: spline, error: 0.0 }
     }
 }
 
@@ -61,7 +63,12 @@ impl SplineCurve {
         let (knots, indices) = basis.one_period();
         let controls = indices.iter().map(|&index| poles[index]).collect();
         let one_period = Spline { degree: basis.degree, knots: knots.to_vec(), controls };
-        Self { basis, poles, one_period }
+        Self { basis, poles, one_period, error: 0.0 }
+    }
+
+    /// Returns the curve with this bound on its distance from the file's.
+    pub(crate) fn with_error(self, error: f64) -> Self {
+        Self { error, ..self }
     }
 
     /// Returns the curve over clamped knots of `range`.
@@ -157,12 +164,12 @@ impl Curve {
 
     /// Returns a closed B-spline with a parameter that continues over its end; `None` for other curves.
     pub(crate) fn continued(&self) -> Option<Self> {
-        let Self::Spline(SplineCurve { basis, poles, .. }) = self else { return None };
+        let Self::Spline(SplineCurve { basis, poles, error, .. }) = self else { return None };
         let (basis, first) = basis.continued()?;
         let count = basis.pole_count();
         let repeats = poles.iter().zip(poles.get(count..)?).all(|(pole, later)| pole == later);
         let own = poles.get(first..first + count).filter(|_| repeats)?;
-        Some(Self::Spline(SplineCurve::new(basis, own.to_vec())))
+        Some(Self::Spline(SplineCurve::new(basis, own.to_vec()).with_error(*error)))
     }
 
     /// Returns the length after which the curve meets itself, whether or not its parameter
@@ -288,10 +295,10 @@ impl Curve {
             Self::Line { point, direction } => Self::Line { point, direction: -direction },
             Self::Conic { conic, center, x, y } => Self::Conic { conic, center, x, y: -y },
             Self::Spline(spline) => {
-                let SplineCurve { one_period: Spline { degree, knots, mut controls }, .. } = spline;
+                let SplineCurve { one_period: Spline { degree, knots, mut controls }, error, .. } = spline;
                 controls.reverse();
                 let knots = knots.iter().rev().map(|knot| -knot).collect();
-                Self::Spline(Spline { degree, knots, controls }.into())
+                Self::Spline(SplineCurve::from(Spline { degree, knots, controls }).with_error(error))
             }
             Self::Trimmed { range: [start, end], basis } => {
                 Self::Trimmed { range: [-end, -start], basis: Box::new(basis.reversed()) }
@@ -300,6 +307,16 @@ impl Curve {
             Self::Offset { distance, normal, basis } => {
                 Self::Offset { distance: -distance, normal, basis: Box::new(basis.reversed()) }
             }
+        }
+    }
+
+    /// Returns a bound on the distance between a point of the curve and that of the file's at the same
+    /// parameter; of an offset, that of its basis.
+    pub(crate) fn error(&self) -> f64 {
+        match self {
+            Self::Line { .. } | Self::Conic { .. } => 0.0,
+            Self::Spline(spline) => spline.error,
+            Self::Trimmed { basis, .. } | Self::Offset { basis, .. } => basis.error(),
         }
     }
 
@@ -318,7 +335,7 @@ impl Curve {
             Self::Spline(spline) => {
                 let local = |&pole: &DVec4| (pole.w * frame.local_point(project(pole))).extend(pole.w);
                 let poles = spline.poles.iter().map(local).collect();
-                Self::Spline(SplineCurve::new(spline.basis, poles))
+                Self::Spline(SplineCurve::new(spline.basis, poles).with_error(spline.error))
             }
             Self::Trimmed { range, basis } => Self::Trimmed { range, basis: Box::new(basis.in_frame(frame)) },
             Self::Offset { distance, normal, basis } => Self::Offset {

@@ -1,6 +1,6 @@
 //! The parts of curves between two of their points.
 
-use super::curve::Curve;
+use super::curve::{Curve, SplineCurve};
 use super::spline::Spline;
 use glam::DVec3;
 
@@ -64,10 +64,12 @@ impl CurvePart {
             return Ok(Self { curve, range: [from, to], turned: false });
         }
         let to = if closed { from } else { to };
+        let error = curve.error();
         let curve =
             over_the_end(&curve, [from, to]).ok_or("it runs over the end of a curve that is no B-spline")?;
         let range = curve.domain();
-        Ok(Self { curve: Curve::Spline(curve.into()), range, turned: false })
+        let curve = Curve::Spline(SplineCurve::from(curve).with_error(error));
+        Ok(Self { curve, range, turned: false })
     }
 }
 

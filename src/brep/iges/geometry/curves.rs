@@ -65,7 +65,11 @@ fn simple(entity: &Entity, scale: Scale) -> Found<(Curve, [f64; 2])> {
             let [start, end] = [scale.0 * entity.point(1)?, scale.0 * entity.point(4)?];
             Ok((Curve::Line { point: start, direction: end - start }, [0.0, 1.0]))
         }
-        (112, _) => whole(power_basis::curve(entity, scale)?),
+        (112, _) => {
+            let curve = Curve::Spline(power_basis::curve(entity, scale)?);
+            let range = curve.natural_range().ok_or_else(|| entity.unknown("a curve"))?;
+            Ok((curve, range))
+        }
         (126, _) => splines::curve(entity, scale),
         _ => Err(entity.unknown("a curve")),
     }

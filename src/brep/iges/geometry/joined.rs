@@ -3,7 +3,7 @@
 use super::curves::Leaf;
 use super::placement::frame_before;
 use crate::brep::iges::file::Found;
-use crate::brep::nurbs::{Curve, Spline, elevated};
+use crate::brep::nurbs::{Curve, Spline, SplineCurve, elevated, project};
 use glam::DVec4;
 
 /// Returns curves head to tail as one curve, whose parameter counts the lengths of theirs from 0,
@@ -12,12 +12,14 @@ pub(super) fn joined(leaves: &[Leaf]) -> Found<Option<(Curve, [f64; 2])>> {
     if let [Leaf { curve, range, location }] = leaves {
         return Ok(Some((curve.clone().in_frame(&frame_before(location)), *range)));
     }
+    let mut error = leaves.iter().map(|leaf| leaf.curve.error()).fold(0.0, f64::max);
     let mut parts = Vec::with_capacity(leaves.len());
     for leaf in leaves {
         parts.push(spline(leaf)?);
     }
     let degree = parts.iter().map(|part| part.degree).max().unwrap_or(1);
     let mut joined: Option<Spline> = None;
+    let mut jump = 0.0_f64;
     for part in parts {
         let part = raised(&part, degree);
         let length = part.domain()[1] - part.domain()[0];
@@ -28,14 +30,18 @@ pub(super) fn joined(leaves: &[Leaf]) -> Found<Option<(Curve, [f64; 2])>> {
         let at = whole.domain()[1];
         let part = over(part, [at, at + length]);
         // The homogeneous points of both sides of the joint are multiples of each other.
-        let factor = whole.controls[whole.controls.len() - 1].w / part.controls[0].w;
+        let (last, first) = (whole.controls[whole.controls.len() - 1], part.controls[0]);
+        let factor = last.w / first.w;
+        // The first control point is moved to the last one, and no point of the curve farther.
+        jump = jump.max(project(last).distance(project(first)));
         whole.knots.pop();
         whole.knots.extend(&part.knots[degree + 1..]);
         whole.controls.extend(part.controls[1..].iter().map(|&control| factor * control));
     }
+    error += jump;
     Ok(joined.map(|spline| {
         let range = spline.domain();
-        (Curve::Spline(spline.into()), range)
+        (Curve::Spline(SplineCurve::from(spline).with_error(error)), range)
     }))
 }
 

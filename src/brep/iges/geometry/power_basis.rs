@@ -2,7 +2,7 @@
 
 use super::Scale;
 use crate::brep::iges::file::{Entity, Found};
-use crate::brep::nurbs::{Basis, Spline, SplineSurface, Surface};
+use crate::brep::nurbs::{Basis, Spline, SplineCurve, SplineSurface, Surface};
 use glam::{DVec3, DVec4};
 
 /// The most pieces along a parameter. The parameters that follow bound it further.
@@ -12,18 +12,21 @@ const MAX_PIECES: usize = 1 << 20;
 /// the coefficients to single precision.
 const MEETS: f64 = 1e-5;
 
-/// Reads a curve of cubic pieces.
-pub(super) fn curve(entity: &Entity, scale: Scale) -> Found<Spline> {
+/// Reads a curve of cubic pieces. Where two miss each other, the later one begins where the earlier one ends, as on
+/// [surfaces](surface).
+pub(super) fn curve(entity: &Entity, scale: Scale) -> Found<SplineCurve> {
     let count = entity.items(4, 12)?;
     let breaks = breaks(entity, 5, count)?;
     let numbers = entity.reals(5 + count + 1, 12 * count)?;
     let mut controls: Vec<DVec4> = Vec::with_capacity(3 * count + 1);
+    let mut error = 0.0_f64;
     for (piece, pair) in numbers.chunks_exact(12).zip(breaks.windows(2)) {
         let powers = [0, 1, 2, 3].map(|order| DVec3::new(piece[order], piece[4 + order], piece[8 + order]));
         let bezier = bezier(powers, pair[1] - pair[0]).map(|point| (scale.0 * point).extend(1.0));
-        append(entity, &mut controls, &bezier)?;
+        error = error.max(append(entity, &mut controls, &bezier)?);
     }
-    Ok(Spline { degree: 3, knots: knots(&breaks), controls })
+    let spline = Spline { degree: 3, knots: knots(&breaks), controls };
+    Ok(SplineCurve::from(spline).with_error(error))
 }
 
 /// Reads a surface of bicubic pieces.

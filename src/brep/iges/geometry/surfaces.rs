@@ -186,12 +186,14 @@ fn ruled(file: &File<'_>, entity: &Entity, scale: Scale) -> Found<Surface> {
         second = second.reversed();
     }
     let degree = first.degree.max(second.degree);
-    between([first, second].map(|side| raised(&over(side, [0.0, 1.0]), degree)))
+    let ruled = between([first, second].map(|side| raised(&over(side, [0.0, 1.0]), degree)));
+    let error = sides.iter().map(|side| side.curve.error()).fold(0.0, f64::max);
+    Ok(Surface::Spline(SplineSurface { error, ..ruled }))
 }
 
 /// Returns the surface ruled by homogeneous points of equal parameters: its lines are those of
 /// the curves' points.
-fn between([first, second]: [Spline; 2]) -> Found<Surface> {
+fn between([first, second]: [Spline; 2]) -> SplineSurface {
     let mut knots: Vec<f64> = first.knots.iter().chain(&second.knots).copied().collect();
     knots.sort_by(f64::total_cmp);
     knots.dedup();
@@ -202,7 +204,7 @@ fn between([first, second]: [Spline; 2]) -> Found<Surface> {
     let poles: Vec<DVec4> = first.controls.iter().zip(&second.controls).flat_map(|(&a, &b)| [a, b]).collect();
     let count = first.controls.len();
     let bases = [Basis::with_knots(degree, knots, count), Basis::with_knots(1, vec![0.0, 0.0, 1.0, 1.0], 2)];
-    Ok(Surface::Spline(SplineSurface::new(bases, poles)))
+    SplineSurface::new(bases, poles)
 }
 
 /// Reads an offset surface, type 140. The vector stated points to the side of the offset.

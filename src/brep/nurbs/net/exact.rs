@@ -26,7 +26,8 @@ impl Surface {
                 Ok(ruled(&sides, ranges[1], ParameterMap::Identity, 0.0))
             }
             Self::Revolution { frame, profile, .. } => {
-                let (profile, map, error) = profile.spline(ranges[1])?;
+                let error = profile.error();
+                let (profile, map, deviation) = profile.spline(ranges[1])?;
                 check_range(ranges[0], TAU)?;
                 let breaks = Conic::Elliptic.breaks(ranges[0]);
                 let circle = Conic::Elliptic.spline(&breaks, DVec3::ZERO, DVec3::X, DVec3::Y);
@@ -48,14 +49,17 @@ impl Surface {
                     knots: [circle.knots, profile.knots],
                     controls,
                     maps: [ParameterMap::Circular(breaks), map],
-                    error,
-                    is_measured: error > 0.0,
+                    // No point of a profile moves farther as it is turned.
+                    error: error + deviation,
+                    is_measured: deviation > 0.0,
                 })
             }
             Self::Extrusion { direction, profile } => {
-                let (profile, map, error) = profile.spline(ranges[0])?;
-                let sides = ranges[1].map(|v| profile.clone().translated(v * *direction));
-                Ok(ruled(&sides, ranges[1], map, error))
+                let (spline, map, deviation) = profile.spline(ranges[0])?;
+                let sides = ranges[1].map(|v| spline.clone().translated(v * *direction));
+                let mut net = ruled(&sides, ranges[1], map, deviation);
+                net.error += profile.error();
+                Ok(net)
             }
             Self::Spline(spline) => {
                 for axis in [0, 1] {
@@ -73,7 +77,9 @@ impl Surface {
                     breaks.dedup();
                     breaks
                 });
-                interpolation::surface(&|u, v| self.point(u, v), breaks)
+                let mut net = interpolation::surface(&|u, v| self.point(u, v), breaks)?;
+                net.error += exact.error;
+                Ok(net)
             }
         }
     }
