@@ -63,6 +63,33 @@ fn a_face_is_the_same_in_every_sense() {
     }
 }
 
+/// A loop may run along an edge and back: the slit bounds nothing, and the face is the square.
+#[test]
+fn a_slit_bounds_nothing() {
+    let mut text = StepText::new();
+    let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0], [0.0, 4.0, 0.0]];
+    let vertices = corners.map(|corner| text.vertex(corner));
+    let sides: Vec<(Id, bool)> = (0..4)
+        .map(|from| {
+            let to = (from + 1) % 4;
+            let along = [0, 1, 2].map(|axis| corners[to][axis] - corners[from][axis]);
+            let line = text.line(corners[from], along);
+            (text.edge(line, [vertices[from], vertices[to]], true), true)
+        })
+        .collect();
+    let ends = [[1.0, 1.0, 0.0], [3.0, 2.0, 0.0]].map(|end| text.vertex(end));
+    let line = text.line([1.0, 1.0, 0.0], [2.0, 1.0, 0.0]);
+    let slit = text.edge(line, ends, true);
+    let loops = [text.edge_loop(&sides), text.edge_loop(&[(slit, true), (slit, false)])];
+    let placement = text.axis([0.0; 3], [0.0, 0.0, 1.0]);
+    let plane = text.add(format!("PLANE('',#{placement})"));
+    let face = text.face(&loops, plane, true);
+    let shell = text.open_shell(&[face]);
+    let (model, report) = read(&text.of(&[shell], UnitsOf::Millimetres));
+    assert_near(areas(&model)[0], 16.0, 1e-12);
+    assert_eq!(report.trims, 4);
+}
+
 /// A triangle whose two edges at a corner have vertices of their own, apart by this length, in a file
 /// of this uncertainty.
 fn open_triangle(apart: f64, uncertainty: &str) -> String {

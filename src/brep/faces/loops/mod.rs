@@ -61,7 +61,9 @@ fn of_curves(file: &Topology, shape: usize, surface: &Surface, origin: Origin) -
         }
     }
     let complement_fits = complement_fits(&chains, surface);
-    chains.retain(|chain| !cancels(chain, surface));
+    if area::of_closed(surface).is_some() || !chains.iter().all(|chain| cancels(chain, surface)) {
+        chains.retain(|chain| !cancels(chain, surface));
+    }
     let remarks = chains.iter_mut().flat_map(|chain| std::mem::take(&mut chain.remarks)).collect();
     let loops = nesting::directed(rings::close(chains, surface)?, surface)?;
     Ok(Loops { loops, remarks, complement_fits })
@@ -101,10 +103,12 @@ fn has_seam(chain: &Chain, surface: &Surface) -> bool {
     })
 }
 
-/// Returns whether a loop runs along seams and back on a closed surface: its curves cancel, so that
-/// it bounds nothing, and a face without other loops is the whole surface.
+/// Returns whether a loop runs along edges and back: its curves cancel, so that it bounds nothing, and a face
+/// of a closed surface without other loops is the whole surface. On other surfaces it is a slit.
 fn cancels(chain: &Chain, surface: &Surface) -> bool {
-    let Some(whole) = area::of_closed(surface) else { return false };
+    let length = |trim_use: &TrimUse| trim_use.hull()[0].distance(trim_use.hull()[1]);
+    let around = || chain.uses.iter().map(length).sum::<f64>();
+    let whole = area::of_closed(surface).unwrap_or_else(|| around().powi(2));
     let mut uses: HashMap<u32, [u32; 2]> = HashMap::new();
     for (edge, reversed) in chain.uses.iter().filter_map(|one| Some((one.edge?, one.reversed))) {
         uses.entry(edge).or_default()[usize::from(reversed)] += 1;
