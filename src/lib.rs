@@ -165,7 +165,9 @@ pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};
 pub use glam::{DQuat, DVec2, DVec3};
 #[cfg(feature = "mesh")]
 pub use mesh_files::{MeshFile, MeshFormat};
-pub use model::{Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays};
+pub use model::{
+    Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays, face_path,
+};
 pub use param_box::ParamBox;
 pub use progress::{Monitor, NoMonitor};
 pub use read::{FaceId, Note, ReadReport, Skipped};

@@ -29,6 +29,8 @@ pub(crate) struct FacePieces {
     faces: Vec<Range<usize>>,
     /// The name of each face.
     face_names: Vec<Option<String>>,
+    /// The colour of each face; empty for facets.
+    face_colors: Vec<Option<[f64; 3]>>,
     /// An upper bound on the Hausdorff distance between each face and its pieces, the
     /// largest over all faces.
     deviation: f64,
@@ -58,6 +60,7 @@ impl FacePieces {
                 origins: (0..count).map(|face| (face, ParameterMap::Identity)).collect(),
                 faces: (0..count).map(|face| face..face + 1).collect(),
                 face_names,
+                face_colors: model.faces().map(|face| face.color()).collect(),
                 deviation: 0.0,
             };
             return Ok((pieces, Cow::Borrowed(model)));
@@ -69,7 +72,8 @@ impl FacePieces {
 
     /// Returns the pieces of a model of facets: a face of each of these names, without patches.
     pub(crate) fn of_facets(face_names: Vec<Option<String>>) -> Self {
-        Self { origins: Arc::new([]), faces: vec![0..0; face_names.len()], face_names, deviation: 0.0 }
+        let faces = vec![0..0; face_names.len()];
+        Self { origins: Arc::new([]), faces, face_names, face_colors: Vec::new(), deviation: 0.0 }
     }
 
     /// As [`FacePieces::new`] for the model without its faces that cannot be cut; with that
@@ -123,7 +127,8 @@ impl FacePieces {
             faces.push(first..surfaces.len());
         }
         let name = model.name().map(str::to_owned);
-        let pieces = Self { origins: origins.into(), faces, face_names, deviation };
+        let face_colors = model.faces().map(|face| face.color()).collect();
+        let pieces = Self { origins: origins.into(), faces, face_names, face_colors, deviation };
         Ok((pieces, Model::new(name, surfaces)?))
     }
 
@@ -145,6 +150,11 @@ impl FacePieces {
     /// Returns the face of a piece.
     pub(crate) fn face(&self, piece: usize) -> usize {
         self.origins[piece].0
+    }
+
+    /// Returns the colour of a face, if it has one.
+    pub(crate) fn face_color(&self, face: usize) -> Option<[f64; 3]> {
+        self.face_colors.get(face).copied().flatten()
     }
 
     /// Returns the name of a face, if it has one.
@@ -287,6 +297,7 @@ mod tests {
             kind: None,
             gap: 0.0,
             gap_measured: false,
+            color: None,
         };
         Model::from_faces(ModelArrays { faces: (0..count).map(face).collect(), ..ModelArrays::default() })
             .unwrap()

@@ -2,10 +2,11 @@
 
 use super::edges::EdgeUses;
 use super::faces::{Converted, convert};
+use super::levels::{LevelId, Levels, placed_name};
 use super::outline::outline;
 use super::placed::{Placed, matrix};
 use super::report::{FaceFault, Remark};
-use super::topology::{Face, Orientation, ShapeKind, Topology};
+use super::topology::{Color, Face, Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
 use crate::model::{InstanceArrays, ModelArrays};
 use crate::read::{Assembled, FaceCounts, FaceId, Note, Skipped};
@@ -28,7 +29,7 @@ pub(crate) type OnFace<'a> = &'a mut dyn FnMut(f64, &[DVec3]);
 
 /// Converts every face below the root once, and lists its placements if any is moved.
 pub(super) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<Assembled> {
-    let placed = placed_faces(file)?;
+    let (placed, levels) = placed_faces(file)?;
     let mut seen = HashSet::new();
     let distinct: Vec<(usize, &Placed)> =
         placed.iter().enumerate().filter(|(_, placed)| seen.insert(placed.shape)).collect();
@@ -68,6 +69,7 @@ pub(super) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<A
                 read.counts.push(FaceCounts { number, entity, exact, fitted });
                 converted.face.reversed = placed.reversed;
                 converted.face.face_name = Some(placed.name(file, number));
+                converted.face.color = placed.color;
                 faces.insert(placed.shape, read.model.faces.len());
                 read.model.faces.push(converted.face);
             }
@@ -77,7 +79,7 @@ pub(super) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<A
             }
         }
     }
-    read.model.instances = instances(file, &placed, &faces);
+    read.model.instances = instances(&levels, &placed, &faces);
     if read.model.instances.iter().all(|instance| instance.transform == crate::model::IDENTITY) {
         name_parts(&mut read.model);
     }
@@ -106,7 +108,7 @@ fn sizes(file: &Topology, distinct: &[(usize, &Placed)]) -> Vec<usize> {
 
 /// Returns the placements of faces, in the order of the file: those that follow each other in one
 /// part and place together.
-fn instances(file: &Topology, placed: &[Placed], faces: &HashMap<usize, usize>) -> Vec<InstanceArrays> {
+fn instances(levels: &Levels<'_>, placed: &[Placed], faces: &HashMap<usize, usize>) -> Vec<InstanceArrays> {
     let mut instances: Vec<InstanceArrays> = Vec::new();
     let mut last_part = None;
     for placed in placed {
@@ -117,7 +119,7 @@ fn instances(file: &Topology, placed: &[Placed], faces: &HashMap<usize, usize>) 
                 last.surfaces.push(index);
             }
             _ => {
-                let name = placed.part(file).map(str::to_owned);
+                let name = levels.path(placed.part);
                 instances.push(InstanceArrays { surfaces: vec![index], transform, name });
             }
         }
@@ -163,13 +165,14 @@ fn notes(
 /// Returns the faces below the root in the order of OpenCASCADE's `TopExp_Explorer`, in which each
 /// shape is followed by its children; a face that is met again at its place, as between two solids,
 /// is listed once, as by `TopExp::MapShapes`.
-fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
+fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)> {
     let mut placed = Vec::new();
+    let mut levels = Levels::default();
     let mut met = HashSet::new();
     // Uses still to be visited, the next one last, each with what it stands in.
-    let mut pending = vec![(file.root, DAffine3::IDENTITY, false, None)];
+    let mut pending = vec![(file.root, Surroundings::default())];
     let mut visits = 0;
-    while let Some((shape_use, above, reversed, part)) = pending.pop() {
+    while let Some((shape_use, above)) = pending.pop() {
         visits += 1;
         if visits > MAX_VISITS {
             return Err(Error::BrepSyntax {
@@ -178,20 +181,56 @@ fn placed_faces(file: &Topology) -> Result<Vec<Placed>> {
                 expected: "an assembly of fewer".to_owned(),
             });
         }
-        let location = above * shape_use.location;
-        let reversed = reversed ^ (shape_use.orientation == Orientation::Reversed);
+        let location = above.location * shape_use.location;
+        let reversed = above.reversed ^ (shape_use.orientation == Orientation::Reversed);
+        let color = file.colors.get(&shape_use.shape).copied().or(above.color);
         let shape = &file.shapes[shape_use.shape];
+        let mut own = Surroundings { location, reversed, color, ..above };
         match &shape.kind {
             ShapeKind::Face(_) if met.insert((shape_use.shape, matrix(&location).map(f64::to_bits))) => {
-                placed.push(Placed { shape: shape_use.shape, reversed, location, part });
+                placed.push(Placed { shape: shape_use.shape, reversed, location, part: above.level, color });
+            }
+            ShapeKind::Place(name) => {
+                own.place = Some(name);
+                pending.extend(shape.children.iter().map(|&child| (child, own)));
             }
             ShapeKind::Group(name) => {
-                let part = name.as_ref().map(|_| shape_use.shape).or(part);
-                pending.extend(shape.children.iter().rev().map(|&child| (child, location, reversed, part)));
+                own.enter(name.as_deref(), shape.children.len() == 1, &mut levels);
+                pending.extend(shape.children.iter().rev().map(|&child| (child, own)));
             }
             // Faces met again are counted, and loose wires, edges and vertices are no surfaces.
             _ => {}
         }
     }
-    Ok(placed)
+    Ok((placed, levels))
+}
+
+/// What a use stands in.
+#[derive(Clone, Copy, Default)]
+struct Surroundings<'a> {
+    location: DAffine3,
+    reversed: bool,
+    color: Option<Color>,
+    level: LevelId,
+    /// The name of the part that the level is, whatever its place is called.
+    part: Option<&'a str>,
+    /// Whether nothing else stands in the level.
+    is_alone: bool,
+    /// The name of the place that the use is.
+    place: Option<&'a str>,
+}
+
+impl<'a> Surroundings<'a> {
+    /// Enters a group. A body of its product's name that is alone in it is no level of its own.
+    fn enter(&mut self, name: Option<&'a str>, has_one: bool, levels: &mut Levels<'a>) {
+        let place = self.place.take();
+        let is_known = name.is_none() || (self.is_alone && name == self.part);
+        match placed_name(place, name) {
+            Some(full) if place.is_some() || !is_known => {
+                self.level = Some(levels.push(self.level, full));
+                (self.part, self.is_alone) = (name, has_one);
+            }
+            _ => self.is_alone &= has_one,
+        }
+    }
 }

@@ -16,6 +16,7 @@ mod file;
 mod format;
 mod gap;
 mod iges;
+mod levels;
 mod nurbs;
 mod outline;
 mod placed;

@@ -1,6 +1,8 @@
 //! Faces where an assembly places them.
 
-use super::topology::{FaceLabel, ShapeKind, Topology};
+use super::levels::LevelId;
+use super::topology::{Color, FaceLabel, ShapeKind, Topology};
+use crate::model::level;
 use glam::DAffine3;
 
 /// A face where an assembly places it.
@@ -8,8 +10,10 @@ pub(super) struct Placed {
     pub(super) shape: usize,
     pub(super) reversed: bool,
     pub(super) location: DAffine3,
-    /// The innermost group with a name that the face stands in.
-    pub(super) part: Option<usize>,
+    /// The innermost level with a name that the face stands in.
+    pub(super) part: LevelId,
+    /// The face's own colour, else that of the innermost shape with one that it stands in.
+    pub(super) color: Option<Color>,
 }
 
 impl Placed {
@@ -25,18 +29,10 @@ impl Placed {
         self.label(file).and_then(|label| label.entity)
     }
 
-    /// Returns the name of the part.
-    pub(super) fn part<'a>(&self, file: &'a Topology) -> Option<&'a str> {
-        match &file.shapes[self.part?].kind {
-            ShapeKind::Group(name) => name.as_deref(),
-            _ => None,
-        }
-    }
-
     /// Returns the name of the face: that of the file, or its number.
     pub(super) fn name(&self, file: &Topology, number: usize) -> String {
         let own = self.label(file).and_then(|label| label.name.clone());
-        own.unwrap_or_else(|| format!("face {number}"))
+        own.map_or_else(|| format!("face {number}"), |name| level(&name))
     }
 }
 

@@ -3,6 +3,10 @@
 use super::nurbs::{Curve, Surface};
 use super::report::{FaceFault, Remark};
 use glam::DAffine3;
+use std::collections::HashMap;
+
+/// Red, green and blue of sRGB, each from 0 to 1.
+pub(crate) type Color = [f64; 3];
 
 /// Faces, their edges and what they stand in. Indices are from 0.
 #[derive(Debug)]
@@ -16,6 +20,8 @@ pub(crate) struct Topology {
     pub(crate) root: Use,
     /// Metres per unit of length, if the file states it.
     pub(crate) unit: Option<f64>,
+    /// The colours of shapes, which hold for what stands in them and has none of its own.
+    pub(crate) colors: HashMap<usize, Color>,
 }
 
 /// A shape and its children.
@@ -34,6 +40,8 @@ pub(crate) enum ShapeKind {
     Face(Face),
     /// Any set of shapes, with the name of the part that it is.
     Group(Option<String>),
+    /// A place of a part, with its name.
+    Place(String),
 }
 
 /// A shape as the child of another.

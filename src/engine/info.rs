@@ -45,6 +45,9 @@ pub struct FaceInfo {
     /// The face's name in its source.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub face_name: Option<String>,
+    /// The face's colour in its source: red, green and blue of sRGB, each from 0 to 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub color: Option<[f64; 3]>,
     /// The kind of surface in its source.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kind: Option<String>,
@@ -105,6 +108,7 @@ impl FaceInfo {
         let weight = surface.control_points()[0][3];
         Self {
             face_name: face.name().map(str::to_owned),
+            color: face.color(),
             kind: face.kind().map(str::to_owned),
             degree: surface.degree(),
             counts: surface.counts(),

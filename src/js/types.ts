@@ -51,6 +51,7 @@ export type {
   StatisticsOptions,
 } from "./measure/statistics.js";
 export type { Area, ModelArea } from "./model/area.js";
+export { facePath } from "./model/face-path.js";
 export type { MeshArrays, MeshGroup } from "./model/mesh.js";
 export type { UpdateOptions } from "./model/model.js";
 export type { FreeEdge, Solid } from "./model/solid.js";

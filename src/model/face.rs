@@ -16,6 +16,7 @@ pub(super) struct FaceData {
     /// The gap of the surface alone.
     pub(super) gap: f64,
     pub(super) gap_measured: bool,
+    pub(super) color: Option<[f64; 3]>,
 }
 
 /// One face of a model, borrowed.
@@ -54,6 +55,13 @@ impl<'a> Face<'a> {
         self.data.kind.as_deref()
     }
 
+    /// Returns the face's colour in its source, if it has one: red, green and blue of sRGB, each from 0
+    /// to 1.
+    #[must_use]
+    pub fn color(&self) -> Option<[f64; 3]> {
+        self.data.color
+    }
+
     /// Returns whether the face's normal is opposite to the surface's.
     #[must_use]
     pub fn is_reversed(&self) -> bool {
@@ -84,6 +92,7 @@ impl<'a> Face<'a> {
             kind: self.data.kind.clone(),
             gap: self.data.gap,
             gap_measured: self.data.gap_measured,
+            color: self.data.color,
         }
     }
 }
@@ -96,12 +105,16 @@ pub(super) type Loops = Vec<Vec<TrimCurveArrays>>;
 /// # Errors
 /// Those of [`NurbsSurface::new`], [`Error::GapInvalid`].
 pub(super) fn untrimmed(index: usize, arrays: FaceArrays) -> Result<(NurbsSurface, FaceData, Option<Loops>)> {
-    let FaceArrays { surface, trim, reversed, face_name: name, kind, gap, gap_measured } = arrays;
+    let FaceArrays { surface, trim, reversed, face_name: name, kind, gap, gap_measured, color } = arrays;
     let surface = NurbsSurface::new(index, surface)?;
     if !(gap >= 0.0 && is_in_range(gap)) {
         return Err(Error::GapInvalid { surface: index, found: gap });
     }
-    Ok((surface, FaceData { trim: None, reversed, name, kind, gap, gap_measured }, trim))
+    if color.is_some_and(|color| !color.iter().all(|part| (0.0..=1.0).contains(part))) {
+        let found = color.unwrap_or_default();
+        return Err(Error::out_of_range("color", found, "red, green and blue from 0 to 1"));
+    }
+    Ok((surface, FaceData { trim: None, reversed, name, kind, gap, gap_measured, color }, trim))
 }
 
 /// Validates the loops of surface number `index`. A surface whose trimming curves leave its
@@ -141,6 +154,7 @@ impl FaceData {
             kind: self.kind.clone(),
             gap: factor * self.gap,
             gap_measured: self.gap_measured,
+            color: self.color,
         }
     }
 }

@@ -34,6 +34,8 @@ struct InterchangeSurface {
     gap: f64,
     #[serde(default, skip_serializing_if = "is_false")]
     gap_measured: bool,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    color: Option<[f64; 3]>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -85,11 +87,13 @@ impl InterchangeSurface {
             kind: self.kind,
             gap: self.gap,
             gap_measured: self.gap_measured,
+            color: self.color,
         })
     }
 
     fn from_face(face: &Face<'_>) -> Self {
-        let FaceArrays { surface, trim, reversed, face_name, kind, gap, gap_measured } = face.to_arrays();
+        let FaceArrays { surface, trim, reversed, face_name, kind, gap, gap_measured, color } =
+            face.to_arrays();
         let [knots_u, knots_v] = surface.knots;
         let curves =
             |curves: Vec<TrimCurveArrays>| curves.into_iter().map(InterchangeCurve::from_arrays).collect();
@@ -104,6 +108,7 @@ impl InterchangeSurface {
             kind,
             gap,
             gap_measured,
+            color,
         }
     }
 }
@@ -138,7 +143,7 @@ impl Model {
 
     /// Parses interchange JSON, version 1 or 2: `{"name"?, "unit"?, "surfaces": [{"degree":
     /// [pu, pv], "knots_u", "knots_v", "ctrl": [[[x, y, z, w], …], …], "trim"?, "reversed"?,
-    /// "part"?, "kind"?, "gap"?, "gap_measured"?}], "instances"?}` with `ctrl[i][j]`, i along u, points
+    /// "part"?, "kind"?, "gap"?, "gap_measured"?, "color"?}], "instances"?}` with `ctrl[i][j]`, i along u, points
     /// not multiplied by w; docs/interchange.md describes every key. Other keys, among
     /// them `source`, are ignored. O(size), and the validation of trims.
     ///

@@ -5,6 +5,7 @@ mod arrays;
 mod evaluate;
 mod extension;
 mod face;
+mod face_path;
 mod json;
 mod knots;
 mod lipschitz;
@@ -14,6 +15,9 @@ pub mod trim;
 
 pub use arrays::{IDENTITY, InstanceArrays, ModelArrays};
 pub use face::Face;
+pub use face_path::face_path;
+#[cfg(feature = "cad")]
+pub(crate) use face_path::level;
 pub(crate) use knots::{Span, blossom, breaks, multiplicities, spans};
 pub use rigid_transform::RigidTransform;
 pub use surface::{NurbsSurface, SurfaceArrays};

@@ -144,6 +144,7 @@ mod tests {
             kind: None,
             gap: -0.0,
             gap_measured: true,
+            color: Some([0.1, 0.0, 1.0]),
         };
         let instance =
             InstanceArrays { surfaces: vec![0, 0], transform: [0.1; 12], name: Some("part".to_owned()) };

@@ -182,6 +182,12 @@ impl PreparedModel {
         }
     }
 
+    /// Red, green and blue of a face; empty without a colour.
+    #[wasm_bindgen(js_name = faceColor)]
+    pub fn face_color(&self, face: usize) -> Vec<f64> {
+        self.prepared.face_color(face).map_or_else(Vec::new, |color| color.to_vec())
+    }
+
     #[wasm_bindgen(getter, js_name = faceCount)]
     pub fn face_count(&self) -> usize {
         self.prepared.face_count()

@@ -42,8 +42,8 @@ impl Surfaces {
             control_points: control_points.chunks_exact(POINT_LENGTH).map(point).collect(),
         };
         let (trim, reversed, face_name, kind, gap) = (None, false, None, None, 0.0);
-        let gap_measured = false;
-        self.0.faces.push(FaceArrays { surface, trim, reversed, face_name, kind, gap, gap_measured });
+        let (gap_measured, color) = (false, None);
+        self.0.faces.push(FaceArrays { surface, trim, reversed, face_name, kind, gap, gap_measured, color });
     }
 
     /// States what else is known of the surface pushed last.
@@ -54,10 +54,14 @@ impl Surfaces {
         kind: Option<String>,
         gap: f64,
         gap_measured: bool,
+        color: Option<Vec<f64>>,
     ) {
         if let Some(face) = self.0.faces.last_mut() {
             (face.reversed, face.face_name, face.kind) = (reversed, face_name, kind);
             (face.gap, face.gap_measured) = (gap, gap_measured);
+            // A number that is missing is NaN, which validation refuses.
+            face.color =
+                color.map(|color| std::array::from_fn(|at| color.get(at).copied().unwrap_or(f64::NAN)));
         }
     }
 

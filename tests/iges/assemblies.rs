@@ -28,7 +28,8 @@ fn a_subfigure_stands_where_its_instances_do() {
     assert_eq!((report.faces, model.faces().len()), (6, 12));
     // The second one reaches from x = -6 to 0 and from y = 10 to 13.
     assert_bounds(&model, [-6.0, 0.0, 0.0].map(|x| 25.4 * x), [1.0, 13.0, 12.0].map(|x| 25.4 * x));
-    assert!(model.faces().all(|face| face.name().is_some_and(|name| name.starts_with("bolt / "))));
+    let parts = [0, 6].map(|face| model.faces().nth(face).unwrap().name().unwrap().to_owned());
+    assert_eq!(parts, ["bolt / face 0", "bolt (2) / face 0"]);
 }
 
 /// A subfigure of subfigures, whose places are chained.
@@ -43,6 +44,28 @@ fn subfigures_are_nested() {
     let (model, _) = read(&text);
     assert_eq!(model.faces().len(), 12);
     assert_bounds(&model, [0.0, 100.0, 0.0], [6.0, 101.0, 1.0]);
+    let parts = [0, 6].map(|face| model.faces().nth(face).unwrap().name().unwrap().to_owned());
+    assert_eq!(parts, ["outer / inner / face 0", "outer / inner (2) / face 0"]);
+}
+
+/// A colour of the file's own on a face, and a numbered one on the solid that it belongs to.
+#[test]
+fn a_face_has_its_own_colour_else_that_of_its_body() {
+    let mut text = IgesText::new();
+    let solid = brick(&mut text, [1.0, 1.0, 1.0]);
+    let grey = text.add(314, 0, "25.,50.,75.,4Hgrey");
+    text.entries[solid / 2].color = 2;
+    let face = text.entries.iter().position(|entry| entry.kind == 510).unwrap();
+    text.entries[face].color = -(grey as i64);
+    let (model, _) = read(&text);
+    let colors: Vec<_> = model.faces().map(|face| face.color().unwrap()).collect();
+    assert_eq!(colors.iter().filter(|color| **color == [1.0, 0.0, 0.0]).count(), 5);
+    assert_eq!(colors.iter().filter(|color| **color == [0.25, 0.5, 0.75]).count(), 1);
+    // Numbers that no colour has are none.
+    text.entries[solid / 2].color = 9;
+    text.entries[face].color = -(solid as i64);
+    let (model, _) = read(&text);
+    assert!(model.faces().all(|face| face.color().is_none()));
 }
 
 /// A face of a group is one face, though the group and the file name it.

@@ -3,7 +3,7 @@
 use crate::polygons::box_faces;
 use crate::support::step::{Id, StepText, UnitsOf};
 use crate::{areas, assert_near, read};
-use nurbs_hausdorff::Model;
+use nurbs_hausdorff::{Model, face_path};
 
 /// The box [0, 1] x [0, 2] x [0, 4] in a representation with these units.
 fn part(text: &mut StepText, units: UnitsOf) -> Id {
@@ -57,7 +57,7 @@ fn parts_stand_where_their_assembly_places_them() {
         assert_eq!(model.faces().len(), 12);
         let total: f64 = areas(&model).iter().sum();
         assert_near(total, 2.0 * 28.0, 1e-12);
-        assert_eq!(model.faces().next().unwrap().name(), Some("bolt / face 0"));
+        assert_eq!(model.faces().next().unwrap().name(), Some("pair / bolt / face 0"));
     }
 }
 
@@ -167,4 +167,98 @@ fn a_placement_of_nothing_is_reported() {
     let (_, report) = Model::from_step(text.replace(line, &broken).as_bytes()).unwrap();
     let found: Vec<_> = report.skipped.iter().map(|skipped| (skipped.code, skipped.entity)).collect();
     assert_eq!(found, [("STEP_REFERENCE", Some(number))]);
+}
+
+/// States that a product stands in another one, moved along x, as a use with this name.
+fn place(text: &mut StepText, [part, product]: [Id; 2], [whole, assembly]: [Id; 2], x: f64, name: &str) {
+    let home = text.placement([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+    let away = text.placement([x, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+    let map = text.add(format!("ITEM_DEFINED_TRANSFORMATION('','',#{home},#{away})"));
+    let relation = text.add(format!(
+        "(REPRESENTATION_RELATIONSHIP('','',#{part},#{whole})\
+         REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#{map})SHAPE_REPRESENTATION_RELATIONSHIP())"
+    ));
+    let use_of = format!("NEXT_ASSEMBLY_USAGE_OCCURRENCE('id','{name}','',#{assembly},#{product},$)");
+    let use_of = text.add(use_of);
+    let shape = text.add(format!("PRODUCT_DEFINITION_SHAPE('','',#{use_of})"));
+    text.add(format!("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#{relation},#{shape})"));
+}
+
+/// A machine of two pumps, each of a housing and of bolts; the bolt's body has its product's name, and
+/// the housing's another one. The uses of the bolts have these names.
+fn of_two_levels(bolts: &[&str], bolt: &str) -> String {
+    let mut text = StepText::new();
+    let context = text.context(UnitsOf::Millimetres);
+    let product = |text: &mut StepText, name: &str, body: Option<&str>| {
+        let items = body.map(|body| {
+            let faces = box_faces(text, [1.0, 2.0, 4.0]);
+            text.solid(body, &faces)
+        });
+        let shape = text.representation(&Vec::from_iter(items), context);
+        [shape, text.product(name, shape)]
+    };
+    let bolt = product(&mut text, bolt, Some(bolt));
+    let housing = product(&mut text, "housing", Some("cast"));
+    let pump = product(&mut text, "pump", None);
+    let machine = product(&mut text, "machine", None);
+    place(&mut text, housing, pump, 0.0, "");
+    for (index, name) in bolts.iter().enumerate() {
+        place(&mut text, bolt, pump, 5.0 + 3.0 * index as f64, name);
+    }
+    place(&mut text, pump, machine, 0.0, "NAUO1");
+    place(&mut text, pump, machine, 100.0, "NAUO2");
+    text.text()
+}
+
+/// Returns the names of parts in the order of the file.
+fn parts(text: &str) -> Vec<String> {
+    let (model, _) = Model::from_step(text.as_bytes()).unwrap();
+    let mut parts: Vec<String> = Vec::new();
+    for face in model.faces() {
+        let (part, _) = face.name().unwrap().rsplit_once(" / ").unwrap();
+        if parts.last().is_none_or(|last| last != part) {
+            parts.push(part.to_owned());
+        }
+    }
+    parts
+}
+
+#[test]
+fn faces_have_the_names_of_all_levels() {
+    let text = of_two_levels(&["", ""], "bolt");
+    let (model, report) = read(&text);
+    assert_eq!((report.faces, model.faces().len()), (12, 36));
+    assert_bounds(&model, [[0.0, 0.0, 0.0], [109.0, 2.0, 4.0]]);
+    let pump =
+        |name: &str| ["housing / cast", "bolt", "bolt (2)"].map(|part| format!("machine / {name} / {part}"));
+    assert_eq!(parts(&text), [pump("pump"), pump("pump (2)")].concat());
+    assert_eq!(
+        face_path(model.faces().next().unwrap().name().unwrap()),
+        ["machine", "pump", "housing", "cast", "face 0"]
+    );
+}
+
+#[test]
+fn the_uses_of_a_part_have_their_own_names() {
+    let of = |bolts: &[&str]| {
+        let parts = parts(&of_two_levels(bolts, "bolt"));
+        let own = parts[1..=bolts.len()].iter().map(|part| part.rsplit_once(" / ").unwrap().1.to_owned());
+        own.collect::<Vec<_>>()
+    };
+    // The name of the use stands for the part's if it holds it.
+    assert_eq!(of(&["bolt:1", "bolt:2"]), ["bolt:1", "bolt:2"]);
+    assert_eq!(of(&["left", "right"]), ["bolt (left)", "bolt (right)"]);
+    assert_eq!(of(&["left", "left"]), ["bolt (left)", "bolt (left) (2)"]);
+    // A number that is in use already is not given again.
+    assert_eq!(of(&["bolt (2)", "", ""]), ["bolt (2)", "bolt", "bolt (3)"]);
+    assert_eq!(of(&["=>[0:1:1:2]", "12"]), ["bolt", "bolt (2)"]);
+}
+
+#[test]
+fn a_name_with_a_separator_is_one_level() {
+    let text = of_two_levels(&["in / out"], "M6 / 20");
+    let (model, _) = read(&text);
+    let name = model.faces().nth(6).unwrap().name().unwrap();
+    assert_eq!(face_path(name), ["machine", "pump", "M6 / 20 (in / out)", "face 6"]);
+    assert_eq!(name, "machine / pump / M6 // 20 (in // out) / face 6");
 }

@@ -9,6 +9,7 @@ mod area;
 mod support;
 
 mod assemblies;
+mod colors;
 mod damage;
 mod degrees;
 mod elementary;

@@ -60,7 +60,7 @@ fn a_box_has_its_faces() {
     }
     let bounds = model.bounding_box();
     assert_near(bounds.diagonal(), 38.0_f64.sqrt(), 1e-12);
-    assert_eq!(model.faces().next().unwrap().name(), Some("brick / face 0"));
+    assert_eq!(model.faces().next().unwrap().name(), Some("part / brick / face 0"));
 }
 
 /// A body of polygons, whose faces state no surface.

@@ -10,6 +10,8 @@ pub struct Entry {
     pub form: i32,
     pub matrix: Id,
     pub dependent: bool,
+    /// A numbered colour, or the entity that defines one with a minus sign.
+    pub color: i64,
     pub label: String,
     pub parameters: String,
 }
@@ -33,7 +35,8 @@ impl IgesText {
     /// Adds an entity.
     pub fn add(&mut self, kind: u32, form: i32, parameters: impl Into<String>) -> Id {
         let parameters = parameters.into();
-        let entry = Entry { kind, form, matrix: 0, dependent: false, label: String::new(), parameters };
+        let entry =
+            Entry { kind, form, matrix: 0, dependent: false, color: 0, label: String::new(), parameters };
         self.entries.push(entry);
         2 * self.entries.len() - 1
     }
@@ -127,11 +130,14 @@ impl IgesText {
             let own = wrapped(&format!("{},{};", entry.kind, entry.parameters), 64);
             let status = if entry.dependent { "00010000" } else { "00000000" };
             let first = parameters.len() + 1;
-            let Entry { kind, form, matrix, label, .. } = entry;
+            let Entry { kind, form, matrix, color, label, .. } = entry;
             let fields = format!("{kind:8}{first:8}{0:8}{0:8}{0:8}{0:8}{matrix:8}{0:8}{status}", 0);
             directory.push(line(&fields, 'D', number));
-            let fields =
-                format!("{kind:8}{0:8}{0:8}{count:8}{form:8}{0:8}{0:8}{label:>8}{0:8}", 0, count = own.len());
+            let fields = format!(
+                "{kind:8}{0:8}{color:8}{count:8}{form:8}{0:8}{0:8}{label:>8}{0:8}",
+                0,
+                count = own.len()
+            );
             directory.push(line(&fields, 'D', number + 1));
             for text in own {
                 parameters.push(line(&format!("{text:64}{number:8}"), 'P', parameters.len() + 1));

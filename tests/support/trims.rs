@@ -95,6 +95,7 @@ pub fn face(surface: SurfaceArrays, trim: Vec<Vec<TrimCurveArrays>>) -> FaceArra
         kind: None,
         gap: 0.0,
         gap_measured: false,
+        color: None,
     }
 }
 

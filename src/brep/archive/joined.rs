@@ -1,7 +1,7 @@
 //! Several shapes as one.
 
 use crate::error::{Error, Result};
-use crate::model::{IDENTITY, InstanceArrays, ModelArrays};
+use crate::model::{IDENTITY, InstanceArrays, ModelArrays, level};
 use crate::read::{Assembled, FaceId, Skipped};
 
 /// Metres per unit of FreeCAD's shapes.
@@ -70,7 +70,7 @@ impl Joined {
         let mut end = self.edges;
         for mut face in shape.faces {
             let own = face.face_name.take().unwrap_or_default();
-            face.face_name = Some(format!("{name} / {own}"));
+            face.face_name = Some(format!("{} / {own}", level(name)));
             let curves = face.trim.iter_mut().flatten().flatten();
             for edge in curves.filter_map(|curve| curve.edge.as_mut()) {
                 let number = edge.checked_add(self.edges).filter(|&number| number < u32::MAX);

@@ -67,6 +67,7 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
         reversed: false,
         face_name: None,
         kind: Some(surface.kind().to_owned()),
+        color: None,
     };
     if loops.is_empty() {
         let [Some(u), Some(v)] = surface.natural_ranges() else {

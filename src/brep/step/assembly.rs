@@ -2,7 +2,9 @@
 
 use super::exchange::Exchange;
 use super::geometry::{Scale, operator};
-use super::relations::{Relations, items, product_name, referred, relationship, transformation};
+use super::relations::{
+    Relations, items, occurrence_name, product_name, referred, relationship, transformation,
+};
 use super::shapes::{Shapes, used};
 use super::units::{METRES, Units};
 use crate::brep::report::FaceFault;
@@ -18,6 +20,10 @@ type Group = u64;
 
 /// A group placed in another one.
 struct Placement {
+    /// The relationship that places it.
+    relationship: u64,
+    /// The name of the place, if the file gives it a telling one.
+    name: Option<String>,
     child: Group,
     transform: Result<DAffine3, FaceFault>,
 }
@@ -144,7 +150,10 @@ impl<'a> Assembly<'a> {
             let swapped = self.is_swapped(relations, record.number, [a, b]);
             let transform = self.transform([first, second], operation, swapped);
             let (child, parent) = if swapped { (b, a) } else { (a, b) };
-            self.placements.entry(parent).or_default().push(Placement { child, transform });
+            let name = relations.occurrences.get(&record.number);
+            let name = name.and_then(|&occurrence| occurrence_name(self.shapes.file, occurrence));
+            let placement = Placement { relationship: record.number, name, child, transform };
+            self.placements.entry(parent).or_default().push(placement);
         }
     }
 
@@ -219,11 +228,12 @@ impl<'a> Assembly<'a> {
         for representation in self.groups.get(&group).cloned().unwrap_or_default() {
             self.items(representation, nesting, &mut children)?;
         }
-        for Placement { child, transform } in self.placements.remove(&group).unwrap_or_default() {
+        for placement in self.placements.remove(&group).unwrap_or_default() {
+            let Placement { relationship, name, child, transform } = placement;
             match transform {
                 Ok(location) => {
-                    let placed = self.group(child, nesting + 1)?;
-                    children.extend(placed.map(|child| Use { location, ..child }));
+                    let Some(part) = self.group(child, nesting + 1)? else { continue };
+                    children.push(self.shapes.place(relationship, name, part, location)?);
                 }
                 Err(fault) => children.push(used(self.shapes.unreadable(child, fault)?, true)),
             }
@@ -253,8 +263,9 @@ impl<'a> Assembly<'a> {
             if self.shapes.file.keyword(item) == "MAPPED_ITEM" {
                 match self.mapping(item, representation) {
                     Ok((child, location)) => {
-                        let placed = self.group(child, nesting + 1)?;
-                        children.extend(placed.map(|child| Use { location, ..child }));
+                        let Some(part) = self.group(child, nesting + 1)? else { continue };
+                        let name = self.shapes.file.entity(item).ok().and_then(|item| item.name());
+                        children.push(self.shapes.place(item, name, part, location)?);
                     }
                     Err(fault) => children.push(used(self.shapes.unreadable(item, fault)?, true)),
                 }

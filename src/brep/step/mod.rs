@@ -2,13 +2,14 @@
 //!
 //! The stages: [`exchange`] finds and parses instances; [`units`] and [`geometry`] read what
 //! they describe; [`shapes`] makes vertices, edges, faces and bodies of them; [`assembly`]
-//! places the representations of products as their [`relations`] state.
+//! places the representations of products as their [`relations`] state. [`styles`] gives them colours.
 
 mod assembly;
 mod exchange;
 mod geometry;
 mod relations;
 mod shapes;
+mod styles;
 mod units;
 
 use super::topology::Topology;

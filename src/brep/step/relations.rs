@@ -1,6 +1,6 @@
 //! Representations, and the instances that relate them to each other and to products.
 
-use super::exchange::{Exchange, Record, Value, decoded, reference};
+use super::exchange::{Entity, Exchange, Record, Value, decoded, reference};
 use crate::brep::report::FaceFault;
 use std::collections::{HashMap, HashSet};
 
@@ -115,10 +115,25 @@ pub(super) fn referred(file: &Exchange<'_>, instance: u64, kind: &str, attribute
 pub(super) fn product_name(file: &Exchange<'_>, definition: u64) -> Option<String> {
     let formation = referred(file, definition, "PRODUCT_DEFINITION", 2)?;
     let product = file.entity(referred(file, formation, "PRODUCT_DEFINITION_FORMATION", 2)?).ok()?;
-    let text = |attribute: usize| match product.value(attribute) {
-        Value::Text(bytes) => Some(decoded(bytes)),
-        _ => None,
-    };
     // The name, else the identifier.
-    text(1).filter(|name| !name.trim().is_empty()).or_else(|| text(0)).filter(|name| !name.trim().is_empty())
+    text(&product, 1).or_else(|| text(&product, 0))
+}
+
+/// Returns the name of a use of a product in another one, else its designator; none for numbers that
+/// writers give to all, as `NAUO12`, and for the labels of OpenCASCADE's documents, as `=>[0:1:1:2]`.
+pub(super) fn occurrence_name(file: &Exchange<'_>, occurrence: u64) -> Option<String> {
+    let entity = file.entity(occurrence).ok()?;
+    let is_telling = |name: &String| {
+        let number = name.strip_prefix("NAUO").unwrap_or(name).trim();
+        !name.starts_with("=>[") && !number.bytes().all(|byte| byte.is_ascii_digit())
+    };
+    text(&entity, 1).filter(is_telling).or_else(|| text(&entity, 5).filter(is_telling))
+}
+
+/// Returns a text that is not blank.
+fn text(entity: &Entity<'_>, attribute: usize) -> Option<String> {
+    match entity.value(attribute) {
+        Value::Text(bytes) => Some(decoded(bytes)).filter(|text| !text.trim().is_empty()),
+        _ => None,
+    }
 }

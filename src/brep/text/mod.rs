@@ -9,6 +9,7 @@ mod topology;
 use super::topology::Topology;
 use crate::error::Result;
 use lexer::{Dimension, Lexer};
+use std::collections::HashMap;
 use topology::Sections;
 
 /// Parses a text. O(length).
@@ -34,7 +35,8 @@ pub(super) fn parse(text: &str) -> Result<Topology> {
         surfaces: surfaces.len(),
     };
     let (shapes, root) = topology::read(&mut lexer, &sections)?;
-    Ok(Topology { p_curves, curves, surfaces, shapes, root, unit: None })
+    let colors = HashMap::new();
+    Ok(Topology { p_curves, curves, surfaces, shapes, root, unit: None, colors })
 }
 
 /// Reads the header, `CASCADE Topology V1` to `V3`, before which the name of a Draw

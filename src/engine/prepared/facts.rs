@@ -109,6 +109,13 @@ impl PreparedModel {
         self.pieces.face_name(face)
     }
 
+    /// Returns the colour of a face in its source, if it has one: red, green and blue of sRGB, each from 0
+    /// to 1.
+    #[must_use]
+    pub fn face_color(&self, face: usize) -> Option<[f64; 3]> {
+        self.pieces.face_color(face)
+    }
+
     /// Returns the pieces of the faces.
     pub(crate) fn pieces(&self) -> &FacePieces {
         &self.pieces

@@ -85,9 +85,20 @@ export class NurbsModel {
     return this.prepared.gapProven;
   }
 
-  /** The name of a face in its source, or null. */
+  /** The name of a face in its source, or null; `facePath` splits it into the levels of an assembly. */
   faceName(face: number): string | null {
     return this.prepared.faceName(face) ?? null;
+  }
+
+  /**
+   * The colour of a face in its source, as red, green and blue of sRGB from 0 to 1: its own, else that
+   * of the body that it belongs to; null where the source gives it none.
+   */
+  faceColor(face: number): Vector3 | null {
+    const [red, green, blue] = this.prepared.faceColor(face);
+    return red === undefined || green === undefined || blue === undefined
+      ? null
+      : [red, green, blue];
   }
 
   /** Number of faces, trimmed or whole, at least 1; with instances, of those they place. */

@@ -28,7 +28,7 @@ export interface SurfaceArrays {
   trim?: readonly (readonly TrimCurveArrays[])[];
   /** Whether the face's normal is opposite to the surface's; no distance uses it. */
   reversed?: boolean;
-  /** The face's name in its source. */
+  /** The face's name in its source; in an assembly with the names of its levels before it, as `facePath` splits. */
   faceName?: string;
   /** The kind of surface in its source, such as `cylinder`. */
   kind?: string;
@@ -36,6 +36,8 @@ export interface SurfaceArrays {
   gap?: number;
   /** Whether this gap, or one of a curve's, was measured at points and is no upper bound. */
   gapMeasured?: boolean;
+  /** The face's colour in its source: red, green and blue of sRGB, each from 0 to 1. */
+  color?: Numbers;
 }
 
 /** A rational B-spline curve in the parameter plane of its surface, as plain arrays. */
@@ -89,6 +91,7 @@ export interface InterchangeSurface {
   kind?: string;
   gap?: number;
   gap_measured?: boolean;
+  color?: readonly [red: number, green: number, blue: number];
 }
 
 /** A trimming curve of the interchange JSON. */
@@ -129,7 +132,7 @@ export interface BrepText {
 const MODEL_KEYS: readonly (keyof ModelArrays)[] = ["name", "unit", "surfaces", "instances"];
 const SURFACE_KEYS: readonly (keyof SurfaceArrays)[] = [
   ...(["degree", "knotsU", "knotsV", "counts", "controlPoints", "homogeneous"] as const),
-  ...(["trim", "reversed", "faceName", "kind", "gap", "gapMeasured"] as const),
+  ...(["trim", "reversed", "faceName", "kind", "gap", "gapMeasured", "color"] as const),
 ];
 const CURVE_KEYS: readonly (keyof TrimCurveArrays)[] = [
   ...(["degree", "knots", "controlPoints", "gap", "edge"] as const),
@@ -147,6 +150,7 @@ const INTERCHANGE_KEYS: readonly string[] = [
     "kind",
     "gap",
     "gap_measured",
+    "color",
   ] as const),
 ] satisfies (keyof InterchangeSurface)[];
 
@@ -246,6 +250,7 @@ function push(surfaces: Surfaces, surface: SurfaceArrays, where: string): void {
     optional(surface.kind, "string", `${where}: kind`),
     optional(surface.gap, "number", `${where}: gap`) ?? 0,
     optional(surface.gapMeasured, "boolean", `${where}: gapMeasured`) ?? false,
+    surface.color === undefined ? undefined : numbers(surface.color, `${where}: color`),
   );
   if (surface.trim === undefined) return;
   surfaces.beginTrim();

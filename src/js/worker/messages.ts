@@ -12,6 +12,8 @@ export interface ModelFacts {
   faceCount: number;
   /** The faces' names. */
   faceNames: (string | null)[];
+  /** The faces' colours. */
+  faceColors: ([number, number, number] | null)[];
   boundingBox: { min: [number, number, number]; max: [number, number, number] };
 }
 

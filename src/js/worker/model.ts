@@ -76,9 +76,17 @@ export class NurbsModel {
     return this.#facts.gapProven;
   }
 
-  /** The name of a face in its source, or null. */
+  /** The name of a face in its source, or null; `facePath` splits it into the levels of an assembly. */
   faceName(face: number): string | null {
     return this.#facts.faceNames[face] ?? null;
+  }
+
+  /**
+   * The colour of a face in its source, as red, green and blue of sRGB from 0 to 1: its own, else that
+   * of the body that it belongs to; null where the source gives it none.
+   */
+  faceColor(face: number): Vector3 | null {
+    return this.#facts.faceColors[face] ?? null;
   }
 
   /** Number of faces, at least 1. */

@@ -164,8 +164,10 @@ class Server {
 
 function facts(model: NurbsModel): ModelFacts {
   const { name, unit, report, gap, gapProven, faceCount, boundingBox } = model;
-  const faceNames = Array.from({ length: faceCount }, (_, face) => model.faceName(face));
-  return { name, unit, report, gap, gapProven, faceCount, faceNames, boundingBox };
+  const faces = Array.from({ length: faceCount }, (_, face) => face);
+  const faceNames = faces.map((face) => model.faceName(face));
+  const faceColors = faces.map((face) => model.faceColor(face));
+  return { name, unit, report, gap, gapProven, faceCount, faceNames, faceColors, boundingBox };
 }
 
 /** The buffers of all arrays in a result, which are transferred, not copied. */

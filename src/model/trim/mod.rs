@@ -61,6 +61,8 @@ pub struct FaceArrays {
     pub gap: f64,
     /// Whether this gap, or one of a curve's, was measured at points and is no upper bound.
     pub gap_measured: bool,
+    /// Red, green and blue of sRGB, each from 0 to 1, if the source gives the face a colour.
+    pub color: Option<[f64; 3]>,
 }
 
 /// The largest distance between the end of a curve and the start of the next, as a

@@ -10,6 +10,7 @@ import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { buildCommand, command as native } from "../../../scripts/build/command.mjs";
 import { environment } from "../../../scripts/process.mjs";
+import { stepAssembly } from "../../page/support/models.mjs";
 import { interchangeSquare } from "../support.mjs";
 import { missing, sharedFile, zip } from "./files.mjs";
 
@@ -240,6 +241,15 @@ test("both state the version, the files and their hashes in JSON", () => {
     assert.deepEqual([printed.schemaVersion, printed.version], [1, version]);
     assert.deepEqual([printed.file, printed.skipped], [source(a), []]);
   }
+});
+
+test("both state the names of all levels of an assembly, and colours", () => {
+  const assembly = file("assembly.step", stepAssembly({ color: ["0.25", "0.5", "1."] }));
+  const [ours, theirs] = both("info", assembly, "--json").map(({ stdout }) => JSON.parse(stdout));
+  const of = ({ faces }) => faces.map(({ faceName, color }) => [faceName, color]);
+  assert.deepEqual(of(ours), of(theirs));
+  assert.deepEqual(of(ours)[4], ["machine / pump (spare) / in // out / low", [0.25, 0.5, 1]]);
+  assert.deepEqual(of(ours)[7], ["machine / pump (spare) / in // out (2) / high", undefined]);
 });
 
 test("both read FreeCAD documents and what gzip compressed", () => {

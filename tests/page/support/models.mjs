@@ -157,6 +157,93 @@ export function stepSquares(count, width = 1) {
   return `ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n${lines.join("\n")}\nENDSEC;\nEND-ISO-10303-21;\n`;
 }
 
+/** The lines of a square of side 1 with its lower left corner at x, as a shell's body; `color` may be three numbers. */
+function stepSquare(add, x, name, color) {
+  const corners = [
+    [x, 0],
+    [x + 1, 0],
+    [x + 1, 1],
+    [x, 1],
+  ].map(([x, y]) => add(`CARTESIAN_POINT('',(${x}.,${y}.,0.))`));
+  const direction = (...xyz) => add(`DIRECTION('',(${xyz.map((value) => `${value}.`).join()}))`);
+  const vertices = corners.map((corner) => add(`VERTEX_POINT('',${corner})`));
+  const ways = [
+    [1, 0],
+    [0, 1],
+    [-1, 0],
+    [0, -1],
+  ];
+  const edges = corners.map((corner, at) => {
+    const vector = add(`VECTOR('',${direction(...ways[at], 0)},1.)`);
+    const line = add(`LINE('',${corner},${vector})`);
+    const ends = `${vertices[at]},${vertices[(at + 1) % 4]}`;
+    return add(`ORIENTED_EDGE('',*,*,${add(`EDGE_CURVE('',${ends},${line},.T.)`)},.T.)`);
+  });
+  const bound = add(`FACE_OUTER_BOUND('',${add(`EDGE_LOOP('',(${edges}))`)},.T.)`);
+  const axes = add(
+    `AXIS2_PLACEMENT_3D('',${corners[0]},${direction(0, 0, 1)},${direction(1, 0, 0)})`,
+  );
+  const face = add(`ADVANCED_FACE('${name}',(${bound}),${add(`PLANE('',${axes})`)},.T.)`);
+  if (color !== undefined) {
+    const rgb = add(`COLOUR_RGB('',${color.join()})`);
+    const area = add(`FILL_AREA_STYLE('',(${add(`FILL_AREA_STYLE_COLOUR('',${rgb})`)}))`);
+    const side = add(`SURFACE_SIDE_STYLE('',(${add(`SURFACE_STYLE_FILL_AREA(${area})`)}))`);
+    const style = add(
+      `PRESENTATION_STYLE_ASSIGNMENT((${add(`SURFACE_STYLE_USAGE(.BOTH.,${side})`)}))`,
+    );
+    add(`STYLED_ITEM('',(${style}),${face})`);
+  }
+  return face;
+}
+
+/**
+ * The STEP text of an assembly of two levels: `machine` has two pumps, one of them called `spare`, and
+ * a pump two squares `in / out` with the faces `low` and `high`, of which the first may have a colour.
+ */
+export function stepAssembly({ color } = {}) {
+  const lines = [];
+  const add = (entity) => {
+    lines.push(`#${lines.length + 1}=${entity};`);
+    return `#${lines.length}`;
+  };
+  const millimetre = add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
+  const context = add(
+    `(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNIT_ASSIGNED_CONTEXT((${millimetre}))REPRESENTATION_CONTEXT('',''))`,
+  );
+  const product = (name, items) => {
+    const shape = add(`SHAPE_REPRESENTATION('',(${items}),${context})`);
+    const formation = add(
+      `PRODUCT_DEFINITION_FORMATION('','',${add(`PRODUCT('id','${name}','',())`)})`,
+    );
+    const definition = add(`PRODUCT_DEFINITION('','',${formation},$)`);
+    add(
+      `SHAPE_DEFINITION_REPRESENTATION(${add(`PRODUCT_DEFINITION_SHAPE('','',${definition})`)},${shape})`,
+    );
+    return [shape, definition];
+  };
+  const placement = (y) => {
+    const [up, along] = ["(0.,0.,1.)", "(1.,0.,0.)"].map((xyz) => add(`DIRECTION('',${xyz})`));
+    return add(`AXIS2_PLACEMENT_3D('',${add(`CARTESIAN_POINT('',(0.,${y}.,0.))`)},${up},${along})`);
+  };
+  const place = ([part, inner], [whole, outer], y, name) => {
+    const map = add(`ITEM_DEFINED_TRANSFORMATION('','',${placement(0)},${placement(y)})`);
+    const relation = add(
+      `(REPRESENTATION_RELATIONSHIP('','',${part},${whole})REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(${map})SHAPE_REPRESENTATION_RELATIONSHIP())`,
+    );
+    const use = add(`NEXT_ASSEMBLY_USAGE_OCCURRENCE('id','${name}','',${outer},${inner},$)`);
+    const shape = add(`PRODUCT_DEFINITION_SHAPE('','',${use})`);
+    add(`CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(${relation},${shape})`);
+  };
+  const faces = [stepSquare(add, 0, "low", color), stepSquare(add, 2, "high")];
+  const shell = add(`OPEN_SHELL('',(${faces}))`);
+  const valve = product("in / out", add(`SHELL_BASED_SURFACE_MODEL('',(${shell}))`));
+  const [pump, machine] = [product("pump", ""), product("machine", "")];
+  for (const y of [0, 2]) place(valve, pump, y, "");
+  place(pump, machine, 0, "");
+  place(pump, machine, 10, "spare");
+  return `ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n${lines.join("\n")}\nENDSEC;\nEND-ISO-10303-21;\n`;
+}
+
 /** A file with this text, for Playwright's file inputs. */
 export const file = (name, text) => ({
   name,

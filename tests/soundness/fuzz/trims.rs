@@ -65,6 +65,7 @@ pub fn check(bytes: &[u8]) {
         kind: None,
         gap: 0.0,
         gap_measured: false,
+        color: None,
     };
     let model = Model::from_faces(ModelArrays { faces: vec![face], ..ModelArrays::default() }).unwrap();
     let text = model.to_json().unwrap();

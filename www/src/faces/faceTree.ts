@@ -8,6 +8,8 @@ import { limitInput, rowParts, showLimits } from "./treeRows.ts";
 
 /** Rows listed at once; the filter finds the others. */
 const MAX_ROWS = 300;
+/** What stands between the names of levels. */
+const SEPARATOR = " / ";
 
 const list = element("tree-list");
 const filter = element("tree-filter", HTMLInputElement);
@@ -21,22 +23,24 @@ export interface TreeListener {
   look: (side: Side, faces: readonly number[]) => void;
 }
 
-/** A part of a side, with those of its faces that the filter leaves. */
+/** What a row lists, with the faces below it that the filter leaves. */
 interface Listed {
   side: Side;
   part: Part;
-  faces: number[];
+  faces: ReadonlySet<number>;
   /** What it is known by while the models are the same. */
   key: string;
+  /** The levels whose names stand in the rows above. */
+  depth: number;
 }
 
 export class FaceTree {
   readonly #listener: TreeListener;
   #names: Sides<string[]> = {};
-  #parts: Sides<Part[]> = {};
+  #items: Sides<Part["items"]> = {};
   #changed: Sides<ReadonlySet<number>> = {};
   #hidden: Record<Side, Set<number>> = { a: new Set(), b: new Set() };
-  /** The parts whose faces are listed. */
+  /** The parts that are unfolded. */
   #open = new Set<string>();
 
   constructor(listener: TreeListener) {
@@ -53,7 +57,7 @@ export class FaceTree {
   show(models: Sides<DisplayModel>): void {
     for (const side of SIDES) {
       this.#names[side] = models[side]?.faceNames ?? [];
-      this.#parts[side] = partsOf(this.#names[side] ?? []);
+      this.#items[side] = partsOf(this.#names[side] ?? []);
     }
     this.#changed = {};
     this.#hidden = { a: new Set(), b: new Set() };
@@ -100,22 +104,15 @@ export class FaceTree {
       list.replaceChildren();
       return;
     }
-    const wanted = filter.value.trim().toLowerCase();
-    const isFiltered = wanted !== "" || onlyChanged.checked;
-    const listed = SIDES.flatMap((side) => this.#listed(side, wanted));
-    let left = MAX_ROWS;
     const rows: HTMLElement[] = [];
-    for (const { side, part, faces, key } of listed) {
-      const isPart = part.name !== "";
-      const isOpen = !isPart || isFiltered || this.#open.has(key);
-      if (left <= 0) break;
-      const own = isOpen ? faces.slice(0, left).map((face) => this.#faceRow(side, face)) : [];
-      left -= own.length + Number(isPart);
-      if (isPart) rows.push(this.#partRow({ side, part, faces, key }, isOpen, own));
-      else rows.push(...own);
+    let faces = 0;
+    const budget = { left: MAX_ROWS };
+    for (const side of SIDES) {
+      const kept = this.#kept(side);
+      faces += kept.size;
+      rows.push(...this.#rows(this.#items[side] ?? [], { side, faces: kept, key: side }, budget));
     }
-    const faces = listed.reduce((sum, one) => sum + one.faces.length, 0);
-    if (left <= 0 && faces > MAX_ROWS) {
+    if (budget.left <= 0 && faces > MAX_ROWS) {
       const more = document.createElement("li");
       more.textContent = `${grouped(faces)} faces in all: type a part of a name`;
       rows.push(more);
@@ -129,23 +126,57 @@ export class FaceTree {
     if (focused) same.find((node) => node.ariaLabel === focused)?.focus({ preventScroll: true });
   }
 
-  /** The parts of a side that have faces which the filter leaves. */
-  #listed(side: Side, wanted: string): Listed[] {
-    const names = this.#names[side] ?? [];
-    return (this.#parts[side] ?? []).flatMap((part, index) => {
-      const faces = part.faces.filter((face) => {
-        if (onlyChanged.checked && !this.#changed[side]?.has(face)) return false;
-        return `${part.name} / ${names[face]}`.toLowerCase().includes(wanted);
-      });
-      return faces.length === 0 ? [] : [{ side, part, faces, key: `${side} ${index}` }];
-    });
+  /** The faces of a side that the filter leaves. */
+  #kept(side: Side): ReadonlySet<number> {
+    const wanted = filter.value.trim().toLowerCase();
+    const changed = onlyChanged.checked ? this.#changed[side] : undefined;
+    const isKept = (face: number, name: string) =>
+      (!onlyChanged.checked || changed?.has(face)) && name.toLowerCase().includes(wanted);
+    const kept = new Set<number>();
+    const visit = (items: Part["items"], above: string): void => {
+      for (const item of items) {
+        if (typeof item === "object") visit(item.items, `${item.path.join(SEPARATOR)}${SEPARATOR}`);
+        else if (isKept(item, above + ownName(this.#names[side]?.[item] ?? ""))) kept.add(item);
+      }
+    };
+    visit(this.#items[side] ?? [], "");
+    return kept;
   }
 
-  #partRow({ side, part, faces, key }: Listed, isOpen: boolean, rows: HTMLElement[]): HTMLElement {
+  /** The rows of parts and faces that have what the filter leaves, as many as the budget has left. */
+  #rows(
+    items: Part["items"],
+    { side, faces, key, depth = 0 }: Pick<Listed, "side" | "faces" | "key"> & { depth?: number },
+    budget: { left: number },
+  ): HTMLElement[] {
+    const rows: HTMLElement[] = [];
+    for (const [index, item] of items.entries()) {
+      if (budget.left <= 0) break;
+      if (typeof item === "number") {
+        if (!faces.has(item)) continue;
+        budget.left -= 1;
+        rows.push(this.#faceRow(side, item));
+        continue;
+      }
+      const own = new Set(item.faces.filter((face) => faces.has(face)));
+      if (own.size === 0) continue;
+      budget.left -= 1;
+      const listed = { side, part: item, faces: own, key: `${key} ${index}`, depth };
+      rows.push(this.#partRow(listed, budget));
+    }
+    return rows;
+  }
+
+  #partRow(listed: Listed, budget: { left: number }): HTMLElement {
+    const { side, part, faces, key, depth } = listed;
+    const isOpen = filter.value.trim() !== "" || onlyChanged.checked || this.#open.has(key);
+    const inner = { side, faces, key, depth: part.path.length };
+    const rows = isOpen ? this.#rows(part.items, inner, budget) : [];
+    const fullName = part.path.join(SEPARATOR);
     const hidden = part.faces.filter((face) => this.#hidden[side].has(face)).length;
-    const isChanged = faces.some((face) => this.#changed[side]?.has(face) ?? false);
     const { box, letter, look, alone } = rowParts({
-      ...{ side, name: part.name, fullName: part.name, isChanged },
+      ...{ side, name: part.path.slice(depth).join(SEPARATOR), fullName },
+      isChanged: [...faces].some((face) => this.#changed[side]?.has(face) ?? false),
       shown: hidden === 0 ? true : hidden === part.faces.length ? false : undefined,
       show: (shown) => this.#show(side, part.faces, shown),
       only: () => this.#isolate(side, part.faces),
@@ -156,14 +187,14 @@ export class FaceTree {
     unfold.className = "unfold";
     unfold.textContent = isOpen ? "▾" : "▸";
     unfold.setAttribute("aria-expanded", `${isOpen}`);
-    unfold.setAttribute("aria-label", `Faces of ${side.toUpperCase()} ${part.name}`);
+    unfold.setAttribute("aria-label", `Contents of ${side.toUpperCase()} ${fullName}`);
     unfold.addEventListener("click", () => {
       if (!this.#open.delete(key)) this.#open.add(key);
       this.#draw();
     });
     const count = document.createElement("span");
     count.className = "note";
-    count.textContent = grouped(faces.length);
+    count.textContent = grouped(faces.size);
     const row = document.createElement("div");
     row.append(unfold, box, letter, look, count, alone);
     const own = document.createElement("ul");

@@ -205,6 +205,7 @@ fn model(faces: &[DrawnFace]) -> Option<Model> {
             kind: None,
             gap: 0.0,
             gap_measured: false,
+            color: None,
         })
     };
     let faces = faces.iter().map(face).collect::<Option<Vec<_>>>()?;

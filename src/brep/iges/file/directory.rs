@@ -21,6 +21,8 @@ pub(in crate::brep::iges) struct Entry {
     pub(in crate::brep::iges) matrix: u64,
     /// Whether another entity must exist for this one to do so.
     pub(in crate::brep::iges) is_dependent: bool,
+    /// The number of a colour, or that of the entity that defines it with a minus sign; 0 for none.
+    pub(in crate::brep::iges) color: i64,
     /// The label, padded with blanks.
     label: [u8; FIELD],
     /// The first line of its parameters, from 1, and their number of lines.
@@ -71,6 +73,8 @@ pub(super) fn directory(lines: &[&[u8]], first_line: usize) -> Result<Vec<Entry>
             form: field(1, 4)?,
             matrix: positive(0, 6)?,
             is_dependent: matches!(first.get(DEPENDENCE), Some(b'1' | b'3')),
+            // A colour that cannot be read is no reason to refuse the file.
+            color: field(1, 2).unwrap_or(0),
             label,
             first_line: usize::try_from(positive(0, 1)?).unwrap_or(usize::MAX),
             line_count: usize::try_from(positive(1, 3)?).unwrap_or(usize::MAX),

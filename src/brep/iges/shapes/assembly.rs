@@ -1,5 +1,6 @@
 //! Bodies and where groups, subfigures and instances place them.
 
+use super::colors::color_of;
 use super::faces::is_surface;
 use super::{Shapes, used};
 use crate::brep::iges::file::{Entity, File, Found};
@@ -130,6 +131,8 @@ impl Shapes<'_> {
             Err(fault) => self.unreadable(number, fault)?,
         };
         self.reached.insert(number, shape);
+        let color = self.file.entry(number).ok().and_then(|entry| color_of(self.file, entry));
+        self.topology.colors.extend(color.map(|color| (shape, color)));
         Ok(shape)
     }
 

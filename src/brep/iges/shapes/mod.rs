@@ -2,6 +2,7 @@
 
 mod assembly;
 mod boundaries;
+mod colors;
 mod edges;
 mod faces;
 mod pairing;
@@ -67,6 +68,7 @@ impl<'a> Shapes<'a> {
             shapes: Vec::new(),
             root: used(0, true),
             unit: Some(METRES),
+            colors: HashMap::new(),
         };
         Self {
             file,

@@ -211,6 +211,15 @@ impl<'a> Entity<'a> {
         numbers.ok_or_else(|| self.fault(index, "a list of references"))
     }
 
+    /// Returns the references of all attributes, also those in lists of them.
+    pub(in crate::brep::step) fn all_references(&self) -> Vec<u64> {
+        let in_value = |value: &Value<'a>| match value {
+            Value::List(values) => values.iter().filter_map(reference).collect(),
+            value => Vec::from_iter(reference(value)),
+        };
+        self.attributes.iter().flat_map(in_value).collect()
+    }
+
     pub(in crate::brep::step) fn numbers(&self, index: usize) -> Found<Vec<f64>> {
         let numbers = self.list(index)?.iter().map(number).collect::<Option<Vec<f64>>>();
         numbers.ok_or_else(|| self.fault(index, "a list of numbers"))

@@ -48,7 +48,7 @@ impl Shapes<'_> {
             Ok(None) => return Ok(None),
             Err(fault) => self.unreadable(instance, fault)?,
         };
-        self.reached.insert(instance, shape);
+        self.reach(instance, shape);
         Ok(Some(used(shape, true)))
     }
 

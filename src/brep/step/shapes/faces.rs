@@ -32,7 +32,7 @@ impl Shapes<'_> {
                     Ok(shape) => shape,
                     Err(fault) => self.unreadable(face, fault)?,
                 };
-                self.reached.insert(face, shape);
+                self.reach(face, shape);
                 shape
             }
         };

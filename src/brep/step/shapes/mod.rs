@@ -10,9 +10,10 @@ mod spheres;
 
 use super::exchange::Exchange;
 use super::geometry::{Scale, surface};
+use super::styles::colors;
 use super::units::Units;
 use crate::brep::report::FaceFault;
-use crate::brep::topology::{Orientation, Shape, ShapeKind, Topology, Use};
+use crate::brep::topology::{Color, Orientation, Shape, ShapeKind, Topology, Use};
 use edges::Segment;
 use glam::DAffine3;
 use std::collections::{HashMap, HashSet};
@@ -26,6 +27,8 @@ pub(super) struct Shapes<'a> {
     pub(super) file: &'a Exchange<'a>,
     pub(super) topology: Topology,
     units: Units,
+    /// The colours of faces, bodies and mapped items, by their instances.
+    colors: HashMap<u64, Color>,
     /// The shapes of faces and bodies, by their instances.
     reached: HashMap<u64, usize>,
     /// The faces and bodies of representations in other units.
@@ -45,11 +48,13 @@ impl<'a> Shapes<'a> {
             shapes: Vec::new(),
             root,
             unit: None,
+            colors: HashMap::new(),
         };
         Self {
             file,
             topology,
             units: Units::NONE,
+            colors: colors(file),
             reached: HashMap::new(),
             elsewhere: HashSet::new(),
             vertices: HashMap::new(),
@@ -73,6 +78,32 @@ impl<'a> Shapes<'a> {
     /// Returns whether a face or body stands in a representation.
     pub(super) fn was_reached(&self, instance: u64) -> bool {
         self.reached.contains_key(&instance) || self.elsewhere.contains(&instance)
+    }
+
+    /// States the shape of a face or body.
+    fn reach(&mut self, instance: u64, shape: usize) {
+        self.reached.insert(instance, shape);
+        if let Some(&color) = self.colors.get(&instance) {
+            self.topology.colors.insert(shape, color);
+        }
+    }
+
+    /// Returns the use of a part at a place that may have a name and a colour.
+    pub(super) fn place(
+        &mut self,
+        instance: u64,
+        name: Option<String>,
+        part: Use,
+        location: DAffine3,
+    ) -> Result<Use, FaceFault> {
+        let color = self.colors.get(&instance).copied();
+        if name.is_none() && color.is_none() {
+            return Ok(Use { location, ..part });
+        }
+        let kind = name.map_or(ShapeKind::Group(None), ShapeKind::Place);
+        let shape = self.push(kind, vec![part])?;
+        self.topology.colors.extend(color.map(|color| (shape, color)));
+        Ok(Use { location, ..used(shape, true) })
     }
 
     fn scale(&self) -> Scale {

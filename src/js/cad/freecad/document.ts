@@ -1,4 +1,5 @@
 import { HausdorffError, translating } from "../../error.js";
+import { level } from "../../model/face-path.js";
 import type { InterchangeModel } from "../../model/surface.js";
 import type { FacesFile } from "../prepare/faces.js";
 import { readInterchange } from "../prepare/read.js";
@@ -80,7 +81,10 @@ async function shapeModel({
   const { json, report } = translating(() => readInterchange(file, name));
   const model = JSON.parse(json) as InterchangeModel;
   // Faces of several shapes have the same names.
-  const named = model.surfaces.map((face) => ({ ...face, part: `${name} / ${face.part ?? ""}` }));
+  const named = model.surfaces.map((face) => ({
+    ...face,
+    part: `${level(name)} / ${face.part ?? ""}`,
+  }));
   return { model: { ...model, surfaces: named }, report };
 }
 

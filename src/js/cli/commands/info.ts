@@ -33,6 +33,7 @@ interface FaceInfo {
   /** Numbers of curves of the loops. */
   trim?: number[];
   faceName?: string;
+  color?: [number, number, number];
   patches: number;
   area: Area;
 }

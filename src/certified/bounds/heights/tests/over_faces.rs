@@ -33,6 +33,7 @@ pub(super) fn face(surface: SurfaceArrays, loops: &[&[[f64; 2]]]) -> FaceArrays 
         kind: None,
         gap: 0.0,
         gap_measured: false,
+        color: None,
     }
 }
 
