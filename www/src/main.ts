@@ -8,6 +8,7 @@ import * as display from "./controls/display.ts";
 import * as options from "./controls/options.ts";
 import * as position from "./controls/position.ts";
 import { IN_PLACE } from "./controls/presets.ts";
+import * as sections from "./controls/section.ts";
 import {
   fillShapes,
   onSource,
@@ -120,6 +121,16 @@ view.onCamera((place) => {
   past.camera = place;
 });
 display.onDisplay((name) => view.look(name), show);
+sections.onSection(
+  {
+    models: view.models,
+    seen: () => view.seen,
+    onNextFace: (callback) => {
+      probing.nextClick = callback && ((x, y) => callback(view.facing(x, y)));
+    },
+  },
+  show,
+);
 deviation.onScale((scale) => view.rescale(scale));
 onLimit(() => {
   deviation.rescale();
@@ -188,10 +199,12 @@ function show(): void {
   view.show(pose(), options.overlays(), {
     visibility: visibilities(view.models, view.result),
     orthographic: display.isOrthographic(),
-    section: display.section(),
+    section: sections.section(),
     gizmo: display.gizmoMode(),
     wipe: display.wipe(),
+    fileColors: display.hasFileColors(),
   });
+  sections.showOffset(view.models);
   drawCut(view.models);
 }
 
@@ -265,6 +278,7 @@ function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): 
   finer = undefined;
   view.showModels(models);
   tree.show(view.models.drawn);
+  display.offerFileColors(view.models.hasFileColors);
   showSources(models, placement);
   showFileNotes(models);
   view.models.scale = unitScale();

@@ -1,8 +1,9 @@
 // The comparison of faces on the page.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { modelFile, row, sphereParts } from "../support/models.mjs";
+import { file, modelFile, row, sphereParts, stepAssembly } from "../support/models.mjs";
 import { open } from "../support/open.mjs";
+import { countPixels } from "../support/pixels.mjs";
 
 let opened;
 
@@ -175,6 +176,105 @@ test("the faces of an assembly are listed by parts, which are hidden and isolate
   assert.deepEqual(await names(".name"), ["plate", "side"]);
   await opened.screenshot("parts");
   await page.locator("#tree-filter").fill("");
+});
+
+test("an assembly in an assembly is listed by levels, each hidden, isolated and filtered", async () => {
+  const { page } = opened;
+  const color = ["0.9", "0.5", "0.1"];
+  for (const side of ["a", "b"]) {
+    await opened.until("done", () =>
+      page.setInputFiles(
+        `#file-${side}`,
+        file(`${side}.step`, stepAssembly(side === "a" ? { color } : {})),
+      ),
+    );
+  }
+  const list = page.locator("#tree-list");
+  const names = (selector) => list.locator(selector).allTextContents();
+  const of = (name) => list.getByRole("checkbox", { name, exact: true });
+  // One row for each model, folded.
+  assert.deepEqual(await names(".name"), ["machine", "machine"]);
+  await page.getByLabel("Contents of A machine", { exact: true }).click();
+  assert.deepEqual(await names(".name"), ["machine", "pump", "pump (spare)", "machine"]);
+  await page.getByLabel("Contents of A machine / pump (spare)", { exact: true }).click();
+  await page
+    .getByLabel("Contents of A machine / pump (spare) / in / out (2)", { exact: true })
+    .click();
+  assert.deepEqual(await names(".part .part .part .name"), [
+    "in / out",
+    "in / out (2)",
+    "low",
+    "high",
+  ]);
+  await opened.screenshot("assembly");
+  // Hiding a level in the middle hides what is below it, and all above show that some is hidden.
+  await of("Show A machine / pump (spare) / in / out (2)").uncheck();
+  assert.equal(await of("Show A machine / pump (spare) / in // out (2) / low").isChecked(), false);
+  const mixed = (name) => of(name).evaluate((node) => node.indeterminate);
+  assert.deepEqual(
+    [await mixed("Show A machine / pump (spare)"), await mixed("Show A machine")],
+    [true, true],
+  );
+  assert.equal(await of("Show A machine / pump").isChecked(), true);
+  // One sub-assembly alone.
+  await page.getByLabel("Show only A machine / pump (spare)", { exact: true }).click();
+  assert.deepEqual(
+    [
+      await of("Show A machine / pump (spare)").isChecked(),
+      await of("Show A machine / pump").isChecked(),
+    ],
+    [true, false],
+  );
+  assert.equal(await of("Show B machine").isChecked(), false);
+  await page.locator("#tree-all").click();
+  // The filter finds names of any level, and shows the way to them.
+  await page.locator("#tree-filter").fill("spare) / in / out / l");
+  assert.deepEqual(await names(".name"), [
+    ...["machine", "pump (spare)", "in / out", "low"],
+    ...["machine", "pump (spare)", "in / out", "low"],
+  ]);
+  await page.locator("#tree-filter").fill("");
+  // A is raised, so that all its faces are beyond what is allowed; then none is.
+  await page.locator("#limit").fill("0.1");
+  await opened.until("done", () => page.locator("#deviation").check());
+  await opened.until("done", () => page.locator("#move-z-exact").fill("0.5"));
+  await page.locator("#tree-changed").check();
+  assert.equal((await names(".face .name")).length, 16);
+  await page.locator("#limit").fill("0.6");
+  await page.waitForFunction(() => document.querySelectorAll("#tree-list .name").length === 0);
+  await page.locator("#tree-changed").uncheck();
+  await page.locator("#deviation").uncheck();
+});
+
+test("models are shown in the colours of their files on request, also from a link, and undone", async () => {
+  const { page } = opened;
+  const box = page.locator("#file-colors");
+  await box.waitFor();
+  assert.equal(await box.isChecked(), false);
+  await page.selectOption("#show-a", "solid");
+  await page.selectOption("#show-b", "hidden");
+  await page.locator("#fit").click();
+  const orange = "r > 150 && g < 0.75 * r && b < 0.5 * r";
+  const without = await countPixels(page, orange);
+  await box.check();
+  assert.match(
+    await page.locator("#file-colors-note").textContent(),
+    /Edges keep the colours of A and B/,
+  );
+  const shown = await countPixels(page, orange);
+  assert.ok(shown > without + 1000, `${shown} after ${without}`);
+  await opened.screenshot("file-colors");
+  await page.waitForFunction(() => location.hash.includes("file-colors=on"));
+  await page.keyboard.press("Control+z");
+  assert.equal(await box.isChecked(), false);
+  await page.keyboard.press("Control+Shift+z");
+  assert.equal(await box.isChecked(), true);
+  // What is painted keeps the colours of its deviation.
+  await opened.until("done", () => page.locator("#deviation").check());
+  assert.ok((await countPixels(page, orange)) < 1000);
+  // Files without colours have no such choice.
+  await openPair(row(0), row(0.1));
+  await box.waitFor({ state: "hidden" });
 });
 
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

@@ -1,9 +1,8 @@
-// The controls of the view: what is shown of each model, directions, section and handles.
+// The controls of the view: what is shown of each model, directions and handles.
 import { element } from "../common/elements.ts";
 import type { StandardView } from "../scene/camera/standardViews.ts";
 import type { GizmoMode } from "../scene/gizmo.ts";
 import type { Visibility } from "../scene/mesh.ts";
-import type { Section } from "../scene/section.ts";
 import type { Side } from "../worker/protocol.ts";
 
 const select = (id: string) => element(id, HTMLSelectElement);
@@ -13,8 +12,7 @@ const shown: Record<Side, HTMLSelectElement> = { a: select("show-a"), b: select(
 const direction = select("direction");
 const orthographic = input("orthographic");
 const gizmo = select("gizmo");
-const axis = select("section-axis");
-const [position, flipped] = [input("section-at"), input("section-flip")];
+const fileColors = input("file-colors");
 const [wiped, border] = [input("wipe"), input("wipe-at")];
 
 /** What is shown of a model; undefined where the page decides. */
@@ -26,19 +24,17 @@ export function visibility(side: Side): Visibility | undefined {
 /** The border between A and B in the view, as a part of its width; undefined without one. */
 export const wipe = (): number | undefined => (wiped.checked ? border.valueAsNumber : undefined);
 
+/** Whether models are shown in the colours of their files. */
+export const hasFileColors = (): boolean => fileColors.checked;
+
+/** Offers the colours of files while a model has any. */
+export function offerFileColors(offered: boolean): void {
+  element("file-colors-offer").hidden = !offered;
+}
+
 export const isOrthographic = (): boolean => orthographic.checked;
 
 export const gizmoMode = (): GizmoMode => gizmo.value as GizmoMode;
-
-/** The section plane; undefined without one. */
-export function section(): Section | undefined {
-  if (axis.value === "") return undefined;
-  return {
-    axis: Number(axis.value) as Section["axis"],
-    fraction: position.valueAsNumber,
-    flipped: flipped.checked,
-  };
-}
 
 /** Calls `onView` when the user selects a standard view, and `onChange` on every other change. */
 export function onDisplay(onView: (view: StandardView) => void, onChange: () => void): void {
@@ -48,23 +44,14 @@ export function onDisplay(onView: (view: StandardView) => void, onChange: () => 
     direction.value = "";
   });
   const changed = () => {
-    element("section-controls").hidden = axis.value === "";
+    element("file-colors-note").hidden = !fileColors.checked;
     border.hidden = !wiped.checked;
     const line = element("wipe-line");
     line.hidden = !wiped.checked;
     line.style.left = `${100 * border.valueAsNumber}%`;
     onChange();
   };
-  for (const control of [
-    ...Object.values(shown),
-    orthographic,
-    gizmo,
-    axis,
-    position,
-    flipped,
-    wiped,
-    border,
-  ]) {
+  for (const control of [...Object.values(shown), orthographic, gizmo, fileColors, wiped, border]) {
     control.addEventListener("input", changed);
   }
   changed();

@@ -1,5 +1,6 @@
 // The views that the user chose for the report, each with the legend that it had.
 import { element } from "../common/elements.ts";
+import { sectionText } from "../controls/section.ts";
 import { painted } from "../inspection/deviationPanel.ts";
 import type { Legend } from "../inspection/legend.ts";
 import type { View } from "../scene/view.ts";
@@ -11,6 +12,8 @@ export interface ReportView {
   /** The picture's address. */
   picture: string;
   legend: Legend | undefined;
+  /** Where the models are cut open. */
+  section: string | undefined;
 }
 
 export class Views {
@@ -42,7 +45,9 @@ export class Views {
 
   /** Returns what is seen now. */
   async take(title: string): Promise<ReportView> {
-    return { title, picture: await dataUrl(await this.picture()), legend: painted()?.legend };
+    const section = sectionText(this.#view.models);
+    const picture = await dataUrl(await this.picture());
+    return { title, picture, legend: painted()?.legend, section };
   }
 
   /** The picture of the view, PNG. */

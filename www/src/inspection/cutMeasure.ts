@@ -16,7 +16,6 @@ const CORNER_SINE = Math.sin((20 * Math.PI) / 180);
 /** The radius of a mark, in pixels. */
 const RADIUS = 4;
 const SVG = "http://www.w3.org/2000/svg";
-const NAMES = ["x", "y", "z"];
 
 const output = element("cut-measured");
 
@@ -30,9 +29,9 @@ interface Picked extends Vertex {
   side: Side;
 }
 
-/** The axes of the plot, and the size of the section that digits refer to. */
+/** The names of the directions of the plot, and the size of the section that digits refer to. */
 interface Plotted {
-  axes: [number, number];
+  names: readonly [string, string];
   size: number;
 }
 
@@ -114,13 +113,12 @@ function cornersOf(pieces: Piece[], size: number): Picked[] {
   return [...found.values()].flatMap(({ corner, isCorner }) => (isCorner ? [corner] : []));
 }
 
-function textOf(hovered: Picked | undefined, { axes, size }: Plotted): string {
+function textOf(hovered: Picked | undefined, { names: [across, up], size }: Plotted): string {
   const unit = commonUnit();
   const measured = (text: string) => `≈ ${text}${unit === undefined ? "" : ` ${unit}`}`;
   const [first, second = hovered] = picked;
   if (first !== undefined && second !== undefined) {
     const [dx, dy] = [second.x - first.x, second.y - first.y];
-    const [across, up] = axes.map((axis) => NAMES[axis]);
     const along = `${across} ${signedText(dx, size)}, ${up} ${signedText(dy, size)}`;
     const sides = [first, second].map(({ side }) => side.toUpperCase()).join(" to ");
     return `${measured(distanceText(Math.hypot(dx, dy), size))} from ${sides} (${along})`;

@@ -1,8 +1,9 @@
 // The deviation along a section: the cut of the painted models in its plane, and from it the
 // deviations, enlarged.
-import type { Plane, Vector3 } from "three";
+import { Vector3 } from "three";
 import { element } from "../common/elements.ts";
 import type { ColorScale } from "../scene/colors/scale.ts";
+import type { Cut } from "../scene/section.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { forgetMeasured, measureOn } from "./cutMeasure.ts";
@@ -18,9 +19,7 @@ export interface CutModels {
   maps: Sides<MapDisplay>;
   scale: ColorScale;
   largest: number;
-  plane: Plane;
-  /** The axis that the plane is orthogonal to. */
-  axis: 0 | 1 | 2;
+  cut: Cut;
   /** A vertex of a map in scene coordinates. */
   place: (side: Side, vertex: number) => Vector3;
 }
@@ -64,30 +63,27 @@ export function showCut(cut: CutModels | undefined): void {
   drawing.setAttribute("viewBox", box.join(" "));
   drawing.setAttribute("role", "img");
   drawing.setAttribute("aria-label", "The section with its deviations enlarged");
-  measureOn(drawing, pieces, { axes: axesOf(cut.axis), size });
-  // Outwards is to the left along a piece, for the axes in this order, and mirrored for y.
-  const side = Math.sign(cut.plane.normal.getComponent(cut.axis)) * (cut.axis === 1 ? -1 : 1);
+  measureOn(drawing, pieces, { names: cut.cut.names, size });
+  // Outwards is to the left along a piece, unless the plot shows the plane from behind.
+  const facing = new Vector3().crossVectors(cut.cut.right, cut.cut.up);
+  const side = Math.sign(facing.dot(cut.cut.plane.normal));
   for (const piece of pieces) drawing.prepend(...drawn(piece, side * factor, cut.scale));
   element("cut-plot").replaceChildren(drawing);
 }
 
 /** Whether two cuts are of the same place, so that what was measured on one is on the other. */
 const isSamePlane = (one: CutModels, other: CutModels | undefined): boolean =>
-  other !== undefined && one.maps === other.maps && one.plane.equals(other.plane);
-
-/** The axes of the plot, to the right and up. */
-const axesOf = (axis: 0 | 1 | 2): [number, number] =>
-  axis === 0 ? [1, 2] : axis === 1 ? [0, 2] : [0, 1];
+  other !== undefined && one.maps === other.maps && one.cut.plane.equals(other.cut.plane);
 
 /** The pieces in which a plane meets the triangles of a map. */
-function piecesOf({ maps, plane, axis, place }: CutModels, side: Side): Piece[] {
+function piecesOf({ maps, cut, place }: CutModels, side: Side): Piece[] {
   const map = maps[side];
   if (map === undefined) return [];
   const { indices, signed, distances } = map;
+  const { plane, right, up } = cut;
   const heights = Float64Array.from(distances, (_, vertex) =>
     plane.distanceToPoint(place(side, vertex)),
   );
-  const [across, up] = axesOf(axis);
   const crossing = (one: number, other: number): Vertex => {
     const [from, to] = [heights[one] ?? 0, heights[other] ?? 0];
     const part = from / (from - to || 1);
@@ -97,7 +93,7 @@ function piecesOf({ maps, plane, axis, place }: CutModels, side: Side): Piece[] 
       return Number.isNaN(known) ? (distances[vertex] ?? 0) : known;
     };
     return {
-      ...{ x: point.getComponent(across), y: point.getComponent(up) },
+      ...{ x: point.dot(right), y: point.dot(up) },
       deviation: value(one) + part * (value(other) - value(one)),
     };
   };

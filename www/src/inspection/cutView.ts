@@ -1,20 +1,19 @@
 // The plot of the section that the user placed, of the maps that are shown.
-import { section } from "../controls/display.ts";
 import type { Models } from "../scene/models.ts";
 import { showCut } from "./cutPlot.ts";
 import { painted } from "./deviationPanel.ts";
 
 /** Draws the deviation along the section; without a section or a map, nothing. */
 export function drawCut(models: Models): void {
-  const [plane] = models.planes;
-  const [cut, shown] = [section(), painted()];
-  if (cut === undefined || shown === undefined || plane === undefined) {
+  const { cut } = models;
+  const shown = painted();
+  if (cut === undefined || shown === undefined) {
     showCut(undefined);
     return;
   }
   const { maps, scale, extent } = shown;
   showCut({
-    ...{ maps, scale, plane, axis: cut.axis, largest: extent.largest },
+    ...{ maps, scale, cut, largest: extent.largest },
     place: (side, vertex) => {
       const [x = 0, y = 0, z = 0] =
         maps[side]?.positions.subarray(3 * vertex, 3 * vertex + 3) ?? [];

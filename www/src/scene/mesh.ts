@@ -3,6 +3,7 @@ import {
   type Box3,
   BufferAttribute,
   BufferGeometry,
+  Color,
   Group,
   LineBasicMaterial,
   LineSegments,
@@ -12,6 +13,7 @@ import {
   type Plane,
   Points,
   PointsMaterial,
+  SRGBColorSpace,
   type Texture,
 } from "three";
 import { concatenated } from "../common/arrays.ts";
@@ -28,6 +30,9 @@ const TRIANGLES = { color: 0x101820, wireframe: true, transparent: true, opacity
 const POINT_SIZE = 3;
 /** The opacity of colours that are seen through. */
 const SEE_THROUGH = 0.4;
+/** The outline of a model in its own colours, and of one whose outline alone shows which it is. */
+const OUTLINE = { color: 0x0d151d, opacity: 0.55 };
+const OUTLINE_OPACITY = 0.95;
 
 export class ModelMesh {
   readonly group = new Group();
@@ -37,13 +42,14 @@ export class ModelMesh {
   readonly #surface: Mesh | Points;
   readonly #painted: Mesh | Points;
   readonly #triangles: Mesh;
-  readonly #outline: LineSegments;
+  readonly #outline: LineSegments<BufferGeometry, LineBasicMaterial>;
   readonly #faces: FaceColors;
   readonly #side: Side;
   readonly #color: string;
   #cap: Cap | undefined;
   #hasPaint = false;
   #visibility: Visibility = "solid";
+  #fileColors = false;
   #hidden: ReadonlySet<number> = new Set();
   /** The painted triangles with their faces, of which those of hidden faces are not drawn. */
   #paintedTriangles: { indices: Uint32Array; faces: Uint32Array } | undefined;
@@ -77,7 +83,7 @@ export class ModelMesh {
       : new Mesh(new BufferGeometry(), paint);
     this.#outline = new LineSegments(
       edges,
-      new LineBasicMaterial({ color: 0x0d151d, transparent: true, opacity: 0.55 }),
+      new LineBasicMaterial({ ...OUTLINE, transparent: true }),
     );
     this.#outline.renderOrder = 3;
     // Three.js derives the lines from the triangles at the first drawing.
@@ -129,6 +135,25 @@ export class ModelMesh {
 
   get visibility(): Visibility {
     return this.#visibility;
+  }
+
+  /** Whether faces have the colours of their file where it gives them one, and edges that of the model. */
+  set fileColors(shown: boolean) {
+    const wanted = shown && this.model.faceColors.length > 0;
+    if (wanted === this.#fileColors) return;
+    this.#fileColors = wanted;
+    const { geometry } = this.#surface;
+    if (wanted) geometry.setAttribute("color", vertexColors(this.model, this.#color));
+    else geometry.deleteAttribute("color");
+    for (const material of [this.#satin, this.#glass]) {
+      if (!("color" in material && material.color instanceof Color)) continue;
+      material.vertexColors = wanted;
+      material.color.set(wanted ? "white" : this.#color);
+      material.needsUpdate = true;
+    }
+    const { material } = this.#outline;
+    material.color.set(wanted ? this.#color : OUTLINE.color);
+    material.opacity = wanted ? OUTLINE_OPACITY : OUTLINE.opacity;
   }
 
   /** The planes that cut the model open. */
@@ -231,6 +256,22 @@ export class ModelMesh {
     const parts = [this.#painted, this.#outline, this.#triangles];
     return [this.#satin, this.#glass, ...material, ...parts.flatMap((part) => part.material)];
   }
+}
+
+/** The colours of the vertices of all faces; `other` is that of faces without one in their file. */
+function vertexColors({ tessellation, faceColors }: DisplayModel, other: string): BufferAttribute {
+  const { positions, indices, faces } = tessellation;
+  const colors = new Float32Array(positions.length);
+  const color = new Color();
+  for (const [face, { firstIndex, indexCount }] of faces.entries()) {
+    const own = faceColors[face];
+    if (own) color.setRGB(...own, SRGBColorSpace);
+    else color.set(other);
+    for (const vertex of indices.subarray(firstIndex, firstIndex + indexCount)) {
+      color.toArray(colors, 3 * vertex);
+    }
+  }
+  return new BufferAttribute(colors, 3);
 }
 
 /** The indices of all faces but the hidden ones. */

@@ -3,6 +3,7 @@ import type { Vector3 as Point } from "nurbs-hausdorff";
 import {
   Box3,
   Group,
+  type Intersection,
   Matrix4,
   type Mesh,
   type Plane,
@@ -18,7 +19,7 @@ import type { FaceClass } from "./faces.ts";
 import { ModelMesh, type Visibility } from "./mesh.ts";
 import { deviationGeometry } from "./overlays/deviation.ts";
 import type { Pose } from "./pose.ts";
-import { clippingPlanes, type Section } from "./section.ts";
+import { type Cut, cutOf, type Section } from "./section.ts";
 
 /** The side of a cap's plane, in diagonals of the scene: it covers all cuts. */
 const CAP_SIZE = 2.5;
@@ -34,7 +35,7 @@ export class Models {
   readonly center = new Vector3();
   readonly #colors: Record<Side, string>;
   readonly #map: Texture;
-  #planes: Plane[] = [];
+  #cut: Cut | undefined;
   readonly #meshes: Sides<ModelMesh> = {};
   #drafts: Sides<DraftModel> = {};
   /** The sides whose files are being read. */
@@ -135,22 +136,37 @@ export class Models {
     for (const side of this.#replaced) this.#hide(side);
   }
 
+  /** Whether a model has colours of its file. */
+  get hasFileColors(): boolean {
+    return Object.values(this.#meshes).some(({ model }) => model.faceColors.length > 0);
+  }
+
+  /** Shows what is not painted in the colours of its file, or in those of the models. */
+  set fileColors(shown: boolean) {
+    for (const mesh of Object.values(this.#meshes)) mesh.fileColors = shown;
+  }
+
   /** Cuts both models open; closed ones are capped. */
-  cut(section: Section | undefined): void {
+  cutOpen(section: Section | undefined): void {
     const { box } = this;
-    const planes = clippingPlanes(section, box);
+    this.#cut = cutOf(section, box);
+    const planes = this.planes;
     const size = CAP_SIZE * box.getSize(new Vector3()).length();
     for (const mesh of Object.values(this.#meshes)) {
       if (mesh.cap !== undefined) mesh.cap.size = size;
       mesh.clipping = planes;
     }
     for (const side of this.#replaced) this.#hide(side);
-    this.#planes = planes;
   }
 
   /** The planes of the section. */
-  get planes(): readonly Plane[] {
-    return this.#planes;
+  get planes(): Plane[] {
+    return this.#cut === undefined ? [] : [this.#cut.plane];
+  }
+
+  /** The section where it is; undefined without one. */
+  get cut(): Cut | undefined {
+    return this.#cut;
   }
 
   /** Draws all faces of a model but these. */
@@ -188,11 +204,36 @@ export class Models {
     clientX: number,
     clientY: number,
   ): { side: Side; near: Point } | undefined {
+    const found = this.#hit(viewport, clientX, clientY);
+    if (found === undefined) return undefined;
+    const { side, hit, mesh } = found;
+    const local = mesh.target.worldToLocal(hit.point.clone());
+    return { side, near: local.add(new Vector3(...mesh.model.tessellation.origin)).toArray() };
+  }
+
+  /** The point that the view's ray hits first, with the surface's normal there, in the scene. */
+  facing(
+    viewport: Viewport,
+    clientX: number,
+    clientY: number,
+  ): { point: Vector3; normal: Vector3 } | undefined {
+    const found = this.#hit(viewport, clientX, clientY);
+    if (found?.hit.normal === undefined) return undefined;
+    const { hit, mesh } = found;
+    const normal = hit.normal?.clone().transformDirection(mesh.target.matrixWorld);
+    return normal && { point: hit.point.clone(), normal };
+  }
+
+  #hit(
+    viewport: Viewport,
+    clientX: number,
+    clientY: number,
+  ): { side: Side; hit: Intersection; mesh: ModelMesh } | undefined {
     const visible = SIDES.filter((side) => this.#meshes[side]?.group.visible);
     const targets = visible.flatMap((side) => this.#meshes[side]?.target ?? []);
     const hits = viewport
       .hits(clientX, clientY, targets)
-      .filter(({ point }) => this.#planes.every((plane) => plane.distanceToPoint(point) >= 0));
+      .filter(({ point }) => this.planes.every((plane) => plane.distanceToPoint(point) >= 0));
     const sideOf = (object: unknown) =>
       visible.find((side) => this.#meshes[side]?.target === object);
     // What is seen through is meant only where nothing else is.
@@ -202,8 +243,7 @@ export class Models {
     const side = sideOf(hit?.object);
     const mesh = side && this.#meshes[side];
     if (hit === undefined || side === undefined || mesh === undefined) return undefined;
-    const local = mesh.target.worldToLocal(hit.point.clone());
-    return { side, near: local.add(new Vector3(...mesh.model.tessellation.origin)).toArray() };
+    return { side, hit, mesh };
   }
 
   /** The names of the models' shapes or files. */

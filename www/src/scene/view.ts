@@ -46,6 +46,8 @@ export interface Display {
   gizmo: GizmoMode;
   /** The part of the view, from the left, that shows A only, and the rest B. */
   wipe: number | undefined;
+  /** Whether what is not painted has the colours of its file. */
+  fileColors: boolean;
 }
 
 export class View {
@@ -155,6 +157,16 @@ export class View {
     return this.models.hit(this.#viewport, clientX, clientY);
   }
 
+  /** The point of a model at a position in the window, with its normal, in the scene. */
+  facing(clientX: number, clientY: number): { point: Vector3; normal: Vector3 } | undefined {
+    return this.#viewport && this.models.facing(this.#viewport, clientX, clientY);
+  }
+
+  /** What the view looks at, and the direction from there to the eye. */
+  get seen(): { point: Vector3; normal: Vector3 } | undefined {
+    return this.#viewport?.seen;
+  }
+
   /** The result shown. */
   get result(): DistanceResult | undefined {
     return this.#result;
@@ -237,7 +249,8 @@ export class View {
     this.#overlays = overlays;
     this.models.pose(pose);
     this.models.setDisplay(display.visibility, overlays.triangles);
-    this.models.cut(display.section);
+    this.models.fileColors = display.fileColors;
+    this.models.cutOpen(display.section);
     if (this.#viewport !== undefined) {
       this.#viewport.orthographic = display.orthographic;
       const { wipe } = display;

@@ -14,6 +14,7 @@ const CAMERA_DIGITS = 5;
 /** Controls whose values are about one pair of models. */
 const OF_PAIR = [
   ...["a", "b", "limit", "limit-below", "own-limits", "below", "range", "section-at"],
+  ...["section-free", "section-tilt", "section-turn"],
   ...["x", "y", "z", "turn-x", "turn-y", "turn-z"],
 ];
 

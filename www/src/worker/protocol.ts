@@ -124,6 +124,8 @@ export interface DisplayModel {
   isMesh: boolean;
   /** The names of its faces in their source. */
   faceNames: string[];
+  /** The colours of its faces in their source, in sRGB from 0 to 1; empty if it gives none. */
+  faceColors: (Vector3 | null)[];
 }
 
 /** An error code of the package, or `UNEXPECTED` for any other exception. */

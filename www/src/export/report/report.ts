@@ -83,9 +83,10 @@ function* sections({ views, places, verdict, files, faces, pins, settings }: Rep
   yield make("footer", `Made by nurbs-hausdorff ${VERSION} · ${text("engine")}`);
 }
 
-function figure({ title, picture, legend }: ReportView): HTMLElement {
+function figure({ title, picture, legend, section }: ReportView): HTMLElement {
   const body = make("div", [make("img", [], { src: picture, alt: title })], { class: "view" });
   if (legend !== undefined) body.append(legendDrawing(legend));
-  const caption = legend === undefined ? title : `${title}: ${legend.title}`;
+  const said = [legend?.title, section].filter((part) => part !== undefined).join("; ");
+  const caption = said === "" ? title : `${title}: ${said}`;
   return make("figure", [make("figcaption", caption), body]);
 }

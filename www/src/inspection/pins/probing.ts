@@ -16,6 +16,8 @@ export class Probing {
   /** The requests of others, with what they do with the answer. */
   readonly #asked = new Map<number, (probe: Probe) => void>();
   readonly #ask: (side: Side, near: Vector3) => number;
+  /** What the next click is for, instead of a pin. */
+  #nextClick: ((clientX: number, clientY: number) => void) | undefined;
   /** The request for the point under the resting pointer. */
   #hovered: { id: number; at: Place } | undefined;
 
@@ -27,6 +29,10 @@ export class Probing {
       return this.#newest;
     };
     const request = (clientX: number, clientY: number, pin: boolean) => {
+      if (pin && this.#nextClick !== undefined) {
+        this.#nextClick(clientX, clientY);
+        return;
+      }
       const hit = view.hit(clientX, clientY);
       if (hit === undefined) return;
       const id = this.#ask(hit.side, hit.near);
@@ -38,6 +44,11 @@ export class Probing {
       this.#hovered = undefined;
       view.pins.hover();
     });
+  }
+
+  /** Gives the next clicks on the view to `taken` instead of pinning points; `undefined` ends that. */
+  set nextClick(taken: ((clientX: number, clientY: number) => void) | undefined) {
+    this.#nextClick = taken;
   }
 
   /** Measures the point of a model that is nearest to one in its own coordinates. */

@@ -218,6 +218,11 @@ export class Viewport {
     this.#fitted = undefined;
   }
 
+  /** The point that the camera looks at, and the direction from there to it. */
+  get seen(): { point: Vector3; normal: Vector3 } {
+    return { point: this.controls.target.clone(), normal: this.#direction() };
+  }
+
   /** The direction from the target to the camera. */
   #direction(): Vector3 {
     const direction = this.#perspective.position.clone().sub(this.controls.target);

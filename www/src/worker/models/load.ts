@@ -64,6 +64,7 @@ export async function load(
         outline: outline(tessellation),
         isMesh: isMesh(model),
         faceNames: Array.from({ length: model.faceCount }, (_, face) => faceName(model, face)),
+        faceColors: colorsOf(model),
       };
     }
   } catch (error) {
@@ -71,6 +72,12 @@ export async function load(
     throw error;
   }
   return { models, display };
+}
+
+/** The colours of the faces; none at all if no face has one. */
+function colorsOf(model: NurbsModel): DisplayModel["faceColors"] {
+  const colors = Array.from({ length: model.faceCount }, (_, face) => model.faceColor(face));
+  return colors.some((color) => color !== null) ? colors : [];
 }
 
 /** A file's name without the ending of its packing. */

@@ -1,0 +1,209 @@
+// Sections by any normal: as the user looks, along a face, with offset and tilt.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { cube, modelFile } from "../support/models.mjs";
+import { open } from "../support/open.mjs";
+import { countPixels } from "../support/pixels.mjs";
+
+let opened;
+let page;
+
+before(async () => {
+  opened = await open({ path: "" });
+  page = opened.page;
+  await page.locator('#result[data-state="done"]').waitFor();
+});
+
+after(() => opened.close());
+
+/** The ends of the pieces in the plot, in the coordinates of the section. */
+const ends = () =>
+  page.locator("#cut line").evaluateAll((lines) =>
+    lines.flatMap((line) => {
+      const [x1, y1, x2, y2] = ["x1", "y1", "x2", "y2"].map((name) =>
+        Number(line.getAttribute(name)),
+      );
+      return [
+        [x1, -y1],
+        [x2, -y2],
+      ];
+    }),
+  );
+
+/** Fails unless the contour is as wide and as high as this. */
+async function reaches(width, height) {
+  const points = await ends();
+  const size = [0, 1].map((axis) => {
+    const all = points.map((point) => point[axis]);
+    return Math.max(...all) - Math.min(...all);
+  });
+  for (const [index, expected] of [width, height].entries()) {
+    assert.ok(Math.abs(size[index] - expected) < 1e-5, `${size}, expected ${[width, height]}`);
+  }
+}
+
+/** A cube of side 2 in one of side 3: only the inner one is painted, and cut. */
+async function openCubes() {
+  for (const [side, half] of [
+    ["a", 1],
+    ["b", 1.5],
+  ]) {
+    await opened.until("done", () =>
+      page.setInputFiles(`#file-${side}`, modelFile(`${side}.json`, cube(half))),
+    );
+  }
+  await opened.until("done", () => page.selectOption("#paint", "a"));
+}
+
+const values = async (...ids) =>
+  Promise.all(ids.map((id) => page.locator(`#section-${id}`).inputValue()));
+
+test("a free section faces the user, is in the link, and is undone", async () => {
+  await page.locator("#limit").fill("1");
+  await page.selectOption("#direction", "isometric");
+  await page.selectOption("#show-b", "hidden");
+  // The cap has A's blue; what is painted is green, as it is within what is allowed.
+  const blue = "b > 110 && b > 1.5 * r && b > 1.3 * g";
+  const without = await countPixels(page, blue);
+  await page.selectOption("#section-axis", "free");
+  await page.locator("#cut svg").waitFor();
+  const capped = await countPixels(page, blue);
+  assert.ok(capped > without + 3000, `${capped} after ${without}`);
+  await opened.screenshot("section-free");
+  await page.locator("#section-tilt").fill("10");
+  await page.waitForFunction(() => location.hash.includes("section-tilt=10"));
+  const [before, contour] = [await values("axis", "at", "free", "tilt"), await ends()];
+  assert.equal(before[0], "free");
+  await page.goto(`${page.url().replace(/#.*/, "?again")}${new URL(page.url()).hash}`);
+  await page.locator('#result[data-state="done"]').waitFor();
+  await page.locator("#cut svg").waitFor();
+  assert.deepEqual(await values("axis", "at", "free", "tilt"), before);
+  assert.equal((await ends()).length, contour.length);
+  await page.locator("#section-flip").check();
+  await page.waitForFunction(() => location.hash.includes("section-flip=on"));
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Control+z");
+  assert.equal(await page.locator("#section-flip").isChecked(), false);
+  assert.deepEqual(await values("axis", "at", "free", "tilt"), before);
+});
+
+test("a view for the report says by which plane it is cut", async () => {
+  await page.locator("#add-view").click();
+  await page.locator("#view-count", { hasText: "1 view" }).waitFor();
+  await page.selectOption("#section-axis", "0");
+  await page.locator("#section-at").fill("0.5");
+  await page.locator("#add-view").click();
+  await page.locator("#view-count", { hasText: "2 views" }).waitFor();
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.locator("#export-report").click(),
+  ]);
+  const report = readFileSync(await download.path(), "utf8");
+  assert.match(report, /section by the normal \([^()]+\) through \([^()]+\)/);
+  // A free section is tilted out of its axis no more.
+  assert.match(report, /section by the normal [^<]*<[\s\S]*section (at x = |by the normal)/);
+  await page.locator("#section-tilt").fill("0");
+  await page.selectOption("#section-axis", "");
+});
+
+test("the middle of a cube across its diagonal is a hexagon, whose sides are measured", async () => {
+  await openCubes();
+  await page.selectOption("#direction", "isometric");
+  await page.selectOption("#section-axis", "free");
+  await page.locator("#section-view").click();
+  await page.locator("#section-offset").fill("0");
+  await page.locator("#section-offset").blur();
+  await page.locator("#cut svg").waitFor();
+  // By Pythagoras its corners are √2 from the middle, and the middles of its sides √(3/2).
+  const away = (await ends()).map(([x, y]) => Math.hypot(x, y));
+  assert.ok(Math.abs(Math.max(...away) - Math.SQRT2) < 1e-5, `${Math.max(...away)}`);
+  assert.ok(Math.min(...away) > Math.sqrt(1.5) - 1e-5, `${Math.min(...away)}`);
+  const corners = await page.locator("#cut line").evaluateAll((lines) => {
+    const all = lines.flatMap((line) => {
+      const matrix = line.getScreenCTM();
+      return ["1", "2"].map((end) => {
+        const [x, y] = ["x", "y"].map((name) => Number(line.getAttribute(name + end)));
+        const point = new DOMPoint(x, y).matrixTransform(matrix);
+        return { radius: Math.hypot(x, y), x: point.x, y: point.y };
+      });
+    });
+    const outer = all.filter(({ radius }) => radius > Math.SQRT2 - 1e-4);
+    const left = outer.reduce((one, other) => (other.x < one.x ? other : one));
+    const right = outer.reduce((one, other) => (other.x > one.x ? other : one));
+    return [left, right];
+  });
+  for (const { x, y } of corners) await page.mouse.click(x, y);
+  // Opposite corners, in the plane's own directions.
+  const text = await page.locator("#cut-measured").textContent();
+  const [, apart] = /≈ ([\d.]+).* from A to A \(across [+−][\d.]+, up/.exec(text) ?? [];
+  assert.ok(Math.abs(Number(apart) - 2 * Math.SQRT2) < 2e-3, text);
+});
+
+test("a section that is tilted by 45° is longer by √2, about either direction", async () => {
+  await page.selectOption("#direction", "front");
+  await page.locator("#section-view").click();
+  await page.locator("#section-offset").fill("0");
+  await page.locator("#section-offset").blur();
+  await reaches(2, 2);
+  await page.locator("#section-tilt").fill("45");
+  await reaches(2, 2 * Math.SQRT2);
+  await page.locator("#section-tilt").fill("0");
+  await page.locator("#section-turn").fill("-45");
+  await reaches(2 * Math.SQRT2, 2);
+  await page.locator("#section-turn").fill("0");
+  // Those along axes are tilted too.
+  await page.selectOption("#section-axis", "2");
+  await page.locator("#section-tilt").fill("45");
+  await reaches(2, 2 * Math.SQRT2);
+  await page.locator("#section-tilt").fill("0");
+});
+
+test("a section along a face that is clicked is moved by an exact offset", async () => {
+  await page.selectOption("#section-axis", "");
+  await page.selectOption("#direction", "top");
+  await page.waitForTimeout(300);
+  await page.selectOption("#section-axis", "0");
+  await page.locator("#section-at").fill("1");
+  const face = page.locator("#section-face");
+  await face.click();
+  await page.keyboard.press("Escape");
+  assert.equal(await face.getAttribute("aria-pressed"), "false");
+  await face.click();
+  assert.equal(await face.getAttribute("aria-pressed"), "true");
+  const { x, y, width, height } = await page.locator("#canvas").boundingBox();
+  await page.mouse.click(x + width / 2 + 20, y + height / 2);
+  await page.waitForFunction(() => document.getElementById("section-axis").value === "free");
+  assert.equal(await face.getAttribute("aria-pressed"), "false");
+  assert.equal(await page.locator("#pins > *").count(), 0);
+  // The inner cube's top: the outer one is seen through.
+  const [normal, point] = [
+    (await page.locator("#section-free").inputValue()).split(",").map(Number),
+  ].flatMap((numbers) => [numbers.slice(0, 3), numbers.slice(3)]);
+  assert.ok(Math.hypot(normal[0], normal[1], normal[2] - 1) < 1e-6, `${normal}`);
+  assert.ok(Math.abs(point[2] - 1) < 1e-6, `${point}`);
+  // Just beneath the face it is as large as the cube; a quarter of the cube further it is too.
+  await reaches(2, 2);
+  await page.locator("#section-offset").fill("-0.5");
+  await page.locator("#section-offset").blur();
+  await reaches(2, 2);
+  assert.ok(Math.abs(Number((await values("at"))[0]) - (0.5 + 1.5) / 3) < 1e-6);
+  // Above the inner cube there is nothing to plot.
+  await page.locator("#section-offset").fill("0.25");
+  await page.locator("#section-offset").blur();
+  await page.locator("#cut").waitFor({ state: "hidden" });
+  await opened.screenshot("section-face");
+  await page.selectOption("#section-axis", "");
+});
+
+test("what an address says of a section is checked", async () => {
+  for (const free of ["", "1,2", "0,0,0,1,2,3", "a,b,c,d,e,f", "1,0,0,1e999,0,0"]) {
+    await page.goto(
+      `${page.url().replace(/[?#].*/, `?${encodeURIComponent(free)}`)}#a=bracket&b=bracket-revised&section=free&section-free=${free}&section-tilt=x&section-turn=1e9`,
+    );
+    await page.locator('#result[data-state="done"]').waitFor();
+    assert.match(await page.locator("#distance").textContent(), /\d/);
+  }
+});
+
+test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

@@ -1,0 +1,172 @@
+// The controls of the section: along an axis or by any normal, its offset and tilt.
+import { Vector3 } from "three";
+import { element } from "../common/elements.ts";
+import type { Models } from "../scene/models.ts";
+import { extentOf, type Section } from "../scene/section.ts";
+
+const input = (id: string) => element(id, HTMLInputElement);
+
+const axis = element("section-axis", HTMLSelectElement);
+const [position, flipped, free] = [
+  input("section-at"),
+  input("section-flip"),
+  input("section-free"),
+];
+const tilts = [input("section-tilt"), input("section-turn")] as const;
+const offset = input("section-offset");
+const [asSeen, byFace] = [
+  element("section-view", HTMLButtonElement),
+  element("section-face", HTMLButtonElement),
+];
+
+/** The value of the list for a section by any normal. */
+const FREE = "free";
+/** Significant digits of a free section in the address, and of its offset. */
+const DIGITS = 9;
+const TEXT_DIGITS = 6;
+/** The least step of the offset that is shown, in lengths of its way. */
+const OFFSET_STEP = 1e-6;
+/** How far beneath a face a section along it is, in lengths of its way: they would fight for depth. */
+const BENEATH = 2e-3;
+/** The most digits behind the point that JavaScript writes. */
+const MAX_DIGITS = 100;
+/** The largest tilt, in degrees. */
+const MAX_TILT = 89;
+
+/** A plane by a point and its normal. */
+export interface Facing {
+  point: Vector3;
+  normal: Vector3;
+}
+
+export interface SectionListener {
+  models: Models;
+  /** What the view looks at, and the direction from there to the eye. */
+  seen: () => Facing | undefined;
+  /** Calls back with the next place of a model that is clicked; `undefined` ends that. */
+  onNextFace: (callback: ((facing: Facing | undefined) => void) | undefined) => void;
+}
+
+/** The section plane; undefined without one. */
+export function section(): Section | undefined {
+  const common = {
+    fraction: position.valueAsNumber,
+    tilt: [tiltOf(tilts[0]), tiltOf(tilts[1])] as const,
+    flipped: flipped.checked,
+  };
+  if (axis.value === "") return undefined;
+  if (axis.value !== FREE) {
+    const along = Number(axis.value) as 0 | 1 | 2;
+    const normal = new Vector3().setComponent(along, 1);
+    return { ...common, axis: along, normal, through: undefined };
+  }
+  const facing = freeFacing();
+  if (facing === undefined) return undefined;
+  return { ...common, axis: undefined, normal: facing.normal, through: facing.point };
+}
+
+/** Calls back on every change of the section. */
+export function onSection(listener: SectionListener, onChange: () => void): void {
+  const changed = () => {
+    element("section-controls").hidden = axis.value === "";
+    onChange();
+  };
+  axis.addEventListener("input", () => {
+    if (axis.value === FREE && freeFacing() === undefined) setFree(listener, listener.seen());
+    else changed();
+  });
+  for (const control of [position, flipped, free, ...tilts]) {
+    control.addEventListener("input", changed);
+  }
+  offset.addEventListener("change", () => {
+    const [low, high] = rangeOf(listener.models) ?? [0, 1];
+    const fraction = (offset.valueAsNumber - low) / (high - low || 1);
+    if (Number.isFinite(fraction)) position.value = `${Math.max(0, Math.min(1, fraction))}`;
+    position.dispatchEvent(new Event("input", { bubbles: true }));
+  });
+  asSeen.addEventListener("click", () => setFree(listener, listener.seen()));
+  const pick = (isPicking: boolean) => {
+    byFace.setAttribute("aria-pressed", `${isPicking}`);
+    element("canvas").classList.toggle("picking", isPicking);
+    const picked = (facing: Facing | undefined) => {
+      pick(false);
+      setFree(listener, facing, BENEATH);
+    };
+    listener.onNextFace(isPicking ? picked : undefined);
+  };
+  byFace.addEventListener("click", () => pick(byFace.getAttribute("aria-pressed") !== "true"));
+  window.addEventListener("keydown", ({ key }) => {
+    if (key === "Escape" && byFace.getAttribute("aria-pressed") === "true") pick(false);
+  });
+  changed();
+}
+
+/** Shows where the section is, in model units: along its axis, or from the point that it goes through. */
+export function showOffset(models: Models): void {
+  const range = rangeOf(models);
+  if (range === undefined) return;
+  const length = range[1] - range[0];
+  const at = range[0] + position.valueAsNumber * length;
+  const digits = Math.max(0, Math.ceil(-Math.log10(OFFSET_STEP * length)));
+  offset.value = `${Number(at.toFixed(Math.min(digits, MAX_DIGITS)))}`;
+}
+
+/** What a report says of the section; nothing without one. */
+export function sectionText({ cut, center }: Models): string | undefined {
+  const own = section();
+  if (cut === undefined || own === undefined) return undefined;
+  const number = (value: number) => `${Number(value.toPrecision(TEXT_DIGITS))}`;
+  const list = (vector: Vector3) => `(${vector.toArray().map(number).join(", ")})`;
+  const point = cut.plane.coplanarPoint(new Vector3());
+  if (cut.isStraight && own.axis !== undefined) {
+    const at = point.getComponent(own.axis) + center.getComponent(own.axis);
+    return `section at ${["x", "y", "z"][own.axis]} = ${number(at)}`;
+  }
+  return `section by the normal ${list(cut.plane.normal)} through ${list(point.add(center))}`;
+}
+
+/** The ends of the section's way, in what the field of its offset shows. */
+function rangeOf({ box, center }: Models): [number, number] | undefined {
+  const own = section();
+  if (own === undefined || box.isEmpty()) return undefined;
+  const [low, high] = extentOf(box, own.normal);
+  const { axis: along, normal, through } = own;
+  const zero =
+    along === undefined ? -normal.dot(through ?? new Vector3()) : center.getComponent(along);
+  return [low + zero, high + zero];
+}
+
+/** Cuts by a plane of any normal, as far beneath a point as is said. */
+function setFree({ models }: SectionListener, facing: Facing | undefined, beneath = 0): void {
+  if (facing === undefined) {
+    // Nothing to cut by was found: a free section without a normal is none.
+    if (axis.value === FREE && freeFacing() === undefined) axis.value = "";
+  } else {
+    const { point, normal } = facing;
+    const values = [...normal.toArray(), ...point.toArray()];
+    free.value = values.map((value) => `${Number(value.toPrecision(DIGITS))}`).join(",");
+    const [low, high] = extentOf(models.box, normal);
+    const fraction = (normal.dot(point) - low) / (high - low || 1) - beneath;
+    position.value = `${Math.max(0, Math.min(1, fraction))}`;
+    for (const tilt of tilts) tilt.value = "0";
+    flipped.checked = false;
+    axis.value = FREE;
+  }
+  axis.dispatchEvent(new Event("input", { bubbles: true }));
+}
+
+/** The normal and the point of a free section; undefined for a text of an address that states none. */
+function freeFacing(): Facing | undefined {
+  const [x = 0, y = 0, z = 0, ...point] = free.value.split(",").map(Number);
+  const normal = new Vector3(x, y, z);
+  const isStated = point.length === 3 && [x, y, z, ...point].every(Number.isFinite);
+  if (!isStated || !(normal.lengthSq() > 0)) return undefined;
+  return { normal: normal.normalize(), point: new Vector3().fromArray(point) };
+}
+
+/** A tilt in degrees; 0 for a field without a number. */
+function tiltOf({ valueAsNumber }: HTMLInputElement): number {
+  return Number.isFinite(valueAsNumber)
+    ? Math.max(-MAX_TILT, Math.min(MAX_TILT, valueAsNumber))
+    : 0;
+}
