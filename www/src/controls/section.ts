@@ -72,6 +72,8 @@ export function onSection(listener: SectionListener, onChange: () => void): void
     onChange();
   };
   axis.addEventListener("input", () => {
+    // One that is chosen anew is straight; a state sets its tilts after its axis.
+    for (const tilt of tilts) tilt.value = "0";
     if (axis.value === FREE && freeFacing() === undefined) setFree(listener, listener.seen());
     else changed();
   });
@@ -89,6 +91,8 @@ export function onSection(listener: SectionListener, onChange: () => void): void
     byFace.setAttribute("aria-pressed", `${isPicking}`);
     element("canvas").classList.toggle("picking", isPicking);
     const picked = (facing: Facing | undefined) => {
+      // A click beside the models is none.
+      if (facing === undefined) return;
       pick(false);
       setFree(listener, facing, BENEATH);
     };

@@ -99,6 +99,8 @@ export class View {
     );
     this.#viewport = viewport;
     viewport.keepBeside(element("legend"));
+    viewport.keepClear(element("cut"), "top");
+    viewport.keepClear(element("legend"), "bottom");
     this.#gizmo = new Gizmo(viewport, canvas, onGizmo);
     const cube = new ViewCube(element("axes", SVGSVGElement), (view) => this.look(view));
     viewport.onDraw = () => {

@@ -6,18 +6,19 @@ const FILL = 0.92;
 
 /**
  * Returns the smallest distance from the box's centre, in `direction`, at which all its corners are in view,
- * within the part `free` of its width about its middle.
+ * within the parts `free` of its width and height about its middle.
  */
 export function fitDistance(
   camera: PerspectiveCamera,
   direction: Vector3,
   box: Box3,
-  free = 1,
+  [freeWidth, freeHeight] = [1, 1],
 ): number {
   const center = box.getCenter(new Vector3());
   const rotation = new Matrix4().lookAt(direction, new Vector3(), camera.up).invert();
-  const vertical = FILL * Math.tan((camera.fov * Math.PI) / 360);
-  const horizontal = vertical * camera.aspect * free;
+  const tangent = FILL * Math.tan((camera.fov * Math.PI) / 360);
+  const horizontal = tangent * camera.aspect * freeWidth;
+  const vertical = tangent * freeHeight;
   let distance = 0;
   for (let corner = 0; corner < 8; corner++) {
     const position = new Vector3(

@@ -43,6 +43,10 @@ const MAX_COMPILATION = 3000;
 
 /** The part of the view's width that is given up; of a telephone's the legend takes more. */
 const MAX_COVERED = 0.3;
+/** The part of the view's width from which on what lies over it is as good as a bar across. */
+const ACROSS = 0.7;
+/** The part of the view's height that is given up. */
+const MAX_COVERED_HEIGHT = 0.5;
 
 /** A border across the view. */
 export interface Wipe {
@@ -69,8 +73,9 @@ export class Viewport {
   /** The part of the view, from the left, that shows one model; undefined where all is shown. */
   #wipe: Wipe | undefined;
   #way = 0;
-  /** CSS pixels at the left of the view that something else covers. */
+  /** CSS pixels at the left of the view, at its top and at its bottom that something else covers. */
   #covered = 0;
+  readonly #bars = { top: 0, bottom: 0 };
   /** What was fitted to the view, until the camera is moved elsewhere. */
   #fitted: { box: Box3; direction: Vector3 } | undefined;
 
@@ -126,6 +131,22 @@ export class Viewport {
       const covered = given <= MAX_COVERED * this.#canvas.clientWidth ? given : 0;
       if (covered === this.#covered) return;
       this.#covered = covered;
+      this.#resize();
+    });
+    observer.observe(element, { box: "border-box" });
+  }
+
+  /** Keeps the middle of the view between its edge and an element, while that is shown and reaches across. */
+  keepClear(element: HTMLElement, edge: "top" | "bottom"): void {
+    const observer = new ResizeObserver(([entry]) => {
+      const { inlineSize: width = 0, blockSize: height = 0 } = entry?.borderBoxSize[0] ?? {};
+      const { clientWidth, clientHeight } = this.#canvas;
+      const isAcross = width >= ACROSS * clientWidth && height > 0;
+      const { offsetTop } = element;
+      const given = edge === "top" ? offsetTop + height : clientHeight - offsetTop;
+      const covered = isAcross && given <= MAX_COVERED_HEIGHT * clientHeight ? given : 0;
+      if (covered === this.#bars[edge]) return;
+      this.#bars[edge] = covered;
       this.#resize();
     });
     observer.observe(element, { box: "border-box" });
@@ -199,8 +220,11 @@ export class Viewport {
     if (box.isEmpty()) return;
     // Later sizes are observed: reading one here would lay out the page at once.
     if (!this.#sized) this.#resize();
-    const free = 1 - this.#covered / Math.max(1, this.#canvas.clientWidth);
-    const distance = fitDistance(this.#perspective, direction, box, free);
+    const { clientWidth, clientHeight } = this.#canvas;
+    const distance = fitDistance(this.#perspective, direction, box, [
+      1 - this.#covered / Math.max(1, clientWidth),
+      1 - (this.#bars.top + this.#bars.bottom) / Math.max(1, clientHeight),
+    ]);
     this.#look(box.getCenter(new Vector3()), direction, distance, atOnce);
     this.#fitted = { box: box.clone(), direction: direction.clone() };
   }
@@ -333,9 +357,9 @@ export class Viewport {
     // Nothing fits a view without a size, from any distance.
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#renderer.setSize(clientWidth, clientHeight, false);
-    const left = -0.5 * this.#covered;
+    const [left, top] = [-0.5 * this.#covered, 0.5 * (this.#bars.bottom - this.#bars.top)];
     for (const camera of [this.#perspective, this.#orthographic]) {
-      camera.setViewOffset(clientWidth, clientHeight, left, 0, clientWidth, clientHeight);
+      camera.setViewOffset(clientWidth, clientHeight, left, top, clientWidth, clientHeight);
     }
     // What filled the view fills it in its new shape.
     if (this.#fitted !== undefined) this.fit(this.#fitted.box, this.#fitted.direction, true);
