@@ -10,7 +10,7 @@ use glam::DVec3;
 
 /// Points along each side of a piece that a function is fitted to.
 pub(super) const POINTS_ALONG: usize = 5;
-const POINTS: usize = POINTS_ALONG * POINTS_ALONG;
+pub(super) const POINTS: usize = POINTS_ALONG * POINTS_ALONG;
 
 /// The part of a term's values that must not depend on the terms before it.
 const MIN_INDEPENDENCE: f64 = 1e-5;

@@ -114,8 +114,26 @@ impl<'a> Frame<'a> {
     pub(super) fn new(chart: Chart<'a>) -> Option<Self> {
         let jet = chart.jet();
         let tangents = [jet.s, jet.t];
-        let inverse = pseudo_inverse(tangents);
-        let normal = unit(jet.s.cross(jet.t));
+        Self::with(chart, jet, tangents, pseudo_inverse(tangents), unit(jet.s.cross(jet.t)))
+    }
+
+    /// A frame of a plane's axes, about a point of B with this normal: T P is the projection onto the plane.
+    pub(super) fn of_plane(chart: Chart<'a>, normal: DVec3) -> Option<Self> {
+        if normal == DVec3::ZERO {
+            return None;
+        }
+        let axes = normal.any_orthonormal_pair();
+        let axes = [axes.0, axes.1];
+        Self::with(chart, chart.jet(), axes, axes, normal)
+    }
+
+    fn with(
+        chart: Chart<'a>,
+        jet: Jet,
+        tangents: [DVec3; 2],
+        inverse: [DVec3; 2],
+        normal: DVec3,
+    ) -> Option<Self> {
         let rows = inverse.map(DVec3::length);
         let columns = tangents.map(DVec3::length);
         let mut rest = DMat3::IDENTITY - symmetric_product(normal, normal);
@@ -128,6 +146,12 @@ impl<'a> Frame<'a> {
         let skew = measured + along[0] + along[1] + gamma(FRAME_ROUNDINGS * sizes);
         let is_regular = skew < MAX_SKEW && inverse.iter().all(|row| *row != DVec3::ZERO);
         is_regular.then_some(Self { chart, jet, tangents, inverse, normal, skew })
+    }
+
+    /// The largest steps of parameters to the points of a piece, to first order.
+    pub(super) fn steps_to(&self, a: &Piece) -> [f64; 2] {
+        let rows = pseudo_inverse([self.jet.s, self.jet.t]);
+        rows.map(|row| a.points().fold(0.0, |step, point| upper_max(step, row.dot(point).abs())))
     }
 
     /// The part of B over a box of parameters that contains the fixed points for all points of a piece
@@ -207,7 +231,7 @@ impl<'a> Frame<'a> {
     }
 
     /// The pieces of B over a box; `None` where they are many.
-    fn parts(&self, reach: &Reach, extent: [f64; 2], ends: [[f64; 2]; 2]) -> Option<Vec<Part>> {
+    pub(super) fn parts(&self, reach: &Reach, extent: [f64; 2], ends: [[f64; 2]; 2]) -> Option<Vec<Part>> {
         let chart = &self.chart;
         let [rows, columns] = chart.all_touched(extent, reach);
         if rows.clone().count() * columns.clone().count() > MAX_PATCHES {

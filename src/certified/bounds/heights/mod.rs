@@ -22,7 +22,9 @@
 //! vanishes on a plane, a sphere, a cylinder or a cone, A and B on it are at no distance however their
 //! parameters run.
 
+mod around;
 mod border;
+mod comparison;
 mod fit;
 mod frame;
 mod over;
@@ -67,7 +69,16 @@ impl UpperBound for Heights {
             }
             about_foot.get_or_insert(over);
         }
-        several_faces::upper_bound(context, about_foot?, threshold)
+        if let Some(bound) = about_foot.and_then(|over| several_faces::upper_bound(context, over, threshold))
+        {
+            return Some(bound);
+        }
+        let places = places(context, &foot)?.into_iter().flatten();
+        places
+            .filter(|(chart, _)| {
+                Frame::new(*chart).is_none_or(|frame| frame.is_left_slowly(context, threshold))
+            })
+            .find_map(|place| around::upper_bound(context, place, threshold))
     }
 }
 

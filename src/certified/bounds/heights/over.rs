@@ -1,26 +1,16 @@
 //! A cell and the part of B over it.
 
-use super::fit::{Fit, ORDERS, POINTS_ALONG};
-use super::frame::{Frame, Image, Part, Placement};
+use super::comparison::{Comparison, candidates};
+use super::frame::{Frame, Image, Placement};
 use super::piece::Piece;
-use super::quadric::{Cubic, Quadric};
 use super::rim;
 use crate::certified::cell_context::CellContext;
 use crate::certified::faces::FaceChart;
-use crate::certified::rounding::gamma;
-use crate::rounding::upper_max;
 use glam::Vec4Swizzles;
 use std::cell::OnceCell;
 
-/// The part of the threshold, for each order, by which a function may vary over a cell: no closer one of that
-/// order is looked for.
-const SUFFICIENT_SPREAD: f64 = 0.125;
-
 /// The largest length of `T o`, relative to the threshold, that is not looked at more closely.
 const MAX_BEYOND: f64 = 0.125;
-
-/// Roundings of the turns, relative to the sizes of their terms.
-const TURN_ROUNDINGS: f64 = 64.0;
 
 /// A cell about a foot and the part of B over it.
 pub(super) struct Over<'a> {
@@ -86,7 +76,9 @@ impl<'a> Over<'a> {
         if !(self.beyond(placement) <= rest) {
             return None;
         }
-        let bound = self.least_bound(placement, rest);
+        let frame = &self.frame;
+        let candidates = candidates(&self.a, frame.normal, frame.tangents[0], rest);
+        let bound = self.comparison(placement).least_bound(candidates, rest);
         let is_proven = overrun.is_none() || bound <= rest;
         let of_face = self.face.as_ref().map_or(0.0, |face| face.point_error);
         is_proven.then_some(bound + overrun.unwrap_or(0.0) + of_face)
@@ -107,73 +99,24 @@ impl<'a> Over<'a> {
         (0..2).map(|axis| self.frame.tangents[axis].length() * placement.overshoot[axis]).sum()
     }
 
-    /// The least bound, or the first that is at most the threshold, by functions of rising order.
-    fn least_bound(&self, placement: &Placement, threshold: f64) -> f64 {
-        let plane = Cubic::of(Quadric::of_plane(self.frame.normal));
-        let mut least = self.bound_by(&plane, placement, threshold);
-        if least <= threshold {
-            return least;
-        }
-        let samples = self.a.samples(POINTS_ALONG);
-        let Some(mut fit) = Fit::new(self.frame.normal, self.frame.tangents[0], &samples) else {
-            return least;
-        };
-        let mut sufficient = threshold;
-        for terms in ORDERS {
-            sufficient *= SUFFICIENT_SPREAD;
-            fit.add(terms, sufficient);
-            let function = fit.function();
-            if fit.spread() > threshold {
-                continue;
-            }
-            let bound = self.bound_by(&function, placement, threshold);
-            least = if bound < least { bound } else { least };
-            if least <= threshold {
-                break;
-            }
-        }
-        least
-    }
-
-    /// The lemma's bound; infinite where it does not apply or is not expected to reach the threshold.
-    pub(super) fn bound_by(&self, function: &Cubic, placement: &Placement, threshold: f64) -> f64 {
-        let Self { frame: Frame { skew, normal, tangents, .. }, a, .. } = self;
-        let is_quadric = function.size() == 0.0;
-        let range = |piece: &Piece| {
-            if is_quadric { piece.values(&function.quadric) } else { piece.values_of_cubic(function) }.range()
-        };
-        let [low, high] = range(a);
-        if high - low > 2.0 * threshold {
-            return f64::INFINITY;
-        }
-        let mut difference = 0.0_f64;
-        for Part { piece, .. } in &self.image.parts {
-            let [least, largest] = range(piece);
-            difference = upper_max(difference, upper_max(largest - low, high - least));
-        }
+    /// What is compared where the fixed points are at this placement.
+    pub(super) fn comparison(&self, placement: &Placement) -> Comparison<'_> {
+        let Frame { skew, normal, tangents, .. } = self.frame;
         let reach = self.reach();
-        let Quadric { linear, form } = function.quadric;
-        let tilt = linear - *normal;
-        let turn = tilt.length() + function.quadric.size() * reach + function.size() * reach * reach;
-        let turn_of_normal = normal.dot(tilt).abs()
-            + (form * *normal).length() * reach
-            + function.size_along(*normal) * reach * reach
-            + gamma(TURN_ROUNDINGS) * (1.0 + turn);
-        let bend: f64 =
-            (0..2).map(|axis| tangents[axis].length() * placement.functions[axis].size() * reach).sum();
-        let beyond = self.beyond(placement);
-        let shrunk = 1.0 - turn_of_normal;
-        let rest = 1.0 - bend - skew - (skew * (1.0 + bend) + turn * (bend + skew)) / shrunk;
-        let applies = turn <= 1.0 && turn_of_normal <= 0.5 && rest >= 0.5;
-        if !applies {
-            return f64::INFINITY;
+        let bend = |axis: usize| tangents[axis].length() * placement.functions[axis].size() * reach;
+        Comparison {
+            a: &self.a,
+            b: self.image.parts.iter().map(|part| &part.piece).collect(),
+            normal,
+            skew,
+            bend: bend(0) + bend(1),
+            beyond: self.beyond(placement),
         }
-        ((difference + (skew + turn) * beyond) / shrunk + beyond) / rest
     }
 }
 
 /// The cell about the foot.
-fn piece_of_a(context: &CellContext<'_>, frame: &Frame<'_>) -> Piece {
+pub(super) fn piece_of_a(context: &CellContext<'_>, frame: &Frame<'_>) -> Piece {
     let (patch, transform) = (&context.patch, &context.pair.transform);
     let [s, t] = context.cell.ranges();
     let mut controls = patch.restricted(s, t);

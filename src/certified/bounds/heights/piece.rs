@@ -115,14 +115,47 @@ impl Piece {
         Values { degree: self.degree.map(|degree| 3 * degree), coefficients, size, error }
     }
 
-    /// Points on a grid with `count` lines along each axis.
-    pub(super) fn samples(&self, count: usize) -> Vec<DVec3> {
+    /// The curve at the start (`end` 0) or the end (1) of an axis.
+    pub(super) fn side(&self, axis: Axis, end: usize) -> Self {
+        let [rows, columns] = self.degree.map(|degree| degree + 1);
+        let mut degree = self.degree;
+        degree[axis.index()] = 0;
+        let controls = match axis {
+            Axis::U => self.controls[end * (rows - 1) * columns..][..columns].to_vec(),
+            Axis::V => self.controls.iter().skip(end * (columns - 1)).step_by(columns).copied().collect(),
+        };
+        Self { degree, controls, ..*self }
+    }
+
+    /// Its points at the corners of its parameters, relative to the point.
+    pub(super) fn corners(&self) -> [DVec3; 4] {
+        let [rows, columns] = self.degree.map(|degree| degree + 1);
+        [0, columns - 1, (rows - 1) * columns, rows * columns - 1].map(|index| {
+            let control = self.controls[index];
+            control.xyz() / control.w
+        })
+    }
+
+    /// The control points, relative to the point.
+    pub(super) fn points(&self) -> impl Iterator<Item = DVec3> {
+        self.controls.iter().map(|control| control.xyz() / control.w)
+    }
+
+    /// The range of a function of third order on it.
+    pub(super) fn range(&self, function: &Cubic) -> [f64; 2] {
+        if function.size() == 0.0 { self.values(&function.quadric) } else { self.values_of_cubic(function) }
+            .range()
+    }
+
+    /// Points on a grid with so many lines along each axis; one line is at the start.
+    pub(super) fn samples(&self, counts: [usize; 2]) -> Vec<DVec3> {
         let places = |axis: usize| -> Vec<_> {
-            (0..count).map(|line| bernstein(self.degree[axis], line as f64 / (count - 1) as f64)).collect()
+            let spaces = counts[axis].saturating_sub(1).max(1) as f64;
+            (0..counts[axis]).map(|line| bernstein(self.degree[axis], line as f64 / spaces)).collect()
         };
         let (in_s, in_t) = (places(0), places(1));
         let columns = self.degree[1] + 1;
-        let mut samples = Vec::with_capacity(count * count);
+        let mut samples = Vec::with_capacity(counts[0] * counts[1]);
         for s in &in_s {
             let mut line = vec![DVec4::ZERO; columns];
             for (row, share) in self.controls.chunks_exact(columns).zip(s) {

@@ -237,11 +237,11 @@ fn every_piece_counts_in_the_difference() {
     let linear = frame.placement(&a, &image, frame.inverse.map(Quadric::of_plane));
     let mut over = Over::of(frame, None, a, image, linear);
     let plane = Cubic::of(Quadric::of_plane(over.frame.normal));
-    let first = over.bound_by(&plane, &over.linear, 1e9);
+    let first = over.comparison(&over.linear).bound_by(&of_cell(&plane, &over.a));
     assert!(first.is_finite());
     for _ in 0..over.image.parts.len() {
         over.image.parts.rotate_left(1);
-        assert_close(over.bound_by(&plane, &over.linear, 1e9), first, 1e-12);
+        assert_close(over.comparison(&over.linear).bound_by(&of_cell(&plane, &over.a)), first, 1e-12);
     }
 }
 

@@ -1,11 +1,13 @@
 //! The bound is attained, no point is farther, and each term is that of its lemma.
 
 mod allowances;
+mod around;
 mod over_faces;
 mod several_faces;
 mod terms;
 mod whole_cells;
 
+use super::comparison::Candidate;
 use super::fit::{Fit, ORDERS, POINTS_ALONG};
 use super::frame::{Frame, Image};
 use super::over::Over;
@@ -18,3 +20,8 @@ use crate::certified::rounding::gamma;
 use crate::certified::sheets::Chart;
 use crate::rounding::{lower_min, upper_max};
 use glam::{DVec3, Vec4Swizzles};
+
+/// A function to compare a cell by.
+fn of_cell(function: &Cubic, a: &Piece) -> Candidate {
+    Candidate::new(*function, a)
+}

@@ -100,7 +100,7 @@ fn coefficients_are_those_of_the_function() {
                     });
                 assert_eq!([low, high], [least - values.error, largest + values.error]);
             }
-            for (index, sample) in piece.samples(POINTS_ALONG).into_iter().enumerate() {
+            for (index, sample) in piece.samples([POINTS_ALONG; 2]).into_iter().enumerate() {
                 let place = [index / POINTS_ALONG, index % POINTS_ALONG].map(|line| line as f64 * 0.25);
                 assert!(sample.distance(own.point(place) - shift) < 1e-14);
             }
@@ -225,7 +225,7 @@ fn the_bound_has_every_term_of_the_lemma() {
                 function.add_product(0.3, frame.normal, second);
                 function.add_product(0.4, first, first);
                 function.add_triple_product(0.5, frame.normal, first, second);
-                let bound = over.bound_by(&function, &placement, 1.0);
+                let bound = over.comparison(&placement).bound_by(&of_cell(&function, a));
                 let [low, high] = a.values_of_cubic(&function).range();
                 let ranges = image.parts.iter().map(|part| part.piece.values_of_cubic(&function).range());
                 let difference = ranges
@@ -320,7 +320,7 @@ fn a_function_that_turns_too_far_bounds_nothing() {
         let bound = |share: f64, x: DVec3| {
             let mut function = Cubic::of(Quadric::of_plane(frame.normal));
             function.add_product(share, x, first);
-            over.bound_by(&function, &over.linear, 1e9)
+            over.comparison(&over.linear).bound_by(&of_cell(&function, a))
         };
         let reach = a.radius + image.parts.iter().map(|part| part.piece.radius).fold(0.0, upper_max);
         assert!(bound(0.99 / reach, first).is_finite());
@@ -352,7 +352,7 @@ fn placements_contain_the_parameters_of_feet() {
             for axis in 0..2 {
                 // For each point y of B, y - β differs from g by the lag at most.
                 for part in &image.parts {
-                    for (index, sample) in part.piece.samples(POINTS_ALONG).into_iter().enumerate() {
+                    for (index, sample) in part.piece.samples([POINTS_ALONG; 2]).into_iter().enumerate() {
                         let line = [index / POINTS_ALONG, index % POINTS_ALONG][axis] as f64 * 0.25;
                         let [start, end] = part.places[axis];
                         let y = (1.0 - line) * start + line * end;
@@ -391,7 +391,8 @@ fn offsets_contain_what_is_beyond_the_ends() {
         for placement in [frame.closer_placement(&a, &image), linear] {
             for axis in 0..2 {
                 let g = Cubic::of(placement.functions[axis]);
-                let of_a: Vec<f64> = a.samples(POINTS_ALONG).iter().map(|point| value(&g, *point)).collect();
+                let of_a: Vec<f64> =
+                    a.samples([POINTS_ALONG; 2]).iter().map(|point| value(&g, *point)).collect();
                 // With the whole range of F and the ends of the box.
                 let [low, high] = a.values(&placement.functions[axis]).range();
                 let [start, end] = [
@@ -400,7 +401,7 @@ fn offsets_contain_what_is_beyond_the_ends() {
                 ];
                 assert!(start.abs() < 1e-12 && end.abs() < 1e-12, "{start:e} {end:e}");
                 for part in &image.parts {
-                    for (index, point) in part.piece.samples(POINTS_ALONG).into_iter().enumerate() {
+                    for (index, point) in part.piece.samples([POINTS_ALONG; 2]).into_iter().enumerate() {
                         let line = [index / POINTS_ALONG, index % POINTS_ALONG][axis] as f64 * 0.25;
                         let y = (1.0 - line) * part.places[axis][0] + line * part.places[axis][1];
                         let bracket = y - value(&g, point);
