@@ -32,6 +32,10 @@
 //! With `--collapsed`, all control points of most surfaces lie on a point, on a line, in a plane or in
 //! parallel rows, exactly or within rounding; otherwise one pair in 26 is of these.
 //!
+//! With `--reparametrized`, both models are ellipsoids, discs or polynomial surfaces that lie on each other, or
+//! nearly so, in other parameters, with poles, with ends along which a derivative vanishes, and with ends that one
+//! goes beyond; otherwise one pair in 32 is of these.
+//!
 //! With `--facets`, at least one model of each pair is a mesh or a cloud of points: tessellations, near
 //! copies, sheets, slivers and degenerate triangles. Distances to facets are compared with all of them
 //! one by one; faces are compared with the whole.
@@ -50,7 +54,7 @@ mod proof;
 mod support;
 
 use clap::Parser;
-use fuzzer::check::{Outcome, check, check_attack, check_collapsed, check_trimmed};
+use fuzzer::check::{Outcome, check, check_attack, check_collapsed, check_reparametrized, check_trimmed};
 use fuzzer::clearance::{Subjects, check_clearance};
 use fuzzer::facets::check_facets;
 use rayon::prelude::*;
@@ -76,6 +80,9 @@ struct Arguments {
     /// Draws models of collapsed control nets.
     #[arg(long, conflicts_with = "trimmed")]
     collapsed: bool,
+    /// Draws surfaces that lie on each other, or nearly so, in other parameters.
+    #[arg(long, conflicts_with_all = ["trimmed", "collapsed", "facets"])]
+    reparametrized: bool,
     /// Draws meshes and clouds of points.
     #[arg(long, conflicts_with_all = ["trimmed", "collapsed"])]
     facets: bool,
@@ -149,6 +156,8 @@ fn main() -> ExitCode {
             check_trimmed(seed)
         } else if arguments.collapsed {
             check_collapsed(seed)
+        } else if arguments.reparametrized {
+            check_reparametrized(seed)
         } else if seed.is_multiple_of(2) {
             check(seed)
         } else {

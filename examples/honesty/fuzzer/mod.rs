@@ -13,6 +13,7 @@ mod offsets;
 pub(crate) mod pairs;
 mod partners;
 mod refits;
+mod reparametrized;
 mod sheet;
 mod surfaces;
 pub(crate) mod trims;

@@ -3,6 +3,7 @@
 use super::offsets::{Offset, offset};
 use super::partners::{both_sides, cut, moved, near, refined, scale_and_shift, transposed};
 use super::refits::{Refit, refit};
+use super::reparametrized::reparametrized;
 use super::surfaces::{direction, magnitude, surface, weights};
 use fastrand::Rng;
 use glam::{DQuat, DVec3};
@@ -35,6 +36,15 @@ pub(crate) struct Pair {
 
 /// Returns the pair of a seed, deterministically.
 pub(crate) fn pair(seed: u64) -> Pair {
+    drawn(seed, models)
+}
+
+/// Returns the pair of a seed of surfaces in other parameters.
+pub(crate) fn reparametrized_pair(seed: u64) -> Pair {
+    drawn(seed, in_other_parameters)
+}
+
+fn drawn(seed: u64, models: fn(&mut Rng) -> Models) -> Pair {
     let rng = &mut Rng::with_seed(seed);
     let (kind, mut a, mut b, mut truth) = models(rng);
     if rng.u8(0..4) == 0 {
@@ -94,11 +104,17 @@ fn models(rng: &mut Rng) -> Models {
             let Offset { a, b, truth } = offset(rng);
             return ("offset", a, b, Some(truth));
         }
-        10..14 => {
+        10 => return in_other_parameters(rng),
+        11..14 => {
             let Refit { a, b } = refit(rng);
             return ("refit", a, b, None);
         }
         _ => ("unrelated", several(rng)),
     };
     (kind, a, b, None)
+}
+
+fn in_other_parameters(rng: &mut Rng) -> Models {
+    let [a, b] = reparametrized(rng);
+    ("in other parameters", a, b, None)
 }

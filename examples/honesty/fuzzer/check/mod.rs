@@ -8,7 +8,7 @@ mod proofs;
 use self::direction::Direction;
 use self::measurement::{is_refusal, measure};
 use super::attacks;
-use super::pairs::{Pair, pair};
+use super::pairs::{Pair, pair, reparametrized_pair};
 use super::trims;
 use fastrand::Rng;
 use nurbs_hausdorff::internals::engine::DistanceOptions;
@@ -49,6 +49,11 @@ pub(crate) fn check_attack(seed: u64) -> Outcome {
 /// Checks the pair of a seed of collapsed nets.
 pub(crate) fn check_collapsed(seed: u64) -> Outcome {
     check_drawn(seed, attacks::collapsed_pair(seed))
+}
+
+/// Checks the pair of a seed of surfaces in other parameters.
+pub(crate) fn check_reparametrized(seed: u64) -> Outcome {
+    check_pair(seed, &reparametrized_pair(seed))
 }
 
 fn check_drawn(seed: u64, pair: Option<Pair>) -> Outcome {
