@@ -16,10 +16,10 @@ const made = ".setup/wasm-made-from";
 const remapped = `--remap-path-prefix=${process.env.CARGO_HOME || join(homedir(), ".cargo")}=cargo`;
 
 // LLVM inlines functions up to a size of 225. Up to 150 the core was 25 KiB smaller, gzipped, and the
-// reference pairs took 1.01 to 1.03 times as long in Node. A field more in a face then made the freeing
-// of memory inline everywhere, 24 KiB; up to 100 the core is 16 KiB smaller again, and pairs of a torus,
-// a sphere and a cylinder take 1.00 to 1.01 times as long.
-const rustFlags = `${remapped} -Cllvm-args=--inline-threshold=100`;
+// reference pairs took 1.01 to 1.03 times as long in Node. A little code more may make it inline much more:
+// a field of a face made the core 24 KiB larger. Up to 75 it is 10 KiB smaller than up to 100, 691 KiB, and
+// the reference pairs with four pairs in other parameters take 1.00 times as long.
+const rustFlags = `${remapped} -Cllvm-args=--inline-threshold=75`;
 
 /**
  * The modules: the core, the readers of CAD files, those of meshes and those of scans, which are

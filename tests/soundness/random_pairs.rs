@@ -1,7 +1,9 @@
 //! Random pairs on which a certified interval could lie; many more are in
 //! `cargo run --release --example honesty`.
 
-use crate::fuzzer::check::{Outcome, check, check_attack, check_collapsed, check_trimmed};
+use crate::fuzzer::check::{
+    Outcome, check, check_attack, check_collapsed, check_reparametrized, check_trimmed,
+};
 use crate::fuzzer::clearance::{Subjects, check_clearance};
 use crate::fuzzer::facets::check_facets;
 use rayon::prelude::*;
@@ -61,6 +63,16 @@ const PARALLEL_AXES: [u64; 3] = [204, 309, 327];
 #[test]
 fn collapsed_nets_have_no_false_interval() {
     check_all(COLLAPSED, &PARALLEL_AXES, check_collapsed);
+}
+
+/// Pairs in other parameters, and those whose interval was false when it was tried to take any part of B for one
+/// around the cell, or the outermost point of an end.
+const REPARAMETRIZED: u64 = 60;
+const NOT_AROUND: [u64; 3] = [990733, 990833, 990956];
+
+#[test]
+fn surfaces_in_other_parameters_have_no_false_interval() {
+    check_all(REPARAMETRIZED, &NOT_AROUND, check_reparametrized);
 }
 
 /// Pairs with trimmed faces.

@@ -35,12 +35,15 @@ pub(super) struct Candidate {
 
 /// Functions of rising order that nearly vanish on a cell, with the height over the plane at first: those whose values
 /// on the cell may let a bound reach the threshold.
+///
+/// It is boxed, and taken as a trait object: one copy of the code is smaller in the browser, and a function takes
+/// thousands of times as long.
 pub(super) fn candidates(
     a: &Piece,
     normal: DVec3,
     tangent: DVec3,
     threshold: f64,
-) -> impl Iterator<Item = Candidate> {
+) -> Box<dyn Iterator<Item = Candidate> + '_> {
     let plane = std::iter::once(Cubic::of(Quadric::of_plane(normal)));
     let fits = std::iter::once_with(move || Fit::new(normal, tangent, &a.samples([POINTS_ALONG; 2])));
     let fitted = fits.flatten().flat_map(move |mut fit| {
@@ -51,10 +54,11 @@ pub(super) fn candidates(
             (fit.spread() <= threshold).then(|| fit.function())
         })
     });
-    plane.chain(fitted).map(move |function| Candidate::new(function, a)).filter(move |candidate| {
+    let all = plane.chain(fitted).map(move |function| Candidate::new(function, a));
+    Box::new(all.filter(move |candidate| {
         let [low, high] = candidate.range;
         high - low <= 2.0 * threshold
-    })
+    }))
 }
 
 impl Candidate {
@@ -78,7 +82,7 @@ impl Comparison<'_> {
     }
 
     /// The least of the bounds by these functions, or the first that is at most the threshold.
-    pub(super) fn least_bound(&self, candidates: impl Iterator<Item = Candidate>, threshold: f64) -> f64 {
+    pub(super) fn least_bound(&self, candidates: &mut dyn Iterator<Item = Candidate>, threshold: f64) -> f64 {
         let mut least = f64::INFINITY;
         for candidate in candidates {
             least = upper_min(least, self.bound_by(&candidate));

@@ -77,8 +77,8 @@ impl<'a> Over<'a> {
             return None;
         }
         let frame = &self.frame;
-        let candidates = candidates(&self.a, frame.normal, frame.tangents[0], rest);
-        let bound = self.comparison(placement).least_bound(candidates, rest);
+        let mut candidates = candidates(&self.a, frame.normal, frame.tangents[0], rest);
+        let bound = self.comparison(placement).least_bound(&mut *candidates, rest);
         let is_proven = overrun.is_none() || bound <= rest;
         let of_face = self.face.as_ref().map_or(0.0, |face| face.point_error);
         is_proven.then_some(bound + overrun.unwrap_or(0.0) + of_face)

@@ -43,7 +43,7 @@ pub(super) fn upper_bound(
         None => (Frame::of_plane(chart, chart.jet().normal()?)?, None),
     };
     let a = piece_of_a(context, &frame);
-    let functions = candidates(&a, frame.normal, frame.tangents[0], threshold);
+    let mut functions = candidates(&a, frame.normal, frame.tangents[0], threshold);
     let bound = match &pole {
         Some(pole) => {
             // A few points of B say whether it is of use.
@@ -55,14 +55,14 @@ pub(super) fn upper_bound(
                 return None;
             }
             let part = Part::around_pole(&frame, &a, pole, face.as_ref())?;
-            bound(&frame, &a, &part, functions.into_iter(), threshold)
+            bound(&frame, &a, &part, &mut functions.into_iter(), threshold)
         }
         None => {
             let part = Part::about_foot(&frame, &a, face.as_ref(), threshold)?;
             if part.beyond > threshold {
                 return None;
             }
-            bound(&frame, &a, &part, functions, threshold)
+            bound(&frame, &a, &part, &mut *functions, threshold)
         }
     };
     // How far the cell is beyond an open side was bounded for points within the threshold.
@@ -74,7 +74,7 @@ fn bound(
     frame: &Frame<'_>,
     a: &Piece,
     part: &Part,
-    functions: impl Iterator<Item = Candidate>,
+    functions: &mut dyn Iterator<Item = Candidate>,
     threshold: f64,
 ) -> f64 {
     let is_near = |function: &Candidate| {
@@ -89,5 +89,5 @@ fn bound(
         bend: 0.0,
         beyond: part.beyond,
     };
-    comparison.least_bound(functions.filter(is_near), threshold)
+    comparison.least_bound(&mut functions.filter(is_near), threshold)
 }

@@ -155,7 +155,10 @@ mod tests {
     }
 
     fn assert_close(value: Option<f64>, expected: f64) {
-        assert!((value.unwrap() - expected).abs() <= 100.0 * UNIT_ROUNDOFF, "{value:?} {expected}");
+        assert!(
+            value.is_some_and(|value| (value - expected).abs() <= 100.0 * UNIT_ROUNDOFF),
+            "{value:?} {expected}"
+        );
     }
 
     /// Across one end the excess counts with its turn, the larger of two opposite ones.
