@@ -227,6 +227,16 @@ class Model:
         return self._native.face_names
 
     @property
+    def face_paths(self) -> list[list[str]]:
+        """What each face stands in, from the outermost assembly on, with its own name last; empty without a name."""
+        return self._native.face_paths
+
+    @property
+    def face_colors(self) -> list[tuple[float, float, float] | None]:
+        """Colour of each face in sRGB from 0 to 1, as the file states it; None without one."""
+        return [None if color is None else tuple(color) for color in self._native.face_colors]
+
+    @property
     def bounding_box(self) -> NDArray[np.float64]:
         """Smallest and largest coordinates of the control points, of shape (2, 3)."""
         return np.array(self._native.bounding_box)

@@ -8,7 +8,7 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use nurbs_hausdorff::tessellate::{TessellationOptions, tessellate};
 use nurbs_hausdorff::{
     Error, Facets, MeshFile, MeshFormat, MeshReport, ModelInfo, PointCloud, PreparedModel, ReadReport, Side,
-    TriangleMesh,
+    TriangleMesh, face_path,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -126,6 +126,17 @@ impl Model {
                 (0..self.prepared.face_count()).map(name).collect()
             }
         }
+    }
+
+    #[getter]
+    fn face_paths(&self) -> Vec<Vec<String>> {
+        let path = |name: Option<String>| name.map_or_else(Vec::new, |name| face_path(&name));
+        self.face_names().into_iter().map(path).collect()
+    }
+
+    #[getter]
+    fn face_colors(&self) -> Vec<Option<[f64; 3]>> {
+        (0..self.prepared.face_count()).map(|face| self.prepared.face_color(face)).collect()
     }
 
     fn report<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

@@ -1,6 +1,7 @@
 """Files, threads, cancelling and other libraries."""
 
 import io
+import json
 import multiprocessing
 import pickle
 import signal
@@ -46,6 +47,15 @@ def test_files_bytes_and_streams_are_the_same_model(tmp_path):
     with pytest.raises(nh.NurbsHausdorffError) as raised:
         nh.read(b"ISO-10303-21; broken")
     assert raised.value.code.startswith("STEP_")
+
+
+def test_faces_have_paths_and_colours():
+    data = json.loads(nh.model(sheet()).to_json())
+    [face] = data["surfaces"]
+    named = {**face, "part": "machine / in // out / face 3", "color": [1.0, 0.5, 0.0]}
+    model = nh.read(json.dumps({**data, "surfaces": [named, face]}).encode())
+    assert model.face_paths == [["machine", "in / out", "face 3"], []]
+    assert model.face_colors == [(1.0, 0.5, 0.0), None]
 
 
 def test_wrong_arguments_are_refused_by_a_code():
