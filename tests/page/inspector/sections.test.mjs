@@ -214,4 +214,28 @@ test("what an address says of a section is checked", async () => {
   }
 });
 
+test("a cut is capped whichever way the faces are oriented", async () => {
+  const oriented = cube(1);
+  // Normals of the faces at -1 along each axis: outwards as well.
+  for (const face of oriented.surfaces.filter((_, index) => index % 2 === 0)) {
+    face.ctrl = [0, 1].map((row) => [0, 1].map((column) => face.ctrl[column][row]));
+  }
+  const counts = [];
+  for (const model of [cube(1), oriented]) {
+    for (const [side, content] of Object.entries({ a: model, b: cube(1.5) })) {
+      await opened.until("done", () =>
+        page.setInputFiles(`#file-${side}`, modelFile(`${side}.json`, content)),
+      );
+    }
+    await page.selectOption("#show-b", "hidden");
+    await page.selectOption("#direction", "isometric");
+    await page.selectOption("#section-axis", "0");
+    await page.locator("#cut svg").waitFor();
+    counts.push(await countPixels(page, "b > 110 && b > 1.5 * r && b > 1.3 * g"));
+    await page.selectOption("#section-axis", "");
+  }
+  const [either, outwards] = counts;
+  assert.ok(outwards > 3000 && Math.abs(either - outwards) < 0.01 * outwards, `${counts}`);
+});
+
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

@@ -1,12 +1,13 @@
 // The face of a cut through a closed model: counted in the stencil buffer, drawn as a plane.
+//
+// It is where the number of faces in front is odd, which is what inside means for signs and sides too:
+// faces may be oriented either way.
 import {
   AlwaysStencilFunc,
-  BackSide,
   type BufferGeometry,
-  DecrementWrapStencilOp,
-  FrontSide,
+  DoubleSide,
   Group,
-  IncrementWrapStencilOp,
+  InvertStencilOp,
   Mesh,
   MeshBasicMaterial,
   MeshStandardMaterial,
@@ -28,23 +29,17 @@ export class Cap {
   readonly group = new Group();
   /** The plane, which is placed in the scene. */
   readonly plane: Mesh;
-  readonly #counted: MeshBasicMaterial[];
+  readonly #counted: MeshBasicMaterial;
 
   constructor(geometry: BufferGeometry, side: Side, color: string) {
     const order = ORDERS[side];
-    this.#counted = ([BackSide, FrontSide] as const).map(
-      (seen) =>
-        new MeshBasicMaterial({
-          ...{ side: seen, colorWrite: false, depthWrite: false, depthTest: false },
-          ...{ stencilWrite: true, stencilFunc: AlwaysStencilFunc },
-          stencilZPass: seen === BackSide ? IncrementWrapStencilOp : DecrementWrapStencilOp,
-        }),
-    );
-    for (const material of this.#counted) {
-      const mesh = new Mesh(geometry, material);
-      mesh.renderOrder = order;
-      this.group.add(mesh);
-    }
+    this.#counted = new MeshBasicMaterial({
+      ...{ side: DoubleSide, colorWrite: false, depthWrite: false, depthTest: false },
+      ...{ stencilWrite: true, stencilFunc: AlwaysStencilFunc, stencilZPass: InvertStencilOp },
+    });
+    const counted = new Mesh(geometry, this.#counted);
+    counted.renderOrder = order;
+    this.group.add(counted);
     const material = new MeshStandardMaterial({
       ...{ color, roughness: 0.9, side: 2 },
       ...{ stencilWrite: true, stencilRef: 0, stencilFunc: NotEqualStencilFunc },
@@ -66,7 +61,7 @@ export class Cap {
     this.group.visible = plane !== undefined;
     this.plane.visible = plane !== undefined;
     if (plane === undefined) return;
-    for (const material of this.#counted) material.clippingPlanes = [plane];
+    this.#counted.clippingPlanes = [plane];
     plane.coplanarPoint(this.plane.position);
     this.plane.lookAt(this.plane.position.clone().sub(plane.normal));
   }
@@ -80,6 +75,6 @@ export class Cap {
     this.plane.removeFromParent();
     this.plane.geometry.dispose();
     (this.plane.material as MeshStandardMaterial).dispose();
-    for (const material of this.#counted) material.dispose();
+    this.#counted.dispose();
   }
 }
