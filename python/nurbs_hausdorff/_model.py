@@ -234,7 +234,7 @@ class Model:
     @property
     def face_colors(self) -> list[tuple[float, float, float] | None]:
         """Colour of each face in sRGB from 0 to 1, as the file states it; None without one."""
-        return [None if color is None else tuple(color) for color in self._native.face_colors]
+        return self._native.face_colors
 
     @property
     def bounding_box(self) -> NDArray[np.float64]:

@@ -135,8 +135,9 @@ impl Model {
     }
 
     #[getter]
-    fn face_colors(&self) -> Vec<Option<[f64; 3]>> {
-        (0..self.prepared.face_count()).map(|face| self.prepared.face_color(face)).collect()
+    fn face_colors(&self) -> Vec<Option<(f64, f64, f64)>> {
+        let color = |face| self.prepared.face_color(face).map(|[red, green, blue]| (red, green, blue));
+        (0..self.prepared.face_count()).map(color).collect()
     }
 
     fn report<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
