@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { modelFile, planes, sphereParts } from "./support/models.mjs";
 import { open } from "./support/open.mjs";
+import { pixelRows } from "./support/pixels.mjs";
 
 const numbers = (text) => text.split(" ").map(Number);
 
@@ -113,32 +114,12 @@ test("the deviation of a plane below and above another is signed, coloured, and 
 });
 
 /** The rows of the view, from the top, in which the arrow's pixels are, with their number. */
-async function arrowRows() {
-  const { page } = opened;
-  await page.waitForTimeout(500);
-  // The label has the arrow's colour, and others cover its ends.
-  const style = "#label, .end, #tools, #legend, #axes { visibility: hidden }";
-  const image = (await page.locator("#canvas").screenshot({ style })).toString("base64");
-  return page.evaluate(async (image) => {
-    const bitmap = await createImageBitmap(
-      await (await fetch(`data:image/png;base64,${image}`)).blob(),
-    );
-    const { width, height } = bitmap;
-    const context = new OffscreenCanvas(width, height).getContext("2d");
-    context.drawImage(bitmap, 0, 0);
-    const { data } = context.getImageData(0, 0, width, height);
-    // --accent of the style sheet.
-    const isAccent = (at) =>
-      [0xcf, 0x2f, 0x4b].every((value, channel) => Math.abs(data[at + channel] - value) < 12);
-    const rows = [];
-    for (let y = 0; y < height; y++) {
-      let count = 0;
-      for (let x = 0; x < width; x++) if (isAccent(4 * (y * width + x))) count++;
-      if (count > 0) rows.push({ y, count });
-    }
-    return rows;
-  }, image);
-}
+const arrowRows = () =>
+  // --accent of the style sheet.
+  pixelRows(
+    opened.page,
+    "[[r, 0xcf], [g, 0x2f], [b, 0x4b]].every(([value, accent]) => Math.abs(value - accent) < 12)",
+  );
 
 /** Whether the head, the widest part of the arrow, is in its upper half. */
 async function pointsUp() {

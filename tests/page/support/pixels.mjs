@@ -5,6 +5,12 @@ const OVER = "#label, .end, #tools, #legend, #axes, #cut, #pins, #hover { visibi
 
 /** The number of pixels of the view for which `holds`, an expression of r, g and b, is true. */
 export async function countPixels(page, holds) {
+  const rows = await pixelRows(page, holds);
+  return rows.reduce((sum, { count }) => sum + count, 0);
+}
+
+/** The rows of the view, from the top, in which there are such pixels, with their numbers. */
+export async function pixelRows(page, holds) {
   await page.waitForTimeout(500);
   const image = (await page.locator("#canvas").screenshot({ style: OVER })).toString("base64");
   return page.evaluate(
@@ -17,11 +23,16 @@ export async function countPixels(page, holds) {
       context.drawImage(bitmap, 0, 0);
       const { data } = context.getImageData(0, 0, width, height);
       const test = new Function("r", "g", "b", `return ${holds}`);
-      let count = 0;
-      for (let at = 0; at < data.length; at += 4) {
-        count += Number(test(data[at], data[at + 1], data[at + 2]));
+      const rows = [];
+      for (let y = 0; y < height; y++) {
+        let count = 0;
+        for (let x = 0; x < width; x++) {
+          const at = 4 * (y * width + x);
+          count += Number(test(data[at], data[at + 1], data[at + 2]));
+        }
+        if (count > 0) rows.push({ y, count });
       }
-      return count;
+      return rows;
     },
     [image, holds],
   );
