@@ -81,7 +81,7 @@ struct Arguments {
     #[arg(long, conflicts_with = "trimmed")]
     collapsed: bool,
     /// Draws surfaces that lie on each other, or nearly so, in other parameters.
-    #[arg(long, conflicts_with_all = ["trimmed", "collapsed", "facets"])]
+    #[arg(long, conflicts_with_all = ["trimmed", "collapsed", "facets", "clearance"])]
     reparametrized: bool,
     /// Draws meshes and clouds of points.
     #[arg(long, conflicts_with_all = ["trimmed", "collapsed"])]

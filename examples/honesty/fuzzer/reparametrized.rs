@@ -60,7 +60,7 @@ fn ellipsoids(rng: &mut Rng) -> [SurfaceArrays; 2] {
     [a.into_arrays(), b.into_arrays()]
 }
 
-/// A quadrilateral or its composition with quadratic functions in the plane of a disc of polar parameters.
+/// A biquadratic surface in the plane of a disc of polar parameters, within it or beyond its end.
 fn discs(rng: &mut Rng) -> [SurfaceArrays; 2] {
     let round = disc(1.0, 0.0, rng.bool()).unwrap().into_arrays();
     let size = 0.2 + rng.f64();

@@ -128,9 +128,7 @@ impl SplineSurface {
         };
         ends_meet || self.repeats(axis).is_some()
     }
-}
 
-impl SplineSurface {
     /// Returns the periodic basis along an axis, and the index of its first control points, if those that follow
     /// its own are the first ones.
     fn repeats(&self, axis: usize) -> Option<(Basis, usize)> {

@@ -47,14 +47,15 @@ pub(super) fn upper_bound(
     let bound = match &pole {
         Some(pole) => {
             // A few points of B say whether it is of use.
-            let points = part::points_around(&frame, &a, pole);
+            let extent = part::first_extent(&frame, &a, pole);
+            let points = part::points_around(&frame, pole, extent);
             let is_near =
                 |function: &Candidate| points.iter().all(|point| function.is_near(*point, threshold));
             let functions: Vec<Candidate> = functions.filter(is_near).collect();
             if functions.is_empty() {
                 return None;
             }
-            let part = Part::around_pole(&frame, &a, pole, face.as_ref())?;
+            let part = Part::around_pole(&frame, &a, (pole, extent), face.as_ref())?;
             bound(&frame, &a, &part, &mut functions.into_iter(), threshold)
         }
         None => {

@@ -20,8 +20,8 @@ const ENLARGEMENT: f64 = 1.6;
 /// space to parameters says nothing.
 const MIN_EXTENT: f64 = 1e-3;
 
-/// The radius of the first part around a pole relative to the cell's.
-const POLE_ENLARGEMENT: f64 = 1.25;
+/// The size of the first part relative to the cell's, to first order.
+const FIRST_ENLARGEMENT: f64 = 1.25;
 
 /// How far the pieces of a box go beyond it at most, in parameters: the chart's margin for patches of up to 64
 /// times its width.
@@ -43,16 +43,15 @@ struct Side {
 }
 
 impl Part {
-    /// The part around a pole.
+    /// The part around a pole, at first up to this parameter from it.
     pub(super) fn around_pole(
         frame: &Frame<'_>,
         a: &Piece,
-        pole: &Pole<'_>,
+        (pole, mut extent): (&Pole<'_>, f64),
         face: Option<&FaceChart<'_>>,
     ) -> Option<Self> {
         let (target, along) = (Shadow::of(a, frame), pole.axis.index());
         let patches: Vec<_> = pole.patches().collect();
-        let mut extent = first_extent(frame, a, pole);
         for _ in 0..MAX_BOXES {
             if !(extent <= 1.0) {
                 return None;
@@ -85,7 +84,7 @@ impl Part {
         threshold: f64,
     ) -> Option<Self> {
         let (chart, target) = (&frame.chart, Shadow::of(a, frame));
-        let mut extent = frame.steps_to(a).map(|step| upper_max(POLE_ENLARGEMENT * step, MIN_EXTENT));
+        let mut extent = frame.steps_to(a).map(|step| upper_max(FIRST_ENLARGEMENT * step, MIN_EXTENT));
         for _ in 0..MAX_BOXES {
             let reach = chart.reach_over_creases(extent);
             let ends = [0, 1].map(|axis| {
@@ -128,18 +127,17 @@ impl Part {
 }
 
 /// The parameter from a pole up to which the first part around it goes.
-fn first_extent(frame: &Frame<'_>, a: &Piece, pole: &Pole<'_>) -> f64 {
+pub(super) fn first_extent(frame: &Frame<'_>, a: &Piece, pole: &Pole<'_>) -> f64 {
     let speed = |patch: &Patch<'_>| {
         let jet = patch.jet(pole.chart.parameters);
         [jet.s, jet.t][pole.axis.index()].length()
     };
     let least = pole.patches().fold(f64::INFINITY, |least, (patch, _)| upper_min(least, speed(&patch)));
-    POLE_ENLARGEMENT * Shadow::of(a, frame).radius() / least
+    FIRST_ENLARGEMENT * Shadow::of(a, frame).radius() / least
 }
 
-/// Points of the border of the first part around a pole, about the frame's foot.
-pub(super) fn points_around(frame: &Frame<'_>, a: &Piece, pole: &Pole<'_>) -> Vec<DVec3> {
-    let extent = first_extent(frame, a, pole);
+/// Points around a pole at this parameter from it, about the frame's foot.
+pub(super) fn points_around(frame: &Frame<'_>, pole: &Pole<'_>, extent: f64) -> Vec<DVec3> {
     let mut parameters = pole.chart.parameters;
     parameters[pole.axis.index()] += if pole.end == 0 { extent } else { -extent };
     pole.patches().map(|(patch, _)| patch.point(parameters) - frame.jet.point).collect()
