@@ -143,7 +143,7 @@ fn pieces_that_miss_each_other_are_joined_within_the_gap() {
 /// The size of the jump of [`jumping`].
 const JUMP: f64 = 5e-6;
 
-/// A curve of two straight pieces along x, of which the second is moved along y by the jump.
+/// Returns a curve of two straight pieces along x. The jump moves the second one along y.
 fn jumping(text: &mut IgesText) -> Id {
     let mut values = vec![0.0, 1.0, 2.0];
     for piece in 0..3 {

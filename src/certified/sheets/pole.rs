@@ -35,7 +35,7 @@ pub(in crate::certified) struct Pole<'a> {
     /// Whether it is at the start (0) or the end (1) of that axis.
     pub(in crate::certified) end: usize,
     pub(in crate::certified) point: DVec3,
-    /// The direction of the mean of the normals around it, of length 1; 0 if there is none.
+    /// The unit vector along the sum of the normals around it; 0 if they cancel.
     pub(in crate::certified) normal: DVec3,
     /// An upper bound on the distance of the end's points from the pole and on the sum of all jumps around it.
     pub(in crate::certified) gap: f64,

@@ -91,7 +91,7 @@ export function onSection(listener: SectionListener, onChange: () => void): void
     byFace.setAttribute("aria-pressed", `${isPicking}`);
     element("canvas").classList.toggle("picking", isPicking);
     const picked = (facing: Facing | undefined) => {
-      // A click beside the models is none.
+      // A click beside the models picks no face: the next one may.
       if (facing === undefined) return;
       pick(false);
       setFree(listener, facing, BENEATH);
@@ -143,7 +143,7 @@ function rangeOf({ box, center }: Models): [number, number] | undefined {
 /** Cuts by a plane of any normal, as far beneath a point as is said. */
 function setFree({ models }: SectionListener, facing: Facing | undefined, beneath = 0): void {
   if (facing === undefined) {
-    // Nothing to cut by was found: a free section without a normal is none.
+    // No face or view gives a plane: without a normal from before, the section ends.
     if (axis.value === FREE && freeFacing() === undefined) axis.value = "";
   } else {
     const { point, normal } = facing;

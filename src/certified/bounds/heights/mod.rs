@@ -15,8 +15,8 @@
 //! Lemma (3.18). Where B is a trimmed face's whole surface, the bound holds for the face if the box of the
 //! fixed points' ranges lies in the face's region.
 //!
-//! Lemmas 3.19 and 3.21 are those of `rim` and `several_faces`: cells over loops of a face, and over lines between
-//! faces.
+//! Lemmas 3.19, 3.21 and 3.22 are those of `rim`, `several_faces` and `around`: cells over loops of a face, over
+//! lines between faces, and at poles, ends and lines of vanishing derivatives.
 //!
 //! The feet are fixed points (Brouwer), so that no map of the cell into B's parameters is needed. With f that
 //! vanishes on a plane, a sphere, a cylinder or a cone, A and B on it are at no distance however their

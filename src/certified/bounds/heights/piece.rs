@@ -147,7 +147,7 @@ impl Piece {
             .range()
     }
 
-    /// Points on a grid with so many lines along each axis; one line is at the start.
+    /// Returns points on a grid with these numbers of lines along both axes. A single line is at the start.
     pub(super) fn samples(&self, counts: [usize; 2]) -> Vec<DVec3> {
         let places = |axis: usize| -> Vec<_> {
             let spaces = counts[axis].saturating_sub(1).max(1) as f64;

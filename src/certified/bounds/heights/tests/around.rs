@@ -245,7 +245,7 @@ fn a_jump_counts_twice_beyond_an_end() {
     assert!((2.99 * jump..=4.0 * jump).contains(&more), "{more:e}");
 }
 
-/// A bound above the threshold is none, as what is beyond an end was bounded for points within it.
+/// No bound above the threshold is returned: the excess over an end holds only for points within the threshold.
 #[test]
 fn a_cell_above_and_beyond_has_no_bound_over_the_threshold() {
     let b = patch(through(|s, t| DVec3::new(s, t, 0.0)));
