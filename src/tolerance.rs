@@ -9,6 +9,13 @@ pub(crate) fn positive(option: &'static str, found: f64) -> Result<()> {
     if is_positive { Ok(()) } else { Err(Error::out_of_range(option, found, "a positive finite number")) }
 }
 
+/// # Errors
+/// [`Error::OptionOutOfRange`] unless the option is finite and not negative.
+pub(crate) fn not_negative(option: &'static str, found: f64) -> Result<()> {
+    let is_valid = found.is_finite() && found >= 0.0;
+    if is_valid { Ok(()) } else { Err(Error::out_of_range(option, found, "a finite number from 0")) }
+}
+
 /// The two options that permit the width of an interval, at most one of them given.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PermittedWidth {

@@ -362,6 +362,7 @@ def closest_points(
     *,
     tolerance: float | None = None,
     relative_tolerance: float | None = None,
+    sign_tolerance: float | None = None,
     transform: Transform | ArrayLike | None = None,
     progress: ProgressBar | bool | None = None,
     cancel: Event | None = None,
@@ -376,6 +377,9 @@ def closest_points(
     tolerance, relative_tolerance : float, optional
         Permitted excess of a distance over the least one, in model units or as a fraction of
         the model's diagonal; 1e-9 of it if neither is given.
+    sign_tolerance : float, optional
+        Distances up to this, in model units, have the sign 0, which is then not decided; 0 if it is
+        not given. Beside the faces of a solid a sign takes many times as long as the distance.
     transform : Transform or array of shape (4, 4), optional
         Moves the points before they are measured.
     progress : bool or tqdm, optional
@@ -391,7 +395,9 @@ def closest_points(
         raise NurbsHausdorffError(
             "ARGUMENT_INVALID", f"points have shape {given.shape}, expected (n, 3)"
         )
-    options = _names.options(tolerance=tolerance, relative_tolerance=relative_tolerance)
+    options = _names.options(
+        tolerance=tolerance, relative_tolerance=relative_tolerance, sign_tolerance=sign_tolerance
+    )
     found = _native.closest_points(
         model(part)._native, np.ascontiguousarray(given).reshape(-1), options,
         _transform.native(transform), reporter(progress, cancel),

@@ -24,6 +24,8 @@ def test_closest_points_and_field():
     found = nh.closest_points(square(0.0), [[0.5, 0.5, 2.0], [2.0, 0.5, 0.0]])
     assert np.all(np.abs(found.distances - [2.0, 1.0]) <= found.bounds + 1e-12)
     assert np.allclose(found.feet, [[0.5, 0.5, 0.0], [1.0, 0.5, 0.0]])
+    near = nh.closest_points(square(0.0), [[0.5, 0.5, 2.0], [2.0, 0.5, 0.0]], sign_tolerance=1.5)
+    assert np.allclose(near.distances, [2.0, 1.0]) and near.signed[1] == 0 and abs(near.signed[0]) == 2
     field = nh.field(square(0.0), square(3.0), samples=4)
     assert np.allclose(field.flat("distances"), 3.0) and field.parts[0].points.shape == (4, 4, 3)
 

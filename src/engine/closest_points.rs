@@ -2,7 +2,7 @@
 
 use super::signs::{Known, SignFoot, SignRule, SignSource, Signs};
 use super::{Computation, Engine, PreparedModel};
-use crate::closest::closest_above;
+use crate::closest::{Target, closest_above, newton};
 use crate::error::{Error, Result};
 use crate::facets::{PreparedFacets, facet_rounding};
 use crate::flatness::{Flatness, MAX_HALVINGS};
@@ -11,13 +11,16 @@ use crate::model::RigidTransform;
 use crate::progress::{Monitor, Progress};
 use crate::rounding::{VANISHING_LENGTH, gamma};
 use crate::threads::parallel::map_ranges;
-use crate::tolerance::PermittedWidth;
+use crate::tolerance::{PermittedWidth, not_negative};
 use glam::DVec3;
 use serde::Deserialize;
 
 /// The number of points between two checkpoints: some tens of milliseconds of work on
 /// all cores, and in WebAssembly, on one thread, fewer than a frame of a display takes.
 const POINTS_AT_ONCE: usize = if cfg!(target_arch = "wasm32") { 1024 } else { 8192 };
+
+/// The largest number of Newton steps from the foot of the point before: near it a few suffice.
+const MAX_ITERATIONS: u32 = 16;
 
 /// The excess of a distance, as a fraction of the diagonal, unless the options state one.
 const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-9;
@@ -35,6 +38,9 @@ pub struct ClosestPointOptions {
     /// The same as a fraction of the diagonal of the model's control-net box; 1e-9 if
     /// neither is given. Both at once are an error.
     pub relative_tolerance: Option<f64>,
+    /// Distances up to this, in model units, have the sign 0, which is then not decided: beside the
+    /// faces of a solid a sign takes many times as long as the distance. 0, the default, decides all.
+    pub sign_tolerance: f64,
     /// Moves the points before they are measured. It is not deserialized, because only
     /// [`RigidTransform::new`] makes one.
     #[serde(skip)]
@@ -43,7 +49,8 @@ pub struct ClosestPointOptions {
 
 impl Default for ClosestPointOptions {
     fn default() -> Self {
-        Self { tolerance: None, relative_tolerance: None, transform: RigidTransform::IDENTITY }
+        let transform = RigidTransform::IDENTITY;
+        Self { tolerance: None, relative_tolerance: None, sign_tolerance: 0.0, transform }
     }
 }
 
@@ -100,13 +107,14 @@ impl Engine {
         options: &ClosestPointOptions,
         monitor: &mut dyn Monitor,
     ) -> Result<ClosestPoints> {
-        let ClosestPointOptions { tolerance, relative_tolerance, transform } = *options;
+        let ClosestPointOptions { tolerance, relative_tolerance, sign_tolerance, transform } = *options;
         let permitted = PermittedWidth { tolerance, relative_tolerance };
         permitted.validate()?;
+        not_negative("sign tolerance", sign_tolerance)?;
         validate(points)?;
         if let Some(facets) = model.facets() {
             let mut progress = Progress::new(monitor, false);
-            let source = SignSource::new(model);
+            let source = SignSource::new(model, sign_tolerance);
             return closest_facets((facets, source.rule()), points, &transform, &mut progress).await;
         }
         let flat = model.target(Flatness::Loose);
@@ -116,7 +124,7 @@ impl Engine {
         let gap = permitted.in_units(diagonal, DEFAULT_RELATIVE_TOLERANCE);
         let point_error = model.bezier().point_error.after(MAX_HALVINGS);
         let mut progress = Progress::new(monitor, false);
-        let source = SignSource::new(model);
+        let source = SignSource::new(model, sign_tolerance);
         let rule = source.rule();
         let mut found = ClosestPoints { signs: rule.signs(), ..ClosestPoints::default() };
         let count = points.len() / 3;
@@ -128,7 +136,8 @@ impl Engine {
                     let local = DVec3::new(point[0], point[1], point[2]);
                     let point = transform.apply(local);
                     let rounding = point_error + transform.rounding(local.length());
-                    let closest = closest_above(target, point, gap, known, 0.0, None)?;
+                    let start = known.map(|known| foot_from(target, point, known));
+                    let closest = closest_above(target, point, gap, start, 0.0, None)?;
                     known = Some((closest.patch as u32, closest.parameters));
                     let patch = target.patches.patch(closest.patch);
                     let foot = patch.jet(closest.parameters);
@@ -155,6 +164,13 @@ impl Engine {
         progress.finish();
         Ok(found)
     }
+}
+
+/// Returns the foot to which Newton's iteration comes on a patch from a foot of another point, the
+/// point before: on the same patch it is often the closest point, and the search then has nothing to
+/// examine. Wherever the iteration ends, it is a point of the model.
+fn foot_from(target: &Target, point: DVec3, (patch, start): (u32, [f64; 2])) -> (u32, [f64; 2]) {
+    (patch, newton(&target.patches.patch(patch as usize), point, start, MAX_ITERATIONS).parameters)
 }
 
 /// Returns the closest points of a mesh or a cloud, with bounds that only rounding makes positive:

@@ -41,11 +41,18 @@ pub enum Signs {
 
 /// The model from which deviations are measured, with its patches; none of a cloud, nor of a mesh
 /// that is not closed or too large to be joined.
-pub(super) struct SignSource<'a>(Option<(&'a Boundary, Arc<PreparedTarget>)>);
+pub(super) struct SignSource<'a> {
+    source: Option<(&'a Boundary, Arc<PreparedTarget>)>,
+    tolerance: f64,
+}
 
 /// The same, to be shared by threads.
 #[derive(Clone, Copy)]
-pub(super) struct SignRule<'a>(Option<(&'a Boundary, &'a Target)>);
+pub(super) struct SignRule<'a> {
+    source: Option<(&'a Boundary, &'a Target)>,
+    /// Distances up to it have the sign 0.
+    tolerance: f64,
+}
 
 /// The closest point of a model.
 pub(super) enum SignFoot<'a> {
@@ -77,30 +84,39 @@ struct Ball {
 }
 
 impl<'a> SignSource<'a> {
-    /// Joins the model's edges at first use.
-    pub(super) fn new(model: &'a PreparedModel) -> Self {
+    /// Joins the model's edges at first use. Distances up to `tolerance` have the sign 0.
+    pub(super) fn new(model: &'a PreparedModel, tolerance: f64) -> Self {
         let is_needed = model.facets().is_none_or(|mesh| mesh.may_close() && model.boundary().is_closed());
-        Self(is_needed.then(|| (model.boundary(), model.target(Flatness::None))))
+        let source = is_needed.then(|| (model.boundary(), model.target(Flatness::None)));
+        Self { source, tolerance }
     }
 
     pub(super) fn rule(&self) -> SignRule<'_> {
-        SignRule(self.0.as_ref().map(|(boundary, target)| (*boundary, &target.target)))
+        let source = self.source.as_ref().map(|(boundary, target)| (*boundary, &target.target));
+        SignRule { source, tolerance: self.tolerance }
     }
 }
 
 impl SignRule<'_> {
     /// Returns what the signs stand for.
     pub(super) fn signs(&self) -> Signs {
-        if self.0.is_some_and(|(boundary, _)| boundary.is_closed()) { Signs::Solid } else { Signs::Faces }
+        if self.source.is_some_and(|(boundary, _)| boundary.is_closed()) {
+            Signs::Solid
+        } else {
+            Signs::Faces
+        }
     }
 
     /// Returns the distance of a point with its sign, as [`Signs`] states. `clear` is a lower bound
     /// on the point's distance, `known` belongs to this model.
     pub(super) fn signed(&self, point: DVec3, clear: f64, foot: &SignFoot<'_>, known: &mut Known) -> f64 {
-        let Some((boundary, target)) = self.0.filter(|(boundary, _)| boundary.is_closed()) else {
+        let distance = foot.offset(point).length();
+        if distance <= self.tolerance {
+            return 0.0;
+        }
+        let Some((boundary, target)) = self.source.filter(|(boundary, _)| boundary.is_closed()) else {
             return self.along_normal(point, foot);
         };
-        let distance = foot.offset(point).length();
         // No ray from the boundary itself decides, whichever way it goes.
         if distance <= boundary.margin_at(point) {
             return 0.0;
@@ -117,7 +133,7 @@ impl SignRule<'_> {
             SignFoot::Patch(foot) => {
                 let is_along = |normal: &DVec3| offset.cross(*normal).length() <= MAX_SINE * distance;
                 let of_all =
-                    || self.0.and_then(|(all, target)| pseudonormal(target, foot.point, all.reach()));
+                    || self.source.and_then(|(all, target)| pseudonormal(target, foot.point, all.reach()));
                 foot.normal().filter(is_along).or_else(of_all)
             }
             SignFoot::Facet(facets, place, nearest) => facets.normal(place, nearest),

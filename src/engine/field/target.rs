@@ -45,7 +45,7 @@ pub(super) struct Foot {
 impl<'a> Held<'a> {
     pub(super) fn new(model: &'a PreparedModel) -> Self {
         let target = model.facets().is_none().then(|| model.certified_target());
-        Self { target, signs: SignSource::new(model) }
+        Self { target, signs: SignSource::new(model, 0.0) }
     }
 }
 

@@ -163,7 +163,7 @@ impl SampledDirection<'_> {
             }
         }
         let deviations = if self.options.deviations {
-            let source = SignSource::new(self.to);
+            let source = SignSource::new(self.to, 0.0);
             self.field_search(source.rule()).run(Some(&projected), progress).await?
         } else {
             Vec::new()

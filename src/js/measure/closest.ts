@@ -11,6 +11,11 @@ export interface ClosestPointOptions {
   tolerance?: number;
   /** The same as a fraction of the model's diagonal; 1e-9 if neither is given. Both at once are an error. */
   relativeTolerance?: number;
+  /**
+   * Distances up to this, in model units, have the sign 0, which is then not decided; 0 by default.
+   * Beside the faces of a solid a sign takes many times as long as the distance.
+   */
+  signTolerance?: number;
   /** Moves the points before they are measured. */
   transform?: Transform;
   /** Cancels the work: the promise rejects with code `CANCELLED`. */

@@ -34,6 +34,28 @@ fn distances_to_a_torus_are_within_their_bounds_of_the_formula() {
     }
 }
 
+/// Heights above and below the sphere's top, its normal; the distance itself does not depend on it.
+#[test]
+fn distances_up_to_the_sign_tolerance_have_none() {
+    let ball = sphere(DVec3::ZERO, 2.0).unwrap();
+    let heights = [1e-3, -1e-3, 2e-3, -2e-3, 0.5, -0.5];
+    let points: Vec<f64> = heights.iter().flat_map(|height| [0.0, 0.0, 2.0 + height]).collect();
+    let signed = |sign_tolerance: f64| {
+        let options = ClosestPointOptions { sign_tolerance, ..ClosestPointOptions::default() };
+        let found = closest(&ball, &points, &options).unwrap();
+        for (distance, height) in found.distances.iter().zip(heights) {
+            assert!((distance - height.abs()).abs() < 1e-8, "{distance} {height}");
+        }
+        found.signed
+    };
+    for (tolerance, without) in [(0.0, 0), (1.5e-3, 2), (1.0, 6)] {
+        for (index, (found, height)) in signed(tolerance).into_iter().zip(heights).enumerate() {
+            let expected = if index < without { 0.0 } else { height };
+            assert!((found - expected).abs() < 1e-8, "{found} {expected} with {tolerance}");
+        }
+    }
+}
+
 #[test]
 fn feet_lie_where_their_surface_has_them() {
     let model = sphere(DVec3::new(1.0, 2.0, 3.0), 2.0).unwrap();
@@ -72,6 +94,10 @@ fn points_and_options_out_of_range_are_refused() {
     }
     let zero = ClosestPointOptions { relative_tolerance: Some(0.0), ..valid.clone() };
     assert_eq!(code(&[0.0; 3], &zero), "OPTION_OUT_OF_RANGE");
+    for sign_tolerance in [-1e-9, f64::NAN, f64::INFINITY] {
+        let wrong = ClosestPointOptions { sign_tolerance, ..valid.clone() };
+        assert_eq!(code(&[0.0; 3], &wrong), "OPTION_OUT_OF_RANGE");
+    }
     let both = ClosestPointOptions { tolerance: Some(1.0), relative_tolerance: Some(1.0), ..valid.clone() };
     assert_eq!(code(&[0.0; 3], &both), "OPTION_INVALID");
     let none = closest(&ball, &[], &valid).unwrap();

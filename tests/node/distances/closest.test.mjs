@@ -36,6 +36,21 @@ test("the transform moves the points", async () => {
   model.dispose();
 });
 
+test("distances up to the sign tolerance have the sign 0", async () => {
+  const model = hd.model([square(0)]);
+  const found = await hd.closestPoints(model, [0.5, 0.5, 0.25, 0.5, 0.5, 0.5], {
+    signTolerance: 0.3,
+  });
+  near(found.distances[0], 0.25, 1e-12);
+  assert.equal(found.signed[0], 0);
+  near(Math.abs(found.signed[1]), 0.5, 1e-12);
+  await assert.rejects(
+    hd.closestPoints(model, [0, 0, 1], { signTolerance: -1 }),
+    withCode("OPTION_OUT_OF_RANGE", /sign tolerance/),
+  );
+  model.dispose();
+});
+
 test("wrong points are refused by their index", async () => {
   const model = hd.model([square(0)]);
   const wrong = [0, 0, 0, 1, Number.NaN, 0];

@@ -1,7 +1,7 @@
 // The deviations of points of one model from the other one.
 import type { Hausdorff, NurbsModel, Signs, Vector3 } from "nurbs-hausdorff/worker";
 import type { Side } from "../protocol.ts";
-import { joinedArrays } from "./base.ts";
+import { diagonalOf, joinedArrays } from "./base.ts";
 import { mapped, type Placing, placed, unplaced } from "./placed.ts";
 
 /** Points measured at once, so that a newer request waits for few of them. */
@@ -12,6 +12,9 @@ const BATCH = 8192;
  * that are off a model by the rounding of float32 alone take several times as long at the default.
  */
 const RELATIVE_TOLERANCE = 5e-8;
+
+/** The distance, in diagonals, up to which no sign is shown: it has the neutral colour. */
+const SIGN_TOLERANCE = 5e-7;
 
 /** Deviations, in the unit of a result. */
 export interface Measured {
@@ -40,13 +43,14 @@ export async function measure(points: Float64Array, measuring: Measuring): Promi
   const { engine, side, other, upper, signal, onPoints } = measuring;
   const otherSide: Side = side === "a" ? "b" : "a";
   const size = otherSide === "b" ? measuring.scale : 1;
+  const signTolerance = SIGN_TOLERANCE * diagonalOf(other);
+  const options = { relativeTolerance: RELATIVE_TOLERANCE, signTolerance, signal };
   let all = none();
   for (let first = 0; first < points.length; first += 3 * BATCH) {
     const batch = points.subarray(first, first + 3 * BATCH);
     const query = mapped(batch, (point) =>
       unplaced(otherSide, placed(side, point, measuring), measuring),
     );
-    const options = { relativeTolerance: RELATIVE_TOLERANCE, signal };
     const found = await engine.closestPoints(other, query, options);
     all = together(all, {
       distances: found.distances.map((distance) => Math.min(upper, size * distance)),
