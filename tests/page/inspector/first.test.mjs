@@ -1,7 +1,8 @@
 // What a newcomer sees: two brackets compared in colours, a verdict, places, and a report.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { copyFileSync, readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
 import { open } from "../support/open.mjs";
 
 /** The base plate of the revision is longer by this, and the bores moved by the other. */
@@ -211,8 +212,11 @@ test("the report has the verdict, views with legends, faces, and numbered axes",
     page.waitForEvent("download"),
     page.locator("#export-report").click(),
   ]);
+  // As a file, which has to say itself how its text is encoded.
+  const file = `${await download.path()}.html`;
+  copyFileSync(await download.path(), file);
   const report = await page.context().browser().newPage();
-  await report.setContent(readFileSync(await download.path(), "utf8"));
+  await report.goto(pathToFileURL(file).href);
   const all = await report.locator("body").innerText();
   for (const part of [
     "Bracket 7",
@@ -232,6 +236,42 @@ test("the report has the verdict, views with legends, faces, and numbered axes",
   // Words do not run together, and no element has an identifier of the page's twice.
   assert.doesNotMatch(all, /undefined|NaN/);
   await report.close();
+});
+
+test("the report opens in a tab of its own, with a button that prints all but itself", async () => {
+  const [report] = await Promise.all([
+    page.waitForEvent("popup"),
+    page.locator("#export-pages").click(),
+  ]);
+  const print = report.getByRole("button", { name: "Print, or save as PDF" });
+  await print.waitFor();
+  assert.match(await report.locator("body").innerText(), /FAIL[\s\S]*\+0\.2 \/ −0\.2 mm/);
+  await report.evaluate(() => {
+    window.print = () => {
+      window.printed = true;
+    };
+  });
+  await print.click();
+  assert.ok(await report.evaluate(() => window.printed));
+  await report.emulateMedia({ media: "print" });
+  assert.ok(await print.isHidden());
+  await report.close();
+});
+
+test("where the browser opens no tab, the report is saved, and the page says so", async () => {
+  await page.evaluate(() => {
+    window.opensTabs = window.open;
+    window.open = () => null;
+  });
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.locator("#export-pages").click(),
+  ]);
+  assert.equal(download.suggestedFilename(), "hausdorff-report.html");
+  await page.locator("#export-note", { hasText: "saved as a file" }).waitFor();
+  await page.evaluate(() => {
+    window.open = window.opensTabs;
+  });
 });
 
 test("clearance mode lists the faces that meet, and ends", async () => {

@@ -11,7 +11,7 @@ const TIMEOUT = 60_000;
 export const PLAIN = "#symmetric=&deviation=";
 
 /**
- * Opens the page, all that it folds unfolded but the faces, and without motion. `webgpu: false` disables WebGPU, `webgl: false` all 3D APIs;
+ * Opens the page, all that it folds unfolded but the faces, or as users see it with `unfolded: false`, and without motion. `webgpu: false` disables WebGPU, `webgl: false` all 3D APIs;
  * `touch: true` gives the device a touch screen; `path` selects another page than the main one, `outDir` another build, and `prepare` receives the
  * page before it is loaded.
  */
@@ -19,6 +19,7 @@ export async function open({
   webgpu = true,
   webgl = true,
   touch = false,
+  unfolded = true,
   size = { width: 1280, height: 800 },
   path = PLAIN,
   outDir = "dist",
@@ -38,12 +39,7 @@ export async function open({
   page.on("pageerror", (error) => errors.push(error.message));
   page.setDefaultTimeout(TIMEOUT);
   await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.addInitScript(() => {
-    document.addEventListener("DOMContentLoaded", () => {
-      for (const details of document.querySelectorAll("#panel details:not(#tree)"))
-        details.open = true;
-    });
-  });
+  if (unfolded) await page.addInitScript(unfold);
   await prepare(page);
   await page.goto(new URL(path, server.resolvedUrls.local[0]).href);
   return {
@@ -73,4 +69,11 @@ export async function open({
       await server.close();
     },
   };
+}
+
+function unfold() {
+  document.addEventListener("DOMContentLoaded", () => {
+    for (const details of document.querySelectorAll("#panel details:not(#tree)"))
+      details.open = true;
+  });
 }

@@ -10,6 +10,29 @@ export function download(name: string, content: Blob): void {
   setTimeout(() => URL.revokeObjectURL(link.href), REVOKE_DELAY);
 }
 
+/**
+ * Shows a page in a tab of its own, which is opened before the page is made: a browser opens none
+ * that comes long after a click. Where it opens none at all, the page is saved as a file.
+ *
+ * @throws {Error} that says so, where the page was saved.
+ */
+export async function openMade(name: string, make: () => Promise<Blob>): Promise<void> {
+  const tab = window.open("", "_blank");
+  tab?.document.body.append("The report is being made…");
+  try {
+    const page = await make();
+    // As long as this page is open, the tab can be loaded again.
+    if (tab !== null) tab.location.replace(URL.createObjectURL(page));
+    else {
+      download(name, page);
+      throw new Error("The browser opens no tab for this page: the report was saved as a file.");
+    }
+  } catch (error) {
+    tab?.close();
+    throw error;
+  }
+}
+
 /** Milliseconds after which a browser has certainly started to read a file. */
 const REVOKE_DELAY = 60_000;
 

@@ -1,7 +1,7 @@
 // The buttons that export the result.
 import { element } from "../common/elements.ts";
 
-const FORMATS = ["json", "csv", "png", "gltf", "report"] as const;
+const FORMATS = ["json", "csv", "png", "gltf", "report", "pages"] as const;
 
 export type ExportFormat = (typeof FORMATS)[number];
 

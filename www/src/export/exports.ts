@@ -7,7 +7,7 @@ import type { Place } from "../inspection/places.ts";
 import type { View } from "../scene/view.ts";
 import { formState } from "../state/formState.ts";
 import type { DisplayModel, PlainOptions, Probe, Sides } from "../worker/protocol.ts";
-import { download } from "./download.ts";
+import { download, openMade } from "./download.ts";
 import type { ExportFormat } from "./exportPanel.ts";
 import { gltfOf } from "./gltf.ts";
 import { contentOf } from "./report/content.ts";
@@ -29,6 +29,7 @@ export interface ExportedState {
 }
 
 const NAME = "hausdorff";
+const REPORT = `${NAME}-report.html`;
 /** The worst places that the report has pictures of. */
 const PICTURED = 4;
 
@@ -51,12 +52,18 @@ export async function exportAs(format: ExportFormat, state: ExportedState): Prom
     case "gltf":
       download(`${NAME}.glb`, await gltfOf(view.models, painted(), metresPerUnit()));
       break;
-    case "report": {
-      const content = { ...(await contentOf(state)), views: await views.all() };
-      download(`${NAME}-report.html`, reportOf({ ...content, places: await placesOf(state) }));
+    case "report":
+      download(REPORT, await reportFrom(state));
       break;
-    }
+    case "pages":
+      await openMade(REPORT, () => reportFrom(state));
+      break;
   }
+}
+
+async function reportFrom(state: ExportedState): Promise<Blob> {
+  const content = { ...(await contentOf(state)), views: await state.views.all() };
+  return reportOf({ ...content, places: await placesOf(state) });
 }
 
 /** Pictures of the worst places, after which the view is where it was. */

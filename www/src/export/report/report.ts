@@ -25,7 +25,7 @@ export interface ReportContent {
 export function reportOf(content: ReportContent): Blob {
   const page = document.implementation.createHTMLDocument(titleOf());
   page.documentElement.lang = "en";
-  page.head.append(make("style", STYLE));
+  page.head.append(make("meta", [], { charset: "utf-8" }), make("style", STYLE));
   page.body.append(...sections(content));
   return new Blob(["<!doctype html>\n", page.documentElement.outerHTML], { type: "text/html" });
 }
@@ -37,6 +37,9 @@ const titleOf = (): string =>
   `Comparison${value("report-part") === "" ? "" : `: ${value("report-part")}`}`;
 
 function* sections({ views, places, verdict, files, faces, pins, settings }: ReportContent) {
+  yield make("p", [make("button", "Print, or save as PDF", { onclick: "print()" })], {
+    class: "screen",
+  });
   yield make("h1", titleOf());
   yield terms([
     ["Part", value("report-part")],

@@ -19,5 +19,6 @@ export const STYLE = `
   table { border-collapse: collapse; width: 100%; } thead { display: table-header-group; }
   th, td { text-align: left; padding: 2px 6px; border-bottom: 1px solid #d9e1e8; } .number { text-align: right; font-variant-numeric: tabular-nums; }
   footer { margin-top: 1.5rem; color: #55646f; }
-  @media print { body { margin: 0; padding: 0; max-width: none; } }
+  .screen { text-align: right; margin: 0; } .screen button { font: inherit; padding: .3rem .8rem; }
+  @media print { .screen { display: none; } body { margin: 0; padding: 0; max-width: none; } }
 `;

@@ -1,0 +1,41 @@
+// What a newcomer needs from two files to a report is on the screen, and nothing of it is folded.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { modelFile, planes } from "./support/models.mjs";
+import { open } from "./support/open.mjs";
+
+let opened;
+let page;
+
+before(async () => {
+  opened = await open({ path: "", unfolded: false });
+  page = opened.page;
+  await opened.until("done", () =>
+    page.setInputFiles("#file-both", [
+      modelFile("a.json", planes(0)),
+      modelFile("b.json", planes(0.25)),
+    ]),
+  );
+});
+
+after(() => opened.close());
+
+test("what is allowed is asked for on the first screen, below the files", async () => {
+  const field = page.getByRole("spinbutton", { name: "+/−" });
+  const { y, height } = await field.boundingBox();
+  assert.ok(y + height <= page.viewportSize().height, `${y}`);
+  assert.equal(await page.evaluate(() => document.getElementById("panel").scrollTop), 0);
+});
+
+test("a view is added and the report opened without unfolding anything", async () => {
+  await page.getByRole("button", { name: "Add this view" }).click();
+  await page.getByText("1 view in the report").waitFor();
+  const [report] = await Promise.all([
+    page.waitForEvent("popup"),
+    page.getByRole("button", { name: "Open the report" }).click(),
+  ]);
+  await report.getByRole("img", { name: "View 1" }).waitFor();
+  await report.close();
+});
+
+test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));
