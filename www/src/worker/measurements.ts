@@ -9,7 +9,7 @@ import type {
 import { isCancelled } from "./failure.ts";
 import type { MapOf } from "./map/csv.ts";
 import { buffersOf, type MapDisplay, mapDisplay } from "./map/display.ts";
-import { directedFrom, entriesOf, Maps } from "./map/maps.ts";
+import { directedFrom, entriesOf, isFine, Maps } from "./map/maps.ts";
 import type { Measuring } from "./map/measured.ts";
 import type { Placing } from "./map/placed.ts";
 import type { EngineState, PlainOptions, Reply, Side, Sides } from "./protocol.ts";
@@ -137,7 +137,12 @@ export class Measurements {
       coarse = await this.#each(requested, result, FIRST_PART, (_, own, measuring) =>
         this.#maps.coarse(own, result, measuring),
       );
-      this.#show(requested, result, displayed(coarse, placing, result), true);
+      const isDone = entriesOf(coarse).every(([side, map]) =>
+        isFine(map, result.diagonal, boundOf(result, side)),
+      );
+      if (isDone) this.#keep(coarse, placing);
+      this.#show(requested, result, displayed(coarse, placing, result), !isDone);
+      if (isDone) return;
       const fine = await this.#each(requested, result, SECOND_PART, async (side, _, measuring) => {
         const map = coarse[side];
         return map && this.#maps.fine(map, result.diagonal, measuring);
@@ -180,7 +185,7 @@ export class Measurements {
         // The number of points to come is not known.
         report(1 - BATCH_SHARE / (BATCH_SHARE + count), undefined);
       };
-      const { upper } = directedFrom(result, side) ?? { upper: Number.POSITIVE_INFINITY };
+      const { upper } = boundOf(result, side);
       const measuring: Measuring = {
         ...this.#placing(options),
         ...{ engine: this.#engine, side, other, upper, signal: abort.signal, onPoints },
@@ -234,6 +239,10 @@ export class Measurements {
 
 /** Points after which half of the progress of a map is shown. */
 const BATCH_SHARE = 50_000;
+
+/** What no distance from a side to the other exceeds. */
+const boundOf = (result: DistanceResult, side: Side): { upper: number } =>
+  directedFrom(result, side) ?? { upper: Number.POSITIVE_INFINITY };
 
 /** What the page draws of the maps of a result. */
 function displayed(

@@ -44,12 +44,22 @@ export class Maps {
 
   /** Splits a map until its colours are those of the model. */
   async fine(map: DeviationMap, diagonal: number, measuring: Measuring): Promise<DeviationMap> {
-    const largest = map.distances.reduce((one, other) => Math.max(one, other), 0);
-    const step = Math.max(STEP * largest, MIN_STEP * diagonal);
-    // Deviations of either sign up to `upper` differ by twice as much at most.
-    if (2 * measuring.upper <= step) return map;
-    return refined(map, measuring, { step, diagonal });
+    if (isFine(map, diagonal, measuring)) return map;
+    return refined(map, measuring, { step: stepOf(map, diagonal), diagonal });
   }
+}
+
+/** Whether no colour can be off by a step: deviations of either sign up to `upper` differ by twice as much at most. */
+export const isFine = (
+  map: DeviationMap,
+  diagonal: number,
+  { upper }: { upper: number },
+): boolean => 2 * upper <= stepOf(map, diagonal);
+
+/** The deviation by which colours may be off. */
+function stepOf({ distances }: DeviationMap, diagonal: number): number {
+  const largest = distances.reduce((one, other) => Math.max(one, other), 0);
+  return Math.max(STEP * largest, MIN_STEP * diagonal);
 }
 
 /** The result of the distances from one side to the other, where it was computed. */
