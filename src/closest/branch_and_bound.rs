@@ -74,9 +74,19 @@ impl PartialOrd for QueueEntry {
     }
 }
 impl Ord for QueueEntry {
-    /// The entry with the smallest lower bound is the heap's largest.
+    /// The entry with the smallest lower bound is the heap's largest; of those with one bound, a region
+    /// of which no foot is known yet. Where a narrow patch passes through the point, many of its
+    /// parts have the bound 0, as long as they are wider than it: the foot may be on another patch.
     fn cmp(&self, other: &Self) -> Ordering {
-        other.lower_bound.total_cmp(&self.lower_bound)
+        let by_bound = other.lower_bound.total_cmp(&self.lower_bound);
+        by_bound.then_with(|| other.region.has_foot().cmp(&self.region.has_foot()))
+    }
+}
+
+impl Region {
+    /// Whether a foot on its patch was looked for.
+    fn has_foot(&self) -> bool {
+        matches!(self, Self::SubPatch(_))
     }
 }
 
@@ -186,10 +196,17 @@ impl<'a> ClosestPointSearch<'a> {
         let tree = &self.target.tree;
         let node = &tree.nodes()[index];
         if node.is_leaf() {
-            let patch = tree.primitive(node);
+            let index = tree.primitive(node);
             let aligned = node.aabb.min_distance_squared(self.point);
-            let oriented = self.target.oriented_box(patch).min_distance_squared(self.point);
-            self.push(aligned.max(oriented), Region::Patch(patch));
+            let oriented = self.target.oriented_box(index).min_distance_squared(self.point);
+            let lower_bound = aligned.max(oriented);
+            // A foot within the gap ends the search, before the patch is bounded more closely.
+            if self.upper() > self.gap && lower_bound <= self.gap * self.gap {
+                let patch = self.patch(index);
+                let found = newton(&patch, self.point, nearest_control(&patch, self.point), MAX_ITERATIONS);
+                self.critical_point(index, found.parameters);
+            }
+            self.push(lower_bound, Region::Patch(index));
             return;
         }
         for child in [index + 1, node.right_child as usize] {
@@ -285,5 +302,45 @@ impl SubPatch {
             return lower_bound.max(self.form.lower_bound_about(&local));
         }
         lower_bound
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::bezier::extract;
+    use crate::{Model, SurfaceArrays};
+
+    /// A patch whose axes are nearly parallel passes the point at a height above the gap. Many of its
+    /// parts cannot be told from the point before the search gives up; a square, in whose box the
+    /// point is, is nearer.
+    #[test]
+    fn a_foot_beside_a_narrow_patch_is_found() {
+        const WIDTH: f64 = 1e-4;
+        const HEIGHT: f64 = 9e-5;
+        const DISTANCE: f64 = 1e-6;
+        let bilinear = |corners: [DVec3; 4]| SurfaceArrays {
+            degree: [1, 1],
+            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+            counts: [2, 2],
+            control_points: corners.map(|corner| corner.extend(1.0).to_array()).to_vec(),
+        };
+        let [x, far] = [DVec3::X, DVec3::new(10.0, WIDTH, 0.0)];
+        let narrow = bilinear([DVec3::ZERO, x, far, far + x]);
+        let point = DVec3::new(5.0, 0.5 * WIDTH, HEIGHT);
+        let normal = DVec3::ONE.normalize();
+        let (along, across) = normal.any_orthonormal_pair();
+        let center = point + DISTANCE * normal;
+        let square = bilinear([
+            center - along - across,
+            center + along - across,
+            center - along + across,
+            center + along + across,
+        ]);
+        let Ok(model) = Model::from_arrays(None, vec![narrow, square]) else { unreachable!() };
+        let target = Target::new(extract(&model).patches);
+        let Some(found) = closest(&target, point, 0.5 * HEIGHT) else { unreachable!() };
+        assert!((found.upper - DISTANCE).abs() < 1e-9, "{found:?}");
+        assert_eq!(found.patch, 1);
     }
 }
