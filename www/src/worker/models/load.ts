@@ -44,6 +44,7 @@ export async function load(
   const readFile = reader(engine, onLibrary);
   const models: Sides<NurbsModel> = {};
   const display: Sides<DisplayModel> = {};
+  const drawn: Promise<void>[] = [];
   try {
     for (const side of SIDES) {
       const source = sources[side];
@@ -53,25 +54,36 @@ export async function load(
         readFile(bytes, name, (face) => drafts.add(face)),
       );
       models[side] = model;
-      const tessellation = await model.tessellate();
-      display[side] = {
-        source,
-        faceCount: model.faceCount,
-        unit: model.unit,
-        report: model.report,
-        box: model.boundingBox,
-        tessellation,
-        outline: outline(tessellation),
-        isMesh: isMesh(model),
-        faceNames: Array.from({ length: model.faceCount }, (_, face) => faceName(model, face)),
-        faceColors: colorsOf(model),
-      };
+      // The engine reads the next file while this one is outlined.
+      drawn.push(
+        displayOf(source, model).then((one) => {
+          display[side] = one;
+        }),
+      );
     }
+    await Promise.all(drawn);
   } catch (error) {
+    await Promise.allSettled(drawn);
     for (const model of Object.values(models)) model.dispose();
     throw error;
   }
   return { models, display };
+}
+
+async function displayOf(source: Source, model: NurbsModel): Promise<DisplayModel> {
+  const tessellation = await model.tessellate();
+  return {
+    source,
+    faceCount: model.faceCount,
+    unit: model.unit,
+    report: model.report,
+    box: model.boundingBox,
+    tessellation,
+    outline: outline(tessellation),
+    isMesh: isMesh(model),
+    faceNames: Array.from({ length: model.faceCount }, (_, face) => faceName(model, face)),
+    faceColors: colorsOf(model),
+  };
 }
 
 /** The colours of the faces; none at all if no face has one. */
