@@ -23,7 +23,7 @@ const rustFlags = `${remapped} -Cllvm-args=--inline-threshold=75`;
 
 /**
  * The modules: the core, the readers of CAD files, those of meshes and those of scans, which are
- * fetched when a file comes.
+ * fetched when a file comes, and the pictures of the command line's reports, which nothing else loads.
  * Each is the crate with the exports of one feature.
  */
 export const modules = [
@@ -31,6 +31,7 @@ export const modules = [
   { name: "nurbs_hausdorff_readers", feature: "wasm-readers", inlined: "inlined-readers" },
   { name: "nurbs_hausdorff_meshes", feature: "wasm-meshes", inlined: "inlined-meshes" },
   { name: "nurbs_hausdorff_scans", feature: "wasm-scans", inlined: "inlined-scans" },
+  { name: "nurbs_hausdorff_pictures", feature: "wasm-pictures" },
 ];
 
 /** The file of a module. */
@@ -51,7 +52,7 @@ export async function buildWasm() {
   rmSync(inRoot(out), { recursive: true, force: true });
   for (const module of modules) {
     await compile(module);
-    inline(module);
+    if (module.inlined) inline(module);
   }
   // This file would make npm exclude the folder from the package.
   rmSync(inRoot(out, ".gitignore"), { force: true });

@@ -10,13 +10,14 @@ import { Failure, say } from "../process.mjs";
  * and the proof of every cut, as interchange JSON has them too; the bounds; sides of points, signs, clearances
  * and gaps of solids; distances, fields and comparisons of meshes and points. The readers of CAD files are
  * fetched when a first one comes, those of meshes, with archives and XML, when a mesh comes, and those
- * of scans when a scan comes.
+ * of scans when a scan comes. That of pictures is read from the disk by the command line alone.
  */
 const budgets = {
   nurbs_hausdorff: { plain: 1800, gzipped: 700 },
   nurbs_hausdorff_readers: { plain: 912, gzipped: 379 },
   nurbs_hausdorff_meshes: { plain: 564, gzipped: 242 },
   nurbs_hausdorff_scans: { plain: 368, gzipped: 148 },
+  nurbs_hausdorff_pictures: { plain: 180, gzipped: 88 },
 };
 
 /** Compares one module with its budget. */

@@ -12,4 +12,5 @@ mod edge_cases;
 mod gaps;
 mod meshes;
 mod pairs;
+mod pictures;
 mod trimmed;

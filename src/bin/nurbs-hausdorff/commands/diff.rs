@@ -8,6 +8,7 @@ use crate::output::progress::Bar;
 use crate::output::report::GAPS_DECIDE;
 use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
+use nurbs_hausdorff::pictures::{PictureOptions, Place, Shown};
 use nurbs_hausdorff::{DiffOptions, DiffResult, Engine, FaceDifference, FaceState};
 use std::fmt::Write;
 
@@ -36,7 +37,7 @@ impl Comparison for Diff<'_> {
         format!("{:?} {allow_skipped} {strict_gaps}", self.options)
     }
 
-    fn compare(&self, a: &Input, b: &Input) -> Result<Answer, Failure> {
+    fn compare(&self, a: &Input, b: &Input) -> Result<(Answer, PictureOptions), Failure> {
         let mut bar = Bar::new();
         let diff = self.engine.diff(&a.prepared, &b.prepared, &self.options);
         let mut result = diff.monitored(&mut bar).wait()?;
@@ -46,7 +47,7 @@ impl Comparison for Diff<'_> {
             (result.state, result.with_gaps) = (FaceState::Undecided, FaceState::Undecided);
         }
         let state = if self.arguments.strict_gaps { result.with_gaps } else { result.state };
-        Ok(Answer {
+        let answer = Answer {
             verdict: match state {
                 FaceState::Unchanged => Verdict::Passed,
                 FaceState::Changed => Verdict::Failed,
@@ -60,7 +61,33 @@ impl Comparison for Diff<'_> {
             seconds: result.seconds.prepare + result.seconds.solve,
             repeatable: !is_timed,
             json: raw(&OfFiles::new(&result, a, b))?,
-        })
+            figures: String::new(),
+        };
+        Ok((answer, self.shown(&result)))
+    }
+}
+
+impl Diff<'_> {
+    /// Both models, with the farthest points of their faces.
+    fn shown(&self, result: &DiffResult) -> PictureOptions {
+        let side = |faces: &[FaceDifference], is_a: bool| {
+            let farthest = faces.iter().max_by(|one, other| one.lower.total_cmp(&other.lower));
+            Shown {
+                uppers: faces.iter().map(|face| face.upper).collect(),
+                farthest: farthest.map(|face| {
+                    let [a, b] = [&face.witness.a, &face.witness.b].map(|at| at.point);
+                    let [point, foot] = if is_a { [a, b] } else { [b, a] };
+                    Place { face: face.face, point, foot }
+                }),
+            }
+        };
+        PictureOptions {
+            allowed: Some(result.limit),
+            a: Some(side(&result.faces_of_a, true)),
+            b: Some(side(&result.faces_of_b, false)),
+            scale_units: self.options.scale_units,
+            transform: self.options.transform,
+        }
     }
 }
 

@@ -8,7 +8,8 @@ use crate::output::progress::Bar;
 use crate::output::report;
 use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
-use nurbs_hausdorff::{Backend, Details, DistanceOptions, DistanceResult, Engine, MethodName};
+use nurbs_hausdorff::pictures::{PictureOptions, Place, Shown};
+use nurbs_hausdorff::{Backend, Details, DistanceOptions, DistanceResult, Engine, MethodName, SurfacePoint};
 
 /// Computes and prints the distance, and returns the exit status.
 pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
@@ -36,7 +37,7 @@ impl Comparison for Distance<'_> {
         format!("{:?} {limit:?} {allow_skipped} {strict_gaps}", self.options)
     }
 
-    fn compare(&self, a: &Input, b: &Input) -> Result<Answer, Failure> {
+    fn compare(&self, a: &Input, b: &Input) -> Result<(Answer, PictureOptions), Failure> {
         let mut bar = Bar::new();
         let distance = self.engine.distance(&a.prepared, &b.prepared, &self.options);
         let mut result = distance.monitored(&mut bar).wait()?;
@@ -54,7 +55,7 @@ impl Comparison for Distance<'_> {
         };
         let gap = if result.gap > 0.0 { format!(", gap {:?}", result.gap) } else { String::new() };
         let seconds = &result.seconds;
-        Ok(Answer {
+        let answer = Answer {
             verdict: match within {
                 Some(true) => Verdict::Passed,
                 Some(false) => Verdict::Failed,
@@ -68,7 +69,30 @@ impl Comparison for Distance<'_> {
             seconds: seconds.prepare + seconds.compile + seconds.solve,
             repeatable: result.converged || limit.is_some() && within.is_some(),
             json: raw(&OfFiles::new(&result, a, b))?,
-        })
+            figures: String::new(),
+        };
+        Ok((answer, self.shown(&result)))
+    }
+}
+
+impl Distance<'_> {
+    /// The models whose points were measured, with the farthest ones.
+    fn shown(&self, result: &DistanceResult) -> PictureOptions {
+        let (forward, reverse) = match (&result.forward, &result.reverse) {
+            (Some(forward), Some(reverse)) => (&**forward, Some(reverse)),
+            _ => (result, None),
+        };
+        let side = |result: &DistanceResult, [from, to]: [&SurfacePoint; 2]| Shown {
+            uppers: vec![result.upper],
+            farthest: Some(Place { face: from.face, point: from.point, foot: to.point }),
+        };
+        PictureOptions {
+            allowed: self.arguments.limit,
+            a: Some(side(forward, [&forward.witness.a, &forward.witness.b])),
+            b: reverse.map(|reverse| side(reverse, [&reverse.witness.b, &reverse.witness.a])),
+            scale_units: self.options.scale_units,
+            transform: self.options.transform,
+        }
     }
 }
 

@@ -7,10 +7,15 @@ use crate::arguments::{Pair, Reporting};
 use crate::failure::Failure;
 use crate::input::{File, Input};
 use crate::output::{json::print_json, print};
-use crate::reports::{Answer, Format, Outcome, Row, Rows, print_report};
+use crate::reports::{Answer, Format, Outcome, Row, Rows, Verdict, figures, print_report};
 use earlier::Earlier;
 use nurbs_hausdorff::Error;
+use nurbs_hausdorff::pictures::PictureOptions;
+use std::cell::Cell;
 use std::path::Path;
+
+/// The largest number of pairs with pictures in one report, which a pair makes some 500 KB longer.
+const MAX_DRAWN: usize = 20;
 
 /// What a command does with a pair.
 pub(crate) trait Comparison {
@@ -20,11 +25,19 @@ pub(crate) trait Comparison {
     /// Everything but the files on which the answer depends.
     fn options(&self) -> String;
 
-    /// Compares two models.
+    /// Compares two models; returns what pictures of them show, too.
     ///
     /// # Errors
     /// Those of the computation.
-    fn compare(&self, a: &Input, b: &Input) -> Result<Answer, Failure>;
+    fn compare(&self, a: &Input, b: &Input) -> Result<(Answer, PictureOptions), Failure>;
+}
+
+/// The pairs of a report that have pictures: those with a section of their own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Drawn {
+    None,
+    NotPassed,
+    All,
 }
 
 /// Compares, prints and returns the exit status.
@@ -33,9 +46,14 @@ pub(crate) trait Comparison {
 /// Those of a pair of files, unless the format has a place for them; of a directory beside a file.
 pub(crate) fn run<C: Comparison>(pair: &Pair, reporting: &Reporting, comparison: &C) -> Result<u8, Failure> {
     let Pair { a, b } = pair;
-    let comparer =
-        Comparer { comparison, earlier: reporting.reuse.as_deref().map(Earlier::new).transpose()? };
     let format = reporting.format();
+    let draws = match format {
+        Format::Html if a.is_dir() => Drawn::NotPassed,
+        Format::Html => Drawn::All,
+        _ => Drawn::None,
+    };
+    let earlier = reporting.reuse.as_deref().map(Earlier::new).transpose()?;
+    let comparer = Comparer { comparison, earlier, draws, drawn: Cell::new(0) };
     let rows = match (a.is_dir(), b.is_dir()) {
         (true, true) => tree::pairs(a, b, reporting.include.as_deref())?
             .into_iter()
@@ -65,6 +83,9 @@ pub(crate) fn run<C: Comparison>(pair: &Pair, reporting: &Reporting, comparison:
 struct Comparer<'a, C> {
     comparison: &'a C,
     earlier: Option<Earlier>,
+    draws: Drawn,
+    /// The number of pairs with pictures so far.
+    drawn: Cell<usize>,
 }
 
 impl<C: Comparison> Comparer<'_, C> {
@@ -82,15 +103,31 @@ impl<C: Comparison> Comparer<'_, C> {
 
     fn answer(&self, a: &Path, b: &Path) -> Result<Answer, Failure> {
         let (a, b) = (File::open(a)?, File::open(b)?);
-        let Some(earlier) = &self.earlier else {
-            return self.comparison.compare(&a.read()?, &b.read()?);
+        let draws = if self.drawn.get() < MAX_DRAWN { self.draws } else { Drawn::None };
+        let options = format!("{} {draws:?}", self.comparison.options());
+        let key = earlier::key(C::NAME, &options, [&a, &b]);
+        let known = self.earlier.as_ref().and_then(|earlier| earlier.find(&key));
+        let answer = match known {
+            Some(answer) => answer,
+            None => {
+                let answer = self.computed(&a.read()?, &b.read()?, draws)?;
+                if let Some(earlier) = &self.earlier {
+                    earlier.keep(&key, &answer)?;
+                }
+                answer
+            }
         };
-        let key = earlier::key(C::NAME, &self.comparison.options(), [&a, &b]);
-        if let Some(answer) = earlier.find(&key) {
-            return Ok(answer);
+        if !answer.figures.is_empty() {
+            self.drawn.set(self.drawn.get() + 1);
         }
-        let answer = self.comparison.compare(&a.read()?, &b.read()?)?;
-        earlier.keep(&key, &answer)?;
+        Ok(answer)
+    }
+
+    fn computed(&self, a: &Input, b: &Input, draws: Drawn) -> Result<Answer, Failure> {
+        let (mut answer, shown) = self.comparison.compare(a, b)?;
+        if draws == Drawn::All || draws == Drawn::NotPassed && answer.verdict != Verdict::Passed {
+            answer.figures = figures(a, b, &shown)?;
+        }
         Ok(answer)
     }
 }

@@ -47,4 +47,7 @@ pub(crate) struct Answer {
     pub(crate) repeatable: bool,
     /// What `--format json` prints.
     pub(crate) json: Box<RawValue>,
+    /// The pictures of the page for browsers, as HTML; empty without any.
+    #[serde(default)]
+    pub(crate) figures: String,
 }

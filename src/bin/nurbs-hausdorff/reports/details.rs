@@ -9,6 +9,9 @@ use std::fmt::Write;
 /// The largest number of faces of one pair in the report; JSON has all.
 const MAX_FACES: usize = 200;
 
+/// What a section without pictures says.
+const NO_PICTURES: &str = "The sections before this one have pictures; there are no more in one report.";
+
 /// Both models, as JSON names them and as people read them.
 const SIDES: [(&str, &str); 2] = [("a", "A"), ("b", "B")];
 
@@ -34,6 +37,10 @@ pub(super) fn section(text: &mut String, row: &Row) {
     }
     text.push_str("</dl>\n");
     files(text, &found);
+    text.push_str(&answer.figures);
+    if answer.figures.is_empty() {
+        let _ = writeln!(text, "<p>{NO_PICTURES}</p>");
+    }
     text.push_str(&histogram(&upper_ends(&found), answer.limit));
     faces(text, &found);
     text.push_str("</section>\n");

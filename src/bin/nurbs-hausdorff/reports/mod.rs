@@ -2,6 +2,7 @@
 
 mod answer;
 mod details;
+mod figures;
 mod histogram;
 mod html;
 mod junit;
@@ -10,6 +11,7 @@ mod rows;
 mod text;
 
 pub(crate) use answer::{Answer, Verdict};
+pub(crate) use figures::figures;
 pub(crate) use rows::{Outcome, Row, Rows};
 
 use crate::failure::Failure;

@@ -8,6 +8,7 @@ import { Progress } from "../output/progress.js";
 import { GAPS_DECIDE } from "../output/report.js";
 import { comparePairs } from "../pairs/pairs.js";
 import type { Verdict } from "../reports/answer.js";
+import type { Shown, ShownModel } from "../reports/figures.js";
 import { libraryOptions } from "./library-options.js";
 
 /** The largest number of faces of one model and state that the table lists; JSON has all. */
@@ -38,7 +39,7 @@ export async function diff(values: Invocation["values"]): Promise<number> {
       const shown = { ...result, state, withGaps };
       const word = isStrict ? withGaps : state;
       const isTimed = options.maxSeconds !== undefined && result.state === "undecided";
-      return {
+      const answer = {
         verdict: VERDICTS[word],
         limit: shown.limit,
         word,
@@ -49,8 +50,35 @@ export async function diff(values: Invocation["values"]): Promise<number> {
         repeatable: !isTimed,
         json: ofFiles(shown, a, b),
       };
+      return { answer, shown: picturesOf(result, options) };
     },
   });
+}
+
+/** Both models, with the farthest points of their faces. */
+function picturesOf(result: DiffResult, { transform }: DiffOptions): Shown {
+  const side = (
+    faces: FaceDifference[],
+    [from, to]: readonly ["a" | "b", "a" | "b"],
+  ): ShownModel => {
+    const inOrder = [...faces].sort((one, other) => one.face - other.face);
+    // Of equal ones the last, as the native command takes.
+    const largest = inOrder.reduce<FaceDifference | undefined>(
+      (one, other) => (one !== undefined && one.lower > other.lower ? one : other),
+      undefined,
+    );
+    const point = largest?.witness[from].point;
+    const foot = largest?.witness[to].point;
+    const known = largest !== undefined && point !== undefined && foot !== undefined;
+    return {
+      uppers: inOrder.map(({ upper }) => upper),
+      farthest: known ? { face: largest.face, point, foot } : undefined,
+    };
+  };
+  return {
+    ...{ allowed: result.limit, transform },
+    ...{ a: side(result.facesOfA, ["a", "b"]), b: side(result.facesOfB, ["b", "a"]) },
+  };
 }
 
 /** Ends a line with a verdict that does not hold for every reading of the files. */

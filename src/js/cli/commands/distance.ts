@@ -9,6 +9,7 @@ import { Progress } from "../output/progress.js";
 import { text } from "../output/report.js";
 import { comparePairs } from "../pairs/pairs.js";
 import type { Answer } from "../reports/answer.js";
+import type { Shown, ShownModel } from "../reports/figures.js";
 import { libraryOptions } from "./library-options.js";
 
 type Values = Invocation["values"];
@@ -39,7 +40,7 @@ export async function distance(values: Values): Promise<number> {
           ? result.withGaps.within
           : verdict(result, limit);
       const { prepare, compile, solve } = result.seconds;
-      return {
+      const answer = {
         ...(limit === undefined ? COMPUTED : judgement(within)),
         limit,
         summary: summary(result),
@@ -49,8 +50,26 @@ export async function distance(values: Values): Promise<number> {
         repeatable: result.converged || (limit !== undefined && within !== undefined),
         json: ofFiles(withoutDeviations(result), a, b),
       };
+      return { answer, shown: shown(result, options) };
     },
   });
+}
+
+/** The models whose points were measured, with the farthest ones. */
+function shown(result: DistanceResult, options: DistanceOptions): Shown {
+  const { limit: allowed, transform } = options;
+  const { forward = result, reverse } = result;
+  const side = (
+    { upper, witness }: DistanceResult,
+    [from, to]: readonly ["a" | "b", "a" | "b"],
+  ): ShownModel => {
+    const { face, point } = witness[from];
+    return { uppers: [upper], farthest: { face, point, foot: witness[to].point } };
+  };
+  return {
+    ...{ allowed, transform, a: side(forward, ["a", "b"]) },
+    ...(reverse === undefined ? {} : { b: side(reverse, ["b", "a"]) }),
+  };
 }
 
 /** The judgement of a distance without a limit. */

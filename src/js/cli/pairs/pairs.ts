@@ -5,6 +5,7 @@ import { type Input, ModelFile } from "../files.js";
 import { printJson } from "../output/json.js";
 import { print } from "../output/output.js";
 import { type Answer, STATUSES } from "../reports/answer.js";
+import { figures, type Shown } from "../reports/figures.js";
 import { type Format, isReport, printReport } from "../reports/report.js";
 import type { Outcome } from "../reports/rows.js";
 import { Earlier } from "./earlier.js";
@@ -15,8 +16,14 @@ export interface Comparison {
   command: string;
   /** Everything but the files on which the answer depends. */
   options: object;
-  compare(a: Input, b: Input): Promise<Answer>;
+  compare(a: Input, b: Input): Promise<{ answer: Omit<Answer, "figures">; shown: Shown }>;
 }
+
+/** The pairs of a report that have pictures: those with a section of their own. */
+type Drawn = "none" | "not-passed" | "all";
+
+/** The largest number of pairs with pictures in one report, which a pair makes some 500 KB longer. */
+const MAX_DRAWN = 20;
 
 /** The terms of what the caller states of the comparison, and the options that state it. */
 const FIELDS = [
@@ -31,8 +38,9 @@ export async function comparePairs(
 ): Promise<number> {
   const [a, b] = [String(values.get("a")), String(values.get("b"))];
   const format = formatOf(values);
-  const comparer = new Comparer(comparison, values.get("reuse") as string | undefined);
   const directories = [a, b].filter(isDirectory).length;
+  const draws = format !== "html" ? "none" : directories === 0 ? "all" : "not-passed";
+  const comparer = new Comparer(comparison, draws, values.get("reuse") as string | undefined);
   if (directories === 1) {
     throw new HausdorffError("OPTION_INVALID", `${a} and ${b} are a directory and a file`);
   }
@@ -65,9 +73,13 @@ const isDirectory = (path: string): boolean =>
 class Comparer {
   readonly #comparison: Comparison;
   readonly #earlier: Earlier | undefined;
+  readonly #draws: Drawn;
+  /** The number of pairs with pictures so far. */
+  #drawn = 0;
 
-  constructor(comparison: Comparison, folder: string | undefined) {
+  constructor(comparison: Comparison, draws: Drawn, folder: string | undefined) {
     this.#comparison = comparison;
+    this.#draws = draws;
     this.#earlier = folder === undefined ? undefined : new Earlier(folder);
   }
 
@@ -85,13 +97,20 @@ class Comparer {
   async answer(pathA: string, pathB: string): Promise<Answer> {
     const [fileA, fileB] = [await ModelFile.open(pathA), await ModelFile.open(pathB)];
     const { command, options } = this.#comparison;
-    const key = Earlier.key(command, options, [fileA.source, fileB.source]);
+    const draws = this.#drawn < MAX_DRAWN ? this.#draws : "none";
+    const key = Earlier.key(command, { ...options, draws }, [fileA.source, fileB.source]);
     const earlier = this.#earlier?.find(key);
-    if (earlier !== undefined) return earlier;
+    const answer = earlier ?? (await this.#computed(fileA, fileB, draws));
+    if (earlier === undefined) this.#earlier?.keep(key, answer);
+    if (answer.figures !== "") this.#drawn += 1;
+    return answer;
+  }
+
+  async #computed(fileA: ModelFile, fileB: ModelFile, draws: Drawn): Promise<Answer> {
     using a = await fileA.read();
     using b = await fileB.read();
-    const answer = await this.#comparison.compare(a, b);
-    this.#earlier?.keep(key, answer);
-    return answer;
+    const { answer, shown } = await this.#comparison.compare(a, b);
+    const isDrawn = draws === "all" || (draws === "not-passed" && answer.verdict !== "passed");
+    return { ...answer, figures: isDrawn ? await figures(a, b, shown) : "" };
   }
 }

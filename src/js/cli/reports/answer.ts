@@ -25,4 +25,6 @@ export interface Answer {
   repeatable: boolean;
   /** What `--format json` prints. */
   json: object;
+  /** The pictures of the page for browsers, as HTML; empty without any. */
+  figures: string;
 }

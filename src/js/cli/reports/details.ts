@@ -7,6 +7,9 @@ import type { Row } from "./rows.js";
 /** The largest number of faces of one pair in the report; JSON has all. */
 const MAX_FACES = 200;
 
+/** What a section without pictures says. */
+const NO_PICTURES = "The sections before this one have pictures; there are no more in one report.";
+
 /** What the report takes of an answer's JSON: that of a distance, or of a comparison face by face. */
 interface Found {
   files?: Record<Side, { path: string; sha256: string }>;
@@ -49,6 +52,7 @@ export function details(row: Row): string[] {
     ...terms(answer, found).map(([term, text]) => `<dt>${term}</dt><dd>${escapeXml(text)}</dd>`),
     "</dl>",
     ...files(found),
+    answer.figures || `<p>${NO_PICTURES}</p>`,
     ...histogram(upperEnds(found), answer.limit),
     ...faces(found),
     "</section>",

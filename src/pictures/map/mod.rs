@@ -1,0 +1,92 @@
+//! The map of deviations: triangles of a model with the deviation at each vertex, as the page makes
+//! it (`www/src/worker/map`). Between the vertices it is linear: an estimate.
+//!
+//! A [`MapBuilder`] says which points it needs; who has the models measures them.
+
+mod base;
+mod builder;
+mod placing;
+mod refine;
+mod triangles;
+mod witness;
+
+use crate::engine::Signs;
+use glam::DVec3;
+
+pub(crate) use base::Surface;
+pub(crate) use builder::MapBuilder;
+pub(crate) use placing::Placing;
+
+/// The deviation that the map resolves, in diagonals: its vertices are in float32.
+pub(crate) const FLOOR: f64 = 5e-7;
+
+/// A vertex.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Vertex {
+    /// Where it is drawn, in the coordinates of a result.
+    pub(crate) position: DVec3,
+    /// The point of the model that is measured for it.
+    pub(crate) point: DVec3,
+    /// The normal of the surface; 0 for a mesh, which has those of its triangles.
+    pub(crate) normal: DVec3,
+}
+
+/// The triangles of a model.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Triangles {
+    pub(crate) corners: Vec<[u32; 3]>,
+    /// The face of each.
+    pub(crate) faces: Vec<u32>,
+}
+
+/// A map; without triangles its vertices are the points of a cloud.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Map {
+    pub(crate) vertices: Vec<Vertex>,
+    /// The signed deviation, NaN without a sign, and the distance of each vertex.
+    pub(crate) values: Vec<[f64; 2]>,
+    pub(crate) triangles: Triangles,
+    pub(crate) signs: Signs,
+}
+
+impl Map {
+    /// Limits the distances to bounds of the whole model or of each face, which they may exceed by the
+    /// errors of vertices that are not on the model and of searches.
+    pub(super) fn limit(&mut self, uppers: &[f64]) {
+        let mut own = vec![f64::INFINITY; self.vertices.len()];
+        match uppers {
+            [] => return,
+            [upper] => own.fill(*upper),
+            _ => {
+                own.fill(f64::NEG_INFINITY);
+                for (corners, &face) in self.triangles.corners.iter().zip(&self.triangles.faces) {
+                    let upper = uppers.get(face as usize).copied().unwrap_or(f64::INFINITY);
+                    for &corner in corners {
+                        own[corner as usize] = own[corner as usize].max(upper);
+                    }
+                }
+            }
+        }
+        for ([signed, distance], upper) in self.values.iter_mut().zip(own) {
+            if *distance > upper && upper >= 0.0 {
+                (*signed, *distance) = (with_sign(upper, *signed), upper);
+            }
+        }
+    }
+
+    /// Returns the vertex of the largest distance, the first of equal ones.
+    pub(super) fn worst(&self) -> Option<usize> {
+        let mut worst: Option<usize> = None;
+        for (index, [_, distance]) in self.values.iter().enumerate() {
+            if worst.is_none_or(|worst| *distance > self.values[worst][1]) {
+                worst = Some(index);
+            }
+        }
+        worst
+    }
+}
+
+/// Returns a distance with the sign of a deviation; NaN if that has none.
+fn with_sign(distance: f64, signed: f64) -> f64 {
+    if signed.is_nan() { f64::NAN } else { distance.copysign(signed) }
+}

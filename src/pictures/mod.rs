@@ -1,0 +1,112 @@
+//! Pictures of deviations, for reports that are printed or sent: each model in the colours of its
+//! deviations from the other one, seen from fixed directions and at the worst place.
+//!
+//! The colours, the legend and the texts are those of the page. Between measured points they are
+//! estimates; the farthest point that a search found is one of them, so that the pictures show its
+//! distance, and is marked.
+//!
+//! ```
+//! use nurbs_hausdorff::pictures::{PictureOptions, Shown, pictures};
+//! use nurbs_hausdorff::{PreparedModel, shapes};
+//!
+//! let [a, b] = [shapes::shape("sphere")?, shapes::shape("torus")?].map(|model| PreparedModel::new(&model));
+//! let options = PictureOptions { a: Some(Shown::default()), ..PictureOptions::default() };
+//! // The caller compresses: here nothing does.
+//! let shown = pictures(&a?, &b?, &options, |bytes| nurbs_hausdorff::Result::Ok(bytes.to_vec()))?;
+//! assert_eq!(shown.figures[0].pictures.len(), 2);
+//! # nurbs_hausdorff::Result::Ok(())
+//! ```
+
+mod camera;
+mod draw;
+mod legend;
+mod map;
+mod mark;
+#[cfg(not(target_arch = "wasm32"))]
+mod models;
+mod numbers;
+mod png;
+mod raster;
+mod scale;
+mod views;
+
+use crate::model::RigidTransform;
+#[cfg(target_arch = "wasm32")]
+pub(crate) use draw::{Drawn, draw};
+#[cfg(target_arch = "wasm32")]
+pub(crate) use map::{Map, MapBuilder, Placing, Surface};
+#[cfg(not(target_arch = "wasm32"))]
+pub use models::pictures;
+use serde::Deserialize;
+
+/// What is known of a model that is shown, and shown with it.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Shown {
+    /// A known upper bound on the distance of all its points from the other model, or one for each
+    /// face: no deviation shown exceeds it.
+    pub uppers: Vec<f64>,
+    /// The farthest point found.
+    pub farthest: Option<Place>,
+}
+
+/// A point of a model with its nearest point on the other one, both in the coordinates of a result.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Place {
+    /// Index of the face that has the point.
+    pub face: usize,
+    /// The point.
+    pub point: [f64; 3],
+    /// Its nearest point.
+    pub foot: [f64; 3],
+}
+
+/// What pictures show of two models.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PictureOptions {
+    /// The deviation that is allowed, which has a colour and a tick of its own.
+    pub allowed: Option<f64>,
+    /// Whether A is shown, in the colours of its deviations from B.
+    pub a: Option<Shown>,
+    /// The same of B.
+    pub b: Option<Shown>,
+    /// Whether B is scaled to the unit of A where both state different ones; else they are an error.
+    pub scale_units: bool,
+    /// Moves A before it is measured.
+    pub transform: RigidTransform,
+}
+
+/// The pictures of a comparison.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Pictures {
+    /// The pictures in groups that belong together.
+    pub figures: Vec<Figure>,
+    /// The legend of the colours of all: an element of SVG.
+    pub legend: String,
+}
+
+/// Pictures that belong together.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Figure {
+    /// What is shown.
+    pub caption: String,
+    /// The pictures.
+    pub pictures: Vec<Picture>,
+}
+
+/// A picture.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Picture {
+    /// What is seen, for those who do not see it.
+    pub alt: String,
+    /// Width and height in pixels.
+    pub size: [usize; 2],
+    /// Where the ring around the worst place is, in pixels from the left and from above, if it is there.
+    pub mark: Option<[f64; 2]>,
+    /// The file, PNG.
+    pub png: Vec<u8>,
+}
