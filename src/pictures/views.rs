@@ -72,14 +72,15 @@ impl Scene<'_> {
         }
         let [(_, one), (_, other)] = OVERVIEWS;
         let mut caption = format!("{what}{}, seen {one}, and {other}", self.sign_text());
-        if self.is_worst {
+        let worst = self.worst();
+        if worst.is_some() {
             caption += ". The ring marks the worst place";
         }
         if !hidden.is_empty() {
             caption += &format!(", which is behind the surface seen {}", hidden.join(", and "));
         }
         let mut figures = vec![Figure { caption, pictures }];
-        if let Some((worst, caption)) = self.worst() {
+        if let Some((worst, caption)) = worst {
             let camera = self.approach(worst);
             let alt = format!("{what}, the worst place seen from near");
             let (picture, _) = self.picture(&camera, alt, deflate)?;

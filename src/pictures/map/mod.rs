@@ -47,6 +47,9 @@ pub(crate) struct Map {
     pub(crate) values: Vec<[f64; 2]>,
     pub(crate) triangles: Triangles,
     pub(crate) signs: Signs,
+    /// The vertex of the farthest point that a search found, and how much farther another one must be to be
+    /// the worst.
+    pub(super) farthest: Option<(usize, f64)>,
 }
 
 impl Map {
@@ -74,7 +77,8 @@ impl Map {
         }
     }
 
-    /// Returns the vertex of the largest distance, the first of equal ones.
+    /// Returns the vertex of the largest distance: that of the search, unless another one is certainly
+    /// farther, as where a limit ended the search; else the first of equal ones.
     pub(super) fn worst(&self) -> Option<usize> {
         let mut worst: Option<usize> = None;
         for (index, [_, distance]) in self.values.iter().enumerate() {
@@ -82,7 +86,10 @@ impl Map {
                 worst = Some(index);
             }
         }
-        worst
+        let of_search = self.farthest.filter(|&(farthest, slack)| {
+            worst.is_some_and(|worst| self.values[farthest][1] + slack >= self.values[worst][1])
+        });
+        of_search.map(|(farthest, _)| farthest).or(worst)
     }
 }
 

@@ -8,8 +8,9 @@ use glam::DVec3;
 const SAME: f64 = 1e-9;
 
 impl Map {
-    /// Makes a point a vertex, within the nearest triangle of its face.
-    pub(super) fn add_farthest(&mut self, Place { face, point, foot }: Place) {
+    /// Makes a point a vertex, within the nearest triangle of its face, and the worst one, unless another is
+    /// farther by `slack`.
+    pub(super) fn add_farthest(&mut self, Place { face, point, foot }: Place, slack: f64) {
         let [point, foot] = [point, foot].map(DVec3::from_array);
         let distance = point.distance(foot);
         let Some((corners, nearest)) = self.nearest(face, point) else { return };
@@ -21,6 +22,7 @@ impl Map {
         let value = [with_sign(distance, signed), distance];
         if apart(closest) <= SAME * distance {
             self.values[closest as usize] = value;
+            self.farthest = Some((closest as usize, slack));
             return;
         }
         let Some(triangle) = nearest else { return };
@@ -28,6 +30,7 @@ impl Map {
         let Vertex { normal, .. } = self.vertices[closest as usize];
         self.vertices.push(Vertex { position: point, point, normal });
         self.values.push(value);
+        self.farthest = Some((added as usize, slack));
         let [a, b, c] = corners;
         self.triangles.corners[triangle] = [a, b, added];
         self.triangles.corners.extend([[b, c, added], [c, a, added]]);
