@@ -27,9 +27,16 @@ test("what is allowed is asked for on the first screen, below the files", async 
   assert.equal(await page.evaluate(() => document.getElementById("panel").scrollTop), 0);
 });
 
-test("a view is added and the report opened without unfolding anything", async () => {
-  await page.getByRole("button", { name: "Add this view" }).click();
+test("a view is added beside the view, which says so, and the report opened without unfolding anything", async () => {
+  const add = await page.getByRole("button", { name: "Add to report" }).boundingBox();
+  const next = await page.getByRole("button", { name: "Next place" }).boundingBox();
+  assert.ok(Math.abs(add.y - next.y) < next.height, "in one row with the way to the worst place");
+  await page.getByText("with what is seen now").waitFor();
+  await page.getByRole("button", { name: "Add to report" }).click();
+  await page.getByRole("button", { name: "Add to report (1)" }).waitFor();
   await page.getByText("1 view in the report").waitFor();
+  const { y, height } = await page.getByRole("button", { name: "Open the report" }).boundingBox();
+  assert.ok(0 <= y && y + height <= page.viewportSize().height, `the panel shows the report: ${y}`);
   const [report] = await Promise.all([
     page.waitForEvent("popup"),
     page.getByRole("button", { name: "Open the report" }).click(),

@@ -86,8 +86,8 @@ async function walk() {
   await person.wait(LOOK);
   await step("go to the worst place, look", { name: "worst-place" });
 
-  await person.click(button("Add this view"));
-  await page.getByText(/1 view/).waitFor();
+  await person.click(button("Add to report"));
+  await button("Add to report (1)").waitFor();
   await step("add the view to the report", { name: "view-added" });
 
   const [report] = await Promise.all([

@@ -16,6 +16,10 @@ export interface ReportView {
   section: string | undefined;
 }
 
+/** What the report shows without a view, and what its button says: those of the page. */
+const NONE = element("view-count").textContent;
+const ADD = element("add-view").textContent;
+
 export class Views {
   readonly #view: View;
   readonly #canvas: HTMLCanvasElement;
@@ -36,6 +40,9 @@ export class Views {
     const view = await this.take("");
     this.#chosen = [...this.#chosen, { ...view, title: `View ${this.#chosen.length + 1}` }];
     this.#show();
+    // What is done with the report; of a sheet, which is folded, the verdict stays in sight.
+    const isSheet = element("sheet").offsetParent !== null;
+    if (!isSheet) element("export").scrollIntoView({ block: "nearest" });
   }
 
   clear(): void {
@@ -59,6 +66,8 @@ export class Views {
   #show(): void {
     const { length } = this.#chosen;
     element("view-count").textContent =
-      length === 0 ? "" : `${length} ${length === 1 ? "view" : "views"} in the report`;
+      length === 0 ? NONE : `${length} ${length === 1 ? "view" : "views"} in the report`;
+    // The panel may be elsewhere.
+    element("add-view").textContent = length === 0 ? ADD : `${ADD} (${length})`;
   }
 }
