@@ -1,7 +1,7 @@
 //! The pictures of two models, which are measured here.
 
 use super::draw::{Drawn, draw};
-use super::map::{Map, MapBuilder, Placing, Surface};
+use super::map::{FLOOR, Map, MapBuilder, Placing, Surface};
 use super::{PictureOptions, Pictures, Shown};
 use crate::engine::{ClosestPointOptions, Engine, PreparedModel, Signs};
 use crate::error::{Error, Result};
@@ -62,7 +62,14 @@ fn map(
     };
     let mut builder = MapBuilder::new(&surface, shown, placing, diagonal);
     let (engine, mut signs) = (Engine::cpu(), Signs::default());
-    let options = ClosestPointOptions { relative_tolerance: Some(EXCESS), ..ClosestPointOptions::default() };
+    // Deviations without a colour need no sign.
+    let unit = if placing.is_of_a { placing.scale } else { 1.0 };
+    let sign_tolerance = FLOOR * diagonal / unit;
+    let options = ClosestPointOptions {
+        relative_tolerance: Some(EXCESS),
+        sign_tolerance,
+        ..ClosestPointOptions::default()
+    };
     loop {
         let points = builder.pending();
         if points.is_empty() {

@@ -14,6 +14,9 @@ const FLATNESS = 1e-3;
 /** The permitted excess of a distance, in diagonals: a tenth of the least deviation that has a colour. */
 const EXCESS = 5e-8;
 
+/** The deviation, in diagonals, up to which there is no colour, and no sign is needed. */
+const FLOOR = 5e-7;
+
 /** What is known of a model that is shown, and shown with it. */
 export interface ShownModel {
   /** An upper bound on the distance of all its points, or one for each face. */
@@ -92,9 +95,11 @@ async function mapOf(
         ...([scale, diagonal, shown] as const),
       ),
   );
+  const signTolerance = (FLOOR * diagonal) / (side === "a" ? scale : 1);
+  const options = { relativeTolerance: EXCESS, signTolerance };
   let isSolid = false;
   for (let points = map.pending(); points.length > 0; points = map.pending()) {
-    const found = await hd.closestPoints(other, points, { relativeTolerance: EXCESS });
+    const found = await hd.closestPoints(other, points, options);
     isSolid = found.signs === "solid";
     map.measured(found.signed, found.distances);
   }
