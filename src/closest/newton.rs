@@ -26,6 +26,13 @@ const MAX_GAIN_FACTOR: f64 = 2.0;
 /// near a degenerate edge, where one step hardly predicts the next.
 const SKEWED_RATIO: f64 = 1e-3;
 
+/// The part of the squared distance that a step off a saddle is predicted to save at least: less is not worth its
+/// evaluations.
+const MIN_SADDLE_DECREASE: f64 = 1e-6;
+
+/// The least squared sine between the tangents with which Gauss and Newton's step is taken.
+const MIN_SINE_SQUARED: f64 = 1e-6;
+
 /// The largest number of halvings of a step.
 pub(crate) const MAX_HALVINGS: u32 = 8;
 
@@ -43,11 +50,12 @@ const DEGENERATE_RATIO: f64 = 1e-14;
 /// the distance falls. At most `iterations` steps, each O(p q).
 #[must_use]
 pub fn newton(patch: &Patch<'_>, target: DVec3, start: [f64; 2], iterations: u32) -> Foot {
-    newton_below(patch, target, start, iterations, f64::INFINITY).0
+    descend(patch, target, start, iterations, f64::INFINITY, false).0
 }
 
-/// Minimises as [`newton`] does, and stops once even [`MAX_GAIN_FACTOR`] times the
-/// predicted decrease would leave the squared distance above `threshold`.
+/// Minimises as [`newton`] does but leaves saddles ([`step_off_saddle`]), and stops once even
+/// [`MAX_GAIN_FACTOR`] times the decrease predicted by a convex model would leave the squared distance above
+/// `threshold`.
 ///
 /// Also returns the squared distance that further steps are not expected to go
 /// below, an estimate and no bound.
@@ -58,6 +66,18 @@ pub(crate) fn newton_below(
     iterations: u32,
     threshold: f64,
 ) -> (Foot, f64) {
+    descend(patch, target, start, iterations, threshold, true)
+}
+
+/// The iteration, with or without steps off saddles.
+fn descend(
+    patch: &Patch<'_>,
+    target: DVec3,
+    start: [f64; 2],
+    iterations: u32,
+    threshold: f64,
+    leaves_saddles: bool,
+) -> (Foot, f64) {
     let mut at = start;
     let mut jet = patch.jet(at);
     let mut value = jet.point.distance_squared(target);
@@ -65,16 +85,37 @@ pub(crate) fn newton_below(
         let residual = jet.point - target;
         let gradient = [residual.dot(jet.s), residual.dot(jet.t)];
         let free = [0, 1].map(|axis| !pushes_out(at[axis], gradient[axis]));
+        let second = second_derivatives(&jet, residual);
+        let mut off_saddle = None;
         if is_stationary(&jet, residual, gradient, free) {
-            return (Foot { parameters: at, distance_squared: value, status: settled(free) }, value);
+            off_saddle = if leaves_saddles { step_off_saddle(at, gradient, &second, value) } else { None };
+            if off_saddle.is_none() {
+                return (Foot { parameters: at, distance_squared: value, status: settled(free) }, value);
+            }
         }
-        let hessian = hessian(&jet, residual);
-        let full = step(at, gradient, &hessian, free);
+        // Where the distance is concave, the absolute values of the diagonal give a descent direction and a step of a
+        // sensible length, and predict nothing.
+        let is_convex = second[0] > 0.0 && second[0] * second[2] > second[1] * second[1];
+        let hessian = if is_convex {
+            second
+        } else if leaves_saddles
+            && jet.s.cross(jet.t).length_squared()
+                > MIN_SINE_SQUARED * jet.s.length_squared() * jet.t.length_squared()
+        {
+            [jet.s.dot(jet.s), jet.s.dot(jet.t), jet.t.dot(jet.t)]
+        } else {
+            [second[0].abs(), 0.0, second[2].abs()]
+        };
+        let full = off_saddle.unwrap_or_else(|| step(at, gradient, &hessian, free));
         let decrease = (gradient[0] * full[0] + gradient[1] * full[1]).abs();
         let skewed = SKEWED_RATIO * hessian[0].max(hessian[2]);
         let balanced = (0..2).all(|axis| !free[axis] || hessian[2 * axis] > skewed);
+        // A parameter at an edge that the step would set free may save more.
+        let stays_frozen = (0..2).all(|axis| {
+            free[axis] || pushes_out(at[axis], gradient[axis] + MAX_GAIN_FACTOR * second[1] * full[1 - axis])
+        });
         let expected = value - MAX_GAIN_FACTOR * decrease;
-        if balanced && expected > threshold {
+        if is_convex && balanced && stays_frozen && expected > threshold {
             return (
                 Foot { parameters: at, distance_squared: value, status: Status::IterationLimit },
                 expected,
@@ -92,8 +133,9 @@ pub(crate) fn newton_below(
             }
             halvings += 1;
             // A shorter step would not decrease it by more than rounding either.
-            let stalled = decrease <= STALLED_DECREASE * value;
+            let stalled = off_saddle.is_none() && decrease <= STALLED_DECREASE * value;
             if stalled || halvings > MAX_HALVINGS {
+                let stalled = stalled || off_saddle.is_some();
                 let status = if stalled { settled(free) } else { Status::IterationLimit };
                 let expected = if stalled { value } else { f64::NEG_INFINITY };
                 return (Foot { parameters: at, distance_squared: value, status }, expected);
@@ -123,14 +165,49 @@ fn is_stationary(jet: &Jet, residual: DVec3, gradient: [f64; 2], free: [bool; 2]
     (0..2).all(|axis| !(free[axis] && gradient[axis].abs() > tangents[axis] * threshold))
 }
 
-/// Returns the Hessian `[ss, st, tt]` of ½|S - target|² if it is positive
-/// definite, else the absolute values of its diagonal alone: where the distance
-/// is concave, that gives a descent direction and a step of a sensible length.
-fn hessian(jet: &Jet, residual: DVec3) -> [f64; 3] {
-    let ss = jet.s.dot(jet.s) + residual.dot(jet.ss);
-    let st = jet.s.dot(jet.t) + residual.dot(jet.st);
-    let tt = jet.t.dot(jet.t) + residual.dot(jet.tt);
-    if ss > 0.0 && ss * tt > st * st { [ss, st, tt] } else { [ss.abs(), 0.0, tt.abs()] }
+/// Returns the second derivatives `[ss, st, tt]` of ½|S - target|².
+fn second_derivatives(jet: &Jet, residual: DVec3) -> [f64; 3] {
+    [
+        jet.s.dot(jet.s) + residual.dot(jet.ss),
+        jet.s.dot(jet.t) + residual.dot(jet.st),
+        jet.t.dot(jet.t) + residual.dot(jet.tt),
+    ]
+}
+
+/// Returns a step along which the second derivatives at a stationary point let the squared distance fall, by more
+/// than rounding; `None` at minima.
+///
+/// It leads along the axis along which the distance is the more concave, with the best step of the other one, half as
+/// far as the patch goes on. Where a derivative vanishes at a corner, the corner is stationary for targets far from it.
+fn step_off_saddle(
+    at: [f64; 2],
+    gradient: [f64; 2],
+    &[ss, st, tt]: &[f64; 3],
+    value: f64,
+) -> Option<[f64; 2]> {
+    let towards = if ss <= tt { [1.0, slope(st, tt)] } else { [slope(st, ss), 1.0] };
+    let [x, y] = towards;
+    let curvature = ss * x * x + 2.0 * st * x * y + tt * y * y;
+    if curvature >= 0.0 {
+        return None;
+    }
+    let room = |sign: f64| {
+        let along = |axis: usize| {
+            let direction = sign * towards[axis];
+            let rest = if direction > 0.0 { 1.0 - at[axis] } else { at[axis] };
+            if direction == 0.0 { f64::INFINITY } else { rest / direction.abs() }
+        };
+        along(0).min(along(1))
+    };
+    let length = if room(1.0) >= room(-1.0) { 0.5 * room(1.0) } else { -0.5 * room(-1.0) };
+    let linear = length * (gradient[0] * x + gradient[1] * y);
+    let predicted = linear + 0.5 * curvature * length * length;
+    (predicted < -MIN_SADDLE_DECREASE * value).then_some(towards.map(|share| share * length))
+}
+
+/// The step of a parameter with this second derivative for one of the other one, with which the distance is least.
+fn slope(mixed: f64, own: f64) -> f64 {
+    if own > 0.0 { -mixed / own } else { 0.0 }
 }
 
 /// Returns the step to the minimum of the quadratic model inside the patch; a
@@ -163,4 +240,78 @@ fn step(at: [f64; 2], gradient: [f64; 2], hessian: &[f64; 3], free: [bool; 2]) -
         }
     }
     full
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::closest::nearest_control;
+    use crate::param_box::ParamBox;
+    use glam::DVec4;
+
+    /// The part of a plane between a curve and a line, by which no derivative leads along the line from its end.
+    const BETWEEN: [[f64; 2]; 6] =
+        [[0.0, 76.0], [45.0, 76.0], [67.0, 36.0], [76.0, 76.0], [76.0, 76.0], [76.0, 36.0]];
+
+    const ITERATIONS: u32 = 16;
+
+    fn with_patch<T>(then: impl Fn(&Patch<'_>) -> T) -> T {
+        let controls = BETWEEN.map(|[x, y]| DVec4::new(x, y, 0.0, 1.0));
+        then(&Patch {
+            surface: 0,
+            degree: [1, 2],
+            domain: ParamBox::UNIT,
+            center: DVec3::ZERO,
+            controls: &controls,
+            rational: false,
+        })
+    }
+
+    /// Points of the patch within its parameters.
+    fn targets(patch: &Patch<'_>) -> Vec<DVec3> {
+        let at = |step: usize| (step as f64 + 0.5) / 20.0;
+        (0..400).map(|index| patch.point([at(index / 20), at(index % 20)])).collect()
+    }
+
+    /// The corner where a derivative vanishes is stationary for the targets beside it; from there and from the
+    /// control point nearest to a target every target is reached.
+    #[test]
+    fn saddles_are_left() {
+        with_patch(|patch| {
+            let corner = [1.0, 0.0];
+            let mut stuck = 0;
+            for target in targets(patch) {
+                for start in [nearest_control(patch, target), corner] {
+                    stuck += usize::from(newton(patch, target, start, ITERATIONS).distance_squared > 1.0);
+                    let (foot, _) = newton_below(patch, target, start, ITERATIONS, f64::INFINITY);
+                    assert!(foot.distance_squared < 1e-12, "{target} from {start:?}: {foot:?}");
+                }
+            }
+            assert!(stuck > 0);
+        });
+    }
+
+    /// Where the distance is concave at the start, the first step predicts nothing, and the search goes on.
+    #[test]
+    fn no_target_of_the_patch_is_given_up() {
+        with_patch(|patch| {
+            for target in targets(patch) {
+                let start = nearest_control(patch, target);
+                let (foot, _) = newton_below(patch, target, start, ITERATIONS, 1.0);
+                assert!(foot.distance_squared < 1.0, "{target} from {start:?}: {foot:?}");
+            }
+        });
+    }
+
+    /// A foot at a minimum costs no more: no step is taken from it.
+    #[test]
+    fn minima_are_no_saddles() {
+        let minimum = [2.0, -1.0, 1.0];
+        assert_eq!(step_off_saddle([0.5; 2], [0.0; 2], &minimum, 1.0), None);
+        // Concave along t, and along a direction between the axes alone.
+        assert_eq!(step_off_saddle([0.5, 0.25], [0.0; 2], &[2.0, 0.0, -1.0], 1.0), Some([0.0, 0.375]));
+        assert_eq!(step_off_saddle([0.5, 0.75], [0.0; 2], &[2.0, 2.0, 1.0], 1.0), Some([0.25, -0.25]));
+        // An edge that is pushed against by more than the distance falls beyond it.
+        assert_eq!(step_off_saddle([0.5, 0.0], [0.0, 0.3], &[2.0, 0.0, -1.0], 1.0), None);
+    }
 }
