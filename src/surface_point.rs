@@ -14,7 +14,8 @@ pub struct SurfacePoint {
     /// The face's name in its source, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub face_name: Option<String>,
-    /// Parameter u on it.
+    /// Parameter u on it. Where a surface jumps at a knot, the last number before the knot stands for the end of what
+    /// is before it, as in v: the surface at the knot is what comes after.
     pub u: f64,
     /// Parameter v on it.
     pub v: f64,

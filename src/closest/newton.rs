@@ -30,6 +30,10 @@ const SKEWED_RATIO: f64 = 1e-3;
 /// evaluations.
 const MIN_SADDLE_DECREASE: f64 = 1e-6;
 
+/// The largest squared sine of the angle between the residual and the tangent plane at which a target lies beside
+/// the surface.
+const MAX_SINE_BESIDE_SQUARED: f64 = 1e-2;
+
 /// The least squared sine between the tangents with which Gauss and Newton's step is taken.
 const MIN_SINE_SQUARED: f64 = 1e-6;
 
@@ -53,9 +57,12 @@ pub fn newton(patch: &Patch<'_>, target: DVec3, start: [f64; 2], iterations: u32
     descend(patch, target, start, iterations, f64::INFINITY, false).0
 }
 
-/// Minimises as [`newton`] does but leaves saddles ([`step_off_saddle`]), and stops once even
-/// [`MAX_GAIN_FACTOR`] times the decrease predicted by a convex model would leave the squared distance above
-/// `threshold`.
+/// Minimises as [`newton`] does, and stops once even [`MAX_GAIN_FACTOR`] times the predicted decrease would leave
+/// the squared distance above `threshold`.
+///
+/// Targets beside the surface, nearly in its tangent plane, may lie on the patch, however far from the start: where
+/// the distance is concave it steps off saddles ([`step_off_saddle`]), takes Gauss and Newton's steps and predicts
+/// nothing.
 ///
 /// Also returns the squared distance that further steps are not expected to go
 /// below, an estimate and no bound.
@@ -69,14 +76,14 @@ pub(crate) fn newton_below(
     descend(patch, target, start, iterations, threshold, true)
 }
 
-/// The iteration, with or without steps off saddles.
+/// The iteration, with or without what targets beside a surface need.
 fn descend(
     patch: &Patch<'_>,
     target: DVec3,
     start: [f64; 2],
     iterations: u32,
     threshold: f64,
-    leaves_saddles: bool,
+    for_search: bool,
 ) -> (Foot, f64) {
     let mut at = start;
     let mut jet = patch.jet(at);
@@ -86,22 +93,22 @@ fn descend(
         let gradient = [residual.dot(jet.s), residual.dot(jet.t)];
         let free = [0, 1].map(|axis| !pushes_out(at[axis], gradient[axis]));
         let second = second_derivatives(&jet, residual);
+        let is_convex = second[0] > 0.0 && second[0] * second[2] > second[1] * second[1];
+        let is_beside = || for_search && lies_beside(&jet, residual);
         let mut off_saddle = None;
         if is_stationary(&jet, residual, gradient, free) {
-            off_saddle = if leaves_saddles { step_off_saddle(at, gradient, &second, value) } else { None };
+            if !is_convex && is_beside() {
+                off_saddle = step_off_saddle(at, gradient, &second, value);
+            }
             if off_saddle.is_none() {
                 return (Foot { parameters: at, distance_squared: value, status: settled(free) }, value);
             }
         }
-        // Where the distance is concave, the absolute values of the diagonal give a descent direction and a step of a
-        // sensible length, and predict nothing.
-        let is_convex = second[0] > 0.0 && second[0] * second[2] > second[1] * second[1];
+        // Where the distance is concave, Gauss and Newton's step reaches a target in a plane patch, and the absolute
+        // values of the diagonal give a descent direction and a step of a sensible length.
         let hessian = if is_convex {
             second
-        } else if leaves_saddles
-            && jet.s.cross(jet.t).length_squared()
-                > MIN_SINE_SQUARED * jet.s.length_squared() * jet.t.length_squared()
-        {
+        } else if is_beside() && is_regular(&jet) {
             [jet.s.dot(jet.s), jet.s.dot(jet.t), jet.t.dot(jet.t)]
         } else {
             [second[0].abs(), 0.0, second[2].abs()]
@@ -110,12 +117,13 @@ fn descend(
         let decrease = (gradient[0] * full[0] + gradient[1] * full[1]).abs();
         let skewed = SKEWED_RATIO * hessian[0].max(hessian[2]);
         let balanced = (0..2).all(|axis| !free[axis] || hessian[2 * axis] > skewed);
-        // A parameter at an edge that the step would set free may save more.
+        // A parameter at an edge that the step sets free may save more.
         let stays_frozen = (0..2).all(|axis| {
             free[axis] || pushes_out(at[axis], gradient[axis] + MAX_GAIN_FACTOR * second[1] * full[1 - axis])
         });
+        let predicts = balanced && (is_convex && stays_frozen || !is_beside());
         let expected = value - MAX_GAIN_FACTOR * decrease;
-        if is_convex && balanced && stays_frozen && expected > threshold {
+        if predicts && expected > threshold {
             return (
                 Foot { parameters: at, distance_squared: value, status: Status::IterationLimit },
                 expected,
@@ -163,6 +171,19 @@ fn is_stationary(jet: &Jet, residual: DVec3, gradient: [f64; 2], free: [bool; 2]
     let rounding = RESIDUAL_ROUNDING * (tangents[0] + tangents[1] + size);
     let threshold = rounding + STATIONARY_COSINE * size;
     (0..2).all(|axis| !(free[axis] && gradient[axis].abs() > tangents[axis] * threshold))
+}
+
+/// Returns whether the target is nearly in the tangent plane, or there is none.
+fn lies_beside(jet: &Jet, residual: DVec3) -> bool {
+    let normal = jet.s.cross(jet.t);
+    let height = normal.dot(residual);
+    height * height <= MAX_SINE_BESIDE_SQUARED * normal.length_squared() * residual.length_squared()
+}
+
+/// Returns whether the tangents are not nearly parallel.
+fn is_regular(jet: &Jet) -> bool {
+    let area_squared = jet.s.cross(jet.t).length_squared();
+    area_squared > MIN_SINE_SQUARED * jet.s.length_squared() * jet.t.length_squared()
 }
 
 /// Returns the second derivatives `[ss, st, tt]` of ½|S - target|².

@@ -133,6 +133,14 @@ pub fn extract(model: &Model) -> BezierModel {
     BezierModel { patches: PatchSet::new(entries, controls), grids, point_error }
 }
 
+/// Returns the ends of a span of knots as parameters of its own side: where no control point is shared with the next
+/// span the surface jumps there, and takes the next one's points at the knot itself.
+fn reported_ends(spans: &[Span], place: usize, degree: usize) -> [f64; 2] {
+    let Span { ends: [low, high], first_control, .. } = spans[place];
+    let jumps = spans.get(place + 1).is_some_and(|next| next.first_control > first_control + degree);
+    [low, if jumps { high.next_down() } else { high }]
+}
+
 /// Returns the spacing of the grid of patch centres for a model of this diagonal;
 /// 0 for a model that is a point, whose only centre is that point.
 pub(crate) fn center_grid(diagonal: f64) -> f64 {
@@ -228,7 +236,8 @@ impl<'a> Extraction<'a> {
         for (number, (place, (entry, controls))) in
             part.range.zip(part.entries.iter_mut().zip(part.controls.chunks_exact_mut(size))).enumerate()
         {
-            let (u, v) = (&in_u[place / in_v.len()], &in_v[place % in_v.len()]);
+            let [place_in_u, place_in_v] = [place / in_v.len(), place % in_v.len()];
+            let (u, v) = (&in_u[place_in_u], &in_v[place_in_v]);
             let corner = u.first_control * surface.counts()[1] + v.first_control;
             let row = |i: usize| &surface.control_points()[corner + i * surface.counts()[1]..][..columns];
             let position = |&[x, y, z, _]: &[f64; 4]| DVec3::new(x, y, z);
@@ -262,7 +271,10 @@ impl<'a> Extraction<'a> {
                 degree: degree.map(|degree| degree as u8),
                 rational: net.iter().any(|control| control.w != weight),
                 first: part.first_control + number * size,
-                domain: ParamBox::new(u.ends, v.ends),
+                domain: ParamBox::new(
+                    reported_ends(in_u, place_in_u, degree[0]),
+                    reported_ends(in_v, place_in_v, degree[1]),
+                ),
                 center,
             };
             point_error.include(degree, radius, center.length());

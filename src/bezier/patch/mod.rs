@@ -25,7 +25,8 @@ pub struct Patch<'a> {
     pub surface: usize,
     /// Degrees in s and t.
     pub degree: [usize; 2],
-    /// The part of the surface's domain that [0, 1]² is mapped to.
+    /// The part of the surface's domain that [0, 1]² is mapped to. Where the surface jumps at the upper end, it is
+    /// the last number before the knot, whose point is the patch's.
     pub domain: ParamBox,
     /// The point that the controls are relative to.
     pub center: DVec3,

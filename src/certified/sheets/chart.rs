@@ -114,7 +114,11 @@ impl<'a> Chart<'a> {
 
     /// The parameters of the patch's surface at the point.
     pub(in crate::certified) fn surface_parameters(&self) -> [f64; 2] {
-        self.patch.domain.at(self.parameters)
+        let [s, t] = [0, 1].map(|axis| {
+            let line = self.index[axis];
+            [self.grid.breaks[axis][line], self.grid.breaks[axis][line + 1]]
+        });
+        ParamBox::new(s, t).at(self.parameters)
     }
 
     /// The chart's patch.

@@ -309,3 +309,44 @@ fn patches_with_two_valleys() {
         );
     }
 }
+
+/// A surface that jumps at the knot ½ in u and in v: over each quarter a plane that rises by these slopes.
+fn jumping(slopes: [f64; 4]) -> Model {
+    let knots = vec![0.0, 0.0, 0.5, 0.5, 1.0, 1.0];
+    let places = [(0.0, 0), (0.5, 0), (0.5, 1), (1.0, 1)];
+    let control_points = places.iter().flat_map(|&(x, row)| {
+        places.iter().map(move |&(y, column)| {
+            let slope = slopes[2 * row + column];
+            [x, y, slope * (x + y), 1.0]
+        })
+    });
+    let arrays = SurfaceArrays {
+        degree: [1, 1],
+        knots: [knots.clone(), knots],
+        counts: [4, 4],
+        control_points: control_points.collect(),
+    };
+    Model::from_arrays(None, vec![arrays]).unwrap()
+}
+
+/// Where a surface jumps, the witness's parameters are those of its own side: the surface there is at its point.
+#[test]
+fn parameters_at_a_jump_are_of_the_points_side() {
+    let flat = jumping([0.0; 4]);
+    for (slopes, end) in [
+        ([1.0, 0.0, 0.0, 0.0], [0.5, 0.5]),
+        ([0.0, 1.0, 0.0, 0.0], [0.5, 1.0]),
+        ([0.0, 0.0, 1.0, 0.0], [1.0, 0.5]),
+        ([0.0, 0.0, 0.0, 1.0], [1.0, 1.0]),
+    ] {
+        let steep = jumping(slopes);
+        let result = measure(&steep, &flat, &DistanceOptions::default(), &mut NoMonitor);
+        let witness = &result.witness.a;
+        assert!((result.lower - (end[0] + end[1])).abs() < 1e-5, "{slopes:?}: {}", result.lower);
+        for (parameter, end) in [witness.u, witness.v].into_iter().zip(end) {
+            assert!((parameter - end).abs() < 1e-9, "{slopes:?}: {witness:?}");
+        }
+        let point = DVec3::from_array(steep.surfaces()[0].point([witness.u, witness.v]));
+        assert!(point.distance(DVec3::from_array(witness.point)) < 1e-9, "{slopes:?}: {witness:?}");
+    }
+}
