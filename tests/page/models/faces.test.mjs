@@ -133,6 +133,24 @@ test("a long comparison is cancelled", async () => {
   assert.equal(await page.locator("#face-list button").count(), 0);
 });
 
+test("faces are compared with what is allowed until another limit is typed", async () => {
+  const { page } = opened;
+  const limit = page.locator("#face-limit");
+  await openPair(sphereParts.a, sphereParts.b);
+  await page.locator("#limit").fill("0.25");
+  assert.equal(await limit.inputValue(), "0.25");
+  await page.locator("#limit-below").fill("0.125");
+  assert.equal(await limit.inputValue(), "0.125");
+  await limit.fill("0.5");
+  await page.locator("#limit").fill("0.375");
+  assert.equal(await limit.inputValue(), "0.5");
+  await openPair(sphereParts.b, sphereParts.a);
+  assert.equal(await limit.inputValue(), "0.125");
+  await page.locator("#limit-below").fill("");
+  assert.equal(await limit.inputValue(), "0.375");
+  await page.locator("#limit").fill("");
+});
+
 test("a limit that is not positive is not compared with", async () => {
   const { page } = opened;
   await page.locator("#face-limit").fill("-1");

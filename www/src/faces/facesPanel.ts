@@ -3,11 +3,12 @@ import type { DiffResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { duration, grouped } from "../common/numbers.ts";
 import { ownLimits } from "../results/ownLimits.ts";
+import { allowed, onLimit } from "../results/verdict.ts";
 import { type DiffReply, SIDES } from "../worker/protocol.ts";
 import { type Change, changesOf, countsOf, facesOf } from "./changes.ts";
 import { FaceList } from "./faceList.ts";
 
-/** The limit proposed for new models, as a fraction of the diagonal. */
+/** The limit proposed where nothing is allowed yet, as a fraction of the diagonal. */
 const RELATIVE_LIMIT = 1e-5;
 
 const section = element("faces");
@@ -32,6 +33,9 @@ export class FacesPanel {
   readonly #listener: FacesListener;
   readonly #list: FaceList;
   #result: DiffResult | undefined;
+  #diagonal = 0;
+  /** Whether the user has typed a limit for these models; else it is what is allowed. */
+  #isTyped = false;
 
   constructor(listener: FacesListener) {
     this.#listener = listener;
@@ -39,6 +43,10 @@ export class FacesPanel {
     compare.addEventListener("click", () => {
       if (limit.reportValidity()) listener.compare(limit.valueAsNumber);
     });
+    limit.addEventListener("input", () => {
+      this.#isTyped = limit.value !== "";
+    });
+    onLimit(() => this.#proposeLimit());
     limit.addEventListener("keydown", ({ key }) => {
       if (key === "Enter") compare.click();
     });
@@ -46,9 +54,21 @@ export class FacesPanel {
     clear.addEventListener("click", () => this.clear("idle", ""));
   }
 
-  /** Proposes a limit for models of this size: one digit. */
+  /** Proposes a limit for new models of this size. */
   propose(diagonal: number): void {
-    if (diagonal > 0) limit.value = `${Number((RELATIVE_LIMIT * diagonal).toPrecision(1))}`;
+    this.#diagonal = diagonal;
+    this.#isTyped = false;
+    this.#proposeLimit();
+  }
+
+  /** Proposes the smaller deviation of those allowed on either side, or one digit for the models' size. */
+  #proposeLimit(): void {
+    if (this.#isTyped) return;
+    const { above, below } = allowed() ?? { above: 0, below: 0 };
+    const smaller = Math.min(above, below);
+    if (smaller > 0) limit.value = `${smaller}`;
+    else if (this.#diagonal > 0)
+      limit.value = `${Number((RELATIVE_LIMIT * this.#diagonal).toPrecision(1))}`;
   }
 
   /** The comparison shown. */
