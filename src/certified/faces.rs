@@ -33,6 +33,7 @@ struct WholeFaces {
 }
 
 /// A face about the foot of a point.
+#[derive(Clone, Copy)]
 pub(super) struct FaceChart<'a> {
     pub(super) chart: Chart<'a>,
     region: &'a Winding,

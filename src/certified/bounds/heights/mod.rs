@@ -57,12 +57,18 @@ impl UpperBound for Heights {
             return None;
         }
         // The whole face first where it is a trimmed one, whose pieces end where the cut has put a line.
+        let places = places(context, &foot)?;
+        let mut candidates = [None; 2];
         let mut about_foot = None;
-        for place in places(context, &foot)? {
-            let Some((frame, face)) = place.and_then(framed) else { continue };
+        for (place, candidate) in places.into_iter().zip(&mut candidates) {
+            let Some((frame, face)) = place.and_then(framed) else {
+                *candidate = place;
+                continue;
+            };
             if !frame.is_left_slowly(context, threshold) {
                 continue;
             }
+            *candidate = place;
             let Some(over) = Over::new(context, frame, face) else { continue };
             if let Some(bound) = over.upper_bound(threshold) {
                 return Some(bound);
@@ -73,12 +79,7 @@ impl UpperBound for Heights {
         {
             return Some(bound);
         }
-        let places = places(context, &foot)?.into_iter().flatten();
-        places
-            .filter(|(chart, _)| {
-                Frame::new(*chart).is_none_or(|frame| frame.is_left_slowly(context, threshold))
-            })
-            .find_map(|place| around::upper_bound(context, place, threshold))
+        candidates.into_iter().flatten().find_map(|place| around::upper_bound(context, place, threshold))
     }
 }
 
