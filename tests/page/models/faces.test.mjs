@@ -133,6 +133,13 @@ test("a long comparison is cancelled", async () => {
   assert.equal(await page.locator("#face-list button").count(), 0);
 });
 
+test("a limit that is not positive is not compared with", async () => {
+  const { page } = opened;
+  await page.locator("#face-limit").fill("-1");
+  await page.locator("#compare").click();
+  assert.equal(await page.locator("#faces").getAttribute("data-state"), "cancelled");
+});
+
 test("faces are compared with what is allowed until another limit is typed", async () => {
   const { page } = opened;
   const limit = page.locator("#face-limit");
@@ -149,13 +156,6 @@ test("faces are compared with what is allowed until another limit is typed", asy
   await page.locator("#limit-below").fill("");
   assert.equal(await limit.inputValue(), "0.375");
   await page.locator("#limit").fill("");
-});
-
-test("a limit that is not positive is not compared with", async () => {
-  const { page } = opened;
-  await page.locator("#face-limit").fill("-1");
-  await page.locator("#compare").click();
-  assert.equal(await page.locator("#faces").getAttribute("data-state"), "cancelled");
 });
 
 /** The model of faces with these names, in a row. */
