@@ -45,4 +45,16 @@ test("a view is added beside the view, which says so, and the report opened with
   await report.close();
 });
 
+test("the tools are one row beside the panel on a small laptop", async () => {
+  const tops = await page
+    .locator("#tools > :visible")
+    .evaluateAll((tools) =>
+      tools
+        .map((tool) => tool.getBoundingClientRect())
+        .map(({ top, bottom }) => (top + bottom) / 2),
+    );
+  assert.ok(tops.length >= 9, `${tops.length} tools`);
+  assert.ok(Math.max(...tops) - Math.min(...tops) < 10, `${tops}`);
+});
+
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));
