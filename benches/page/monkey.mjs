@@ -44,7 +44,12 @@ const rests = await page
   .waitFor({ timeout: REST })
   .then(() => true)
   .catch(() => false);
-if (!rests) errors.push("the page did not come to rest");
+if (!rests) {
+  const state = await page.locator("#result").getAttribute("data-state");
+  const loading = await page.locator("#loading").textContent();
+  errors.push(`the page did not come to rest: ${state}, ${loading}`);
+  console.log(`${errors.at(-1)}\n  ${log.slice(-TOLD).join("\n  ")}`);
+}
 await opened.close();
 console.log(`seed ${seed}: ${actions} actions in ${minutes} min, ${errors.length} errors`);
 process.exit(errors.length === 0 ? 0 : 1);
