@@ -74,9 +74,9 @@ impl PartialOrd for QueueEntry {
     }
 }
 impl Ord for QueueEntry {
-    /// The entry with the smallest lower bound is the heap's largest; of those with one bound, a region
-    /// of which no foot is known yet. Where a narrow patch passes through the point, many of its
-    /// parts have the bound 0, as long as they are wider than it: the foot may be on another patch.
+    /// The entry with the smallest lower bound is the heap's largest. Among entries with equal bounds, a region
+    /// whose foot was not looked for comes first: many parts of a narrow patch beside the point have the bound 0,
+    /// and the nearest foot may be on another patch.
     fn cmp(&self, other: &Self) -> Ordering {
         let by_bound = other.lower_bound.total_cmp(&self.lower_bound);
         by_bound.then_with(|| other.region.has_foot().cmp(&self.region.has_foot()))
@@ -311,9 +311,8 @@ mod tests {
     use crate::bezier::extract;
     use crate::{Model, SurfaceArrays};
 
-    /// A patch whose axes are nearly parallel passes the point at a height above the gap. Many of its
-    /// parts cannot be told from the point before the search gives up; a square, in whose box the
-    /// point is, is nearer.
+    /// A patch with nearly parallel axes passes the point at a distance larger than the gap. The lower bounds of
+    /// many of its parts stay 0 until the search gives up. A square whose box contains the point is nearer.
     #[test]
     fn a_foot_beside_a_narrow_patch_is_found() {
         const WIDTH: f64 = 1e-4;

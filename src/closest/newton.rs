@@ -160,7 +160,7 @@ fn is_stationary(jet: &Jet, residual: DVec3, gradient: [f64; 2], free: [bool; 2]
     (0..2).all(|axis| !(free[axis] && gradient[axis].abs() > tangents[axis] * threshold))
 }
 
-/// Returns whether the target is nearly in the tangent plane, or there is none.
+/// Returns whether the target lies nearly in the tangent plane; true where the tangents span no plane.
 fn lies_beside(jet: &Jet, residual: DVec3) -> bool {
     let normal = jet.s.cross(jet.t);
     let height = normal.dot(residual);

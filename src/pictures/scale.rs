@@ -77,7 +77,7 @@ impl Scale {
     }
 }
 
-/// Returns the colour at a fraction of a list, between two of which light is mixed.
+/// Returns the colour at a fraction of a list; between two entries it interpolates linearly in light.
 fn at(all: &[u32], fraction: f64) -> [u8; 3] {
     let place = fraction.clamp(0.0, 1.0) * (all.len() - 1) as f64;
     let step = (place as usize).min(all.len() - 2);
@@ -94,11 +94,12 @@ fn bytes(color: u32) -> [u8; 3] {
     [red, green, blue]
 }
 
-/// The light of a value of sRGB (IEC 61966-2-1), and the value of a light.
+/// Returns the linear light of an sRGB value (IEC 61966-2-1).
 fn linear(value: f64) -> f64 {
     if value < 0.04045 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
 }
 
+/// Returns the sRGB value of a linear light.
 fn encoded(light: f64) -> f64 {
     if light < 0.0031308 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }
 }

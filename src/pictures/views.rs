@@ -25,7 +25,8 @@ const OVERVIEWS: [(DVec3, &str); 2] = [
 const PLACE_RADIUS: f64 = 0.12;
 const APPROACH_RADIUS: f64 = 2.0;
 
-/// The parts of that radius of which what is in front of the worst place is drawn, until that is seen.
+/// Fractions of that radius, tried in order until the worst place is seen: surfaces farther in front of it are
+/// not drawn.
 const NEAR_PARTS: [f64; 3] = [1.0, 0.25, 0.05];
 
 /// How far the normal at the worst place is turned towards an overview's direction, so that depths are seen.
@@ -64,7 +65,9 @@ impl Scene<'_> {
         let (mut pictures, mut hidden) = (Vec::new(), Vec::new());
         for (toward, from) in OVERVIEWS {
             let camera = Camera::fitting(&positions, toward, SIZE);
-            let (picture, is_hidden) = self.picture(&camera, format!("{what}, seen {from}"), deflate)?;
+            let raster = self.raster(&camera);
+            let alt = format!("{what}, seen {from}");
+            let (picture, is_hidden) = self.picture(&camera, &raster, alt, deflate)?;
             pictures.push(picture);
             if is_hidden {
                 hidden.push(from);
@@ -81,9 +84,9 @@ impl Scene<'_> {
         }
         let mut figures = vec![Figure { caption, pictures }];
         if let Some((worst, caption)) = worst {
-            let camera = self.approach(worst);
+            let (camera, raster) = self.approach(worst);
             let alt = format!("{what}, the worst place seen from near");
-            let (picture, _) = self.picture(&camera, alt, deflate)?;
+            let (picture, _) = self.picture(&camera, &raster, alt, deflate)?;
             figures.push(Figure { caption, pictures: vec![picture] });
         }
         Ok(figures)
@@ -124,24 +127,28 @@ impl Scene<'_> {
         Some((worst, format!("The worst place, from near: {text}{unit} at {at} of {}", self.names[0])))
     }
 
-    /// Returns a camera near a vertex: the first one that sees it from outside, from inside, or with less
-    /// left in front of it.
-    fn approach(&self, vertex: usize) -> Camera {
+    /// Returns a camera near a vertex with what it sees: the first camera that sees the vertex from outside, from
+    /// inside, or with less left in front of it.
+    fn approach(&self, vertex: usize) -> (Camera, Raster) {
         let Vertex { position, .. } = self.map.vertices[vertex];
         let radius = (PLACE_RADIUS * self.diagonal).max(APPROACH_RADIUS * self.map.values[vertex][1]);
         let outwards = self.toward(vertex);
-        let mut best = Camera::around(position, radius, outwards, SIZE);
-        for part in NEAR_PARTS {
-            for toward in [outwards, -outwards] {
-                let mut camera = Camera::around(position, radius, toward, SIZE);
-                camera.near *= part;
-                if self.raster(&camera).sees(&camera, position, SLACK) {
-                    return camera;
-                }
-                best = camera;
+        let view = |(part, toward): (f64, DVec3)| {
+            let mut camera = Camera::around(position, radius, toward, SIZE);
+            camera.near *= part;
+            let raster = self.raster(&camera);
+            (camera, raster)
+        };
+        let views = NEAR_PARTS.into_iter().flat_map(|part| [(part, outwards), (part, -outwards)]);
+        let mut shown = view((NEAR_PARTS[0], outwards));
+        for next in views.skip(1) {
+            let (camera, raster) = &shown;
+            if raster.sees(camera, position, SLACK) {
+                break;
             }
+            shown = view(next);
         }
-        best
+        shown
     }
 
     /// Returns the direction in which the surface at a vertex is seen: along its normal, outwards, and
@@ -172,10 +179,10 @@ impl Scene<'_> {
     fn picture<E>(
         &self,
         camera: &Camera,
+        raster: &Raster,
         alt: String,
         deflate: &mut impl FnMut(&[u8]) -> Result<Vec<u8>, E>,
     ) -> Result<(Picture, bool), E> {
-        let raster = self.raster(camera);
         let mut pixels = raster.pixels();
         let (mut place, mut is_hidden) = (None, false);
         if let Some((worst, _)) = self.worst() {

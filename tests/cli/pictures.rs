@@ -210,7 +210,7 @@ fn units_and_motions_are_those_of_the_result() {
     let options = ["--scale-units", "--translate", "100,0,0.5", "--format", "html"];
     let output = run(&[&["distance", a.as_str(), b.as_str()][..], &options].concat());
     let report = String::from_utf8(output.stdout).unwrap();
-    // The corner (1, 1, 1) moves to (101, 1, 1.5), of which the plane, 2000 mm wide, is below.
+    // The corner (1, 1, 1) moves to (101, 1, 1.5); the plane, 2000 mm wide, lies below it.
     assert!(report.contains("Signed deviation of A from B, mm"), "{report}");
     let place = report.split("The worst place, from near: +").nth(1).unwrap();
     assert!(place.starts_with("1.50 mm at 101.00, 1.00, 1.50 of A"), "{}", &place[..80]);

@@ -1,6 +1,6 @@
 //! Products, their placements and names.
 
-use crate::polygons::box_faces;
+use crate::faces::polygons::box_faces;
 use crate::support::step::{Id, StepText, UnitsOf};
 use crate::{areas, assert_near, read};
 use nurbs_hausdorff::{Model, face_path};

@@ -1,6 +1,6 @@
 //! Colours of faces and bodies.
 
-use crate::polygons::box_faces;
+use crate::faces::polygons::box_faces;
 use crate::support::step::{Id, StepText, UnitsOf};
 use nurbs_hausdorff::Model;
 

@@ -1,6 +1,6 @@
 //! Damaged files: an error with a code, or a model whose report accounts for its faces.
 
-use crate::polygons::box_faces;
+use crate::faces::polygons::box_faces;
 use crate::support::step::{StepText, UnitsOf};
 use nurbs_hausdorff::Model;
 use proptest::prelude::*;

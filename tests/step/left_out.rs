@@ -1,6 +1,6 @@
 //! Faces and bodies that cannot be read: each is in the report with its number.
 
-use crate::polygons::box_faces;
+use crate::faces::polygons::box_faces;
 use crate::support::step::{Id, StepText, UnitsOf};
 use nurbs_hausdorff::{Error, Model, Skipped};
 

@@ -11,15 +11,9 @@ mod support;
 mod assemblies;
 mod colors;
 mod damage;
-mod degrees;
-mod elementary;
+mod faces;
 mod left_out;
-mod loops;
-mod p_curves;
-mod polygons;
 mod real_files;
-mod seams;
-mod splines;
 mod units;
 
 use nurbs_hausdorff::{Model, ReadReport};

@@ -1,6 +1,6 @@
 //! Units of length and angle.
 
-use crate::polygons::box_faces;
+use crate::faces::polygons::box_faces;
 use crate::support::step::{StepText, UnitsOf};
 use crate::{areas, assert_near, read};
 use std::f64::consts::PI;
