@@ -210,13 +210,18 @@ function show(): void {
 
 function measure(): void {
   if (!view.models.complete) return;
-  show();
   if (clearance.active) {
+    // The deviation shown is no longer that of the models as they are.
+    client.cancel();
+    resultPanel.clearResult("paused");
+    hideResult();
+    show();
     clearance.showPending();
     const { transform } = pose();
     client.clearance({ below: clearance.below, transform, scaleUnits: scalesUnits() });
     return;
   }
+  show();
   resultPanel.showPending();
   client.measure(measured(), options.paint());
 }
@@ -355,8 +360,10 @@ async function openFirst(): Promise<void> {
 }
 
 function onReply(reply: Reply): void {
-  // What a run found of models that are no longer drawn; they are measured again if they return.
-  if (view.isDrafting && "run" in reply && reply.run !== undefined) return;
+  // What a run found of models that are no longer drawn, or of which the clearance is measured
+  // instead; they are measured again if they return, and when that ends.
+  const isUnwanted = view.isDrafting || clearance.active;
+  if (isUnwanted && "run" in reply && reply.run !== undefined) return;
   switch (reply.kind) {
     case "ready":
       warnings.showEngine(reply.engine);
@@ -374,6 +381,12 @@ function onReply(reply: Reply): void {
       break;
     case "loaded":
       showLoaded(reply);
+      break;
+    case "restored":
+      // What the worker before computed has no end.
+      if (isFitting()) clearFit();
+      faces.end();
+      measure();
       break;
     case "closed":
       view.close(reply.side);

@@ -134,4 +134,20 @@ test("a file that is stopped while its faces are drawn leaves the models before"
   assert.ok(!(await page.locator("#shape-b option:checked").textContent()).includes("squares"));
 });
 
+test("models are measured again after a file that is broken was chosen instead of one that took long", async () => {
+  await opened.until("done", () => page.selectOption("#preset", { index: 1 }));
+  const before = await page.locator("#distance").textContent();
+  await page.setInputFiles("#file-b", manyFaces(12_000));
+  await page.waitForFunction(() =>
+    document.getElementById("loading").textContent.startsWith("reading… "),
+  );
+  // After a second the file that is read is given up, with the worker that reads it.
+  await page.waitForTimeout(1000);
+  await opened.until("done", () =>
+    page.setInputFiles("#file-a", file("broken.json", "not a model")),
+  );
+  assert.equal(await page.locator("#error").getAttribute("data-code"), "FORMAT_UNSUPPORTED");
+  assert.equal(await page.locator("#distance").textContent(), before);
+});
+
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

@@ -281,8 +281,14 @@ test("clearance mode lists the faces that meet, and ends", async () => {
   assert.ok((await page.locator("#gap-list button").count()) > 0);
   await page.locator("#move-x-exact").fill("100");
   await page.locator("#clearance-text", { hasText: "Apart by 20" }).waitFor();
-  await page.locator("#move-x-exact").fill("3");
+  // No distance is shown of where A was before, and none is waited for with models that are new.
+  assert.deepEqual([await text("#distance"), await text("#badge")], ["–", ""]);
+  await page.selectOption("#preset", { index: 0 });
   await page.locator("#clearance-text", { hasText: "Clash" }).waitFor();
+  assert.equal((await opened.data()).state, "paused");
+  assert.ok(!(await page.locator("#work").isVisible()));
+  await page.locator("#move-x-exact").fill("3");
+  await page.locator('#clearance[data-state="done"]').waitFor();
   await opened.screenshot("first-clash");
   await opened.until("done", () => page.locator("#clearance-start").click());
   await opened.until("done", () => page.locator("#move-x-exact").fill("0"));

@@ -99,6 +99,11 @@ export class FacesPanel {
     }
   }
 
+  /** Ends a comparison in progress, whose result will not come. */
+  end(): void {
+    if (section.dataset.state === "working") this.clear("cancelled", "Cancelled.");
+  }
+
   /** Removes the result and shows this text. */
   clear(state: "idle" | "cancelled" | "failed" | "outdated", text: string): void {
     this.#setState(state);

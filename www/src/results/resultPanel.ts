@@ -122,11 +122,22 @@ function stateOf(last: boolean, pending: boolean): string {
   return pending ? "colouring" : "done";
 }
 
-/** Clears the result: the measurement was cancelled or failed, or the models are new. */
-export function clearResult(state: "cancelled" | "failed" | "working"): void {
+/** The result's states without a distance, and what the card says of each. */
+const CLEARED = {
+  cancelled: "cancelled",
+  failed: "failed",
+  paused: "not measured while clearance and clash are",
+  working: "computing",
+};
+
+/**
+ * Clears the result: the measurement was cancelled or failed, the models are new, or their
+ * clearance is measured instead.
+ */
+export function clearResult(state: keyof typeof CLEARED): void {
   kind.textContent = "Distance";
   distance.textContent = "–";
-  interval.textContent = state === "working" ? "computing" : state;
+  interval.textContent = CLEARED[state];
   width.textContent = "";
   showVerdict();
   details.replaceChildren();

@@ -26,6 +26,8 @@ export class Client {
   #sources: Sides<Source> = {};
   /** When the load in progress began. */
   #loading: number | undefined;
+  /** Whether a new worker has yet to load what the one before had. */
+  #isBare = false;
 
   /** Starts the worker. Replies to runs with models that were replaced since are discarded. */
   constructor(onReply: (reply: Reply) => void) {
@@ -50,8 +52,12 @@ export class Client {
         this.#sources[side as Side] = source;
       }
     }
-    const ended = reply.kind === "loaded" || (reply.kind === "failed" && reply.run === undefined);
-    if (ended) this.#loading = undefined;
+    const failed = reply.kind === "failed" && reply.run === undefined;
+    if (reply.kind === "loaded" || failed) this.#loading = undefined;
+    const isBare = this.#isBare && this.#loading === undefined;
+    if (isBare) this.#isBare = false;
+    // The models that stay are those before, which only the worker before had.
+    if (isBare && failed) this.#post({ kind: "restore", sources: this.#sources });
     if (!("run" in reply) || reply.run === undefined || reply.run >= this.#first) {
       this.#onReply(reply);
     }
@@ -79,6 +85,7 @@ export class Client {
   #restart(): void {
     this.#worker.terminate();
     this.#loading = undefined;
+    this.#isBare = true;
     this.#worker = this.#start();
   }
 

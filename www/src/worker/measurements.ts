@@ -105,7 +105,11 @@ export class Measurements {
   async #measure(requested: Requested): Promise<void> {
     const { run, options, paint, abort } = requested;
     const { a, b } = this.#models;
-    if (a === undefined || b === undefined) return;
+    // Models that are being restored are measured when they are there.
+    if (a === undefined || b === undefined) {
+      this.#reply({ kind: "cancelled", run, interval: undefined });
+      return;
+    }
     this.#painted = [];
     const colours = paint.length > 0;
     try {

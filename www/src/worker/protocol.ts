@@ -76,6 +76,8 @@ export interface Probe {
 
 export type Request =
   | { kind: "load"; sources: Sides<Source>; placement: Placement }
+  /** Loads models that are drawn already, which a worker before this one had. */
+  | { kind: "restore"; sources: Sides<Source> }
   /** `paint` names the models whose deviations are mapped. */
   | { kind: "measure"; run: number; options: PlainOptions; paint: readonly Side[] }
   | { kind: "cancel" }
@@ -173,6 +175,8 @@ export type Reply =
   /** Faces of a side's file; of the sides `replaced` the models before are no longer of interest. */
   | { kind: "draft"; side: Side; replaced: Side[]; draft: Draft }
   | { kind: "loaded"; models: Sides<DisplayModel>; placement: Placement }
+  /** The models drawn can be measured again. */
+  | { kind: "restored" }
   /** The faces of the side's model close, so that a cut through it has a face. */
   | { kind: "closed"; side: Side }
   | {

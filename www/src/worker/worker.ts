@@ -9,7 +9,15 @@ import { engineState, Measurements } from "./measurements.ts";
 import { load } from "./models/load.ts";
 import { isMesh } from "./models/meshes.ts";
 import { probe } from "./probe.ts";
-import { type Draft, type Reply, type Request, SIDES } from "./protocol.ts";
+import {
+  type Draft,
+  type Reply,
+  type Request,
+  SIDES,
+  type Side,
+  type Sides,
+  type Source,
+} from "./protocol.ts";
 
 const ready = start();
 ready.catch(fail);
@@ -59,6 +67,9 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
       break;
     case "load":
       loaded = loaded.then(() => replace(started, data));
+      break;
+    case "restore":
+      loaded = loaded.then(() => restore(started, data.sources));
   }
 };
 
@@ -82,6 +93,23 @@ async function replace(
     ]);
     reply({ kind: "loaded", models: display, placement }, transfer);
     void reportClosed(measurements);
+  } catch (error) {
+    fail(error);
+  }
+}
+
+async function restore(
+  { engine, measurements }: Awaited<typeof ready>,
+  sources: Sides<Source>,
+): Promise<void> {
+  try {
+    // What was loaded since is newer.
+    const missing = Object.fromEntries(
+      Object.entries(sources).filter(([side]) => measurements.models[side as Side] === undefined),
+    );
+    const { models } = await load(engine, missing, { onLibrary: () => {}, onDraft: () => {} });
+    measurements.replace(models);
+    reply({ kind: "restored" });
   } catch (error) {
     fail(error);
   }
