@@ -131,6 +131,10 @@ sections.onSection(
   },
   show,
 );
+// What Escape ends first, as the choice of a face to cut by, has prevented this.
+window.addEventListener("keydown", ({ key, defaultPrevented }) => {
+  if (key === "Escape" && !defaultPrevented) view.back();
+});
 deviation.onScale((scale) => view.rescale(scale));
 onLimit(() => {
   deviation.rescale();

@@ -1,20 +1,26 @@
 // Counting of pixels in pictures of the view.
 
 /** What lies over the view and has colours of its own. */
-const OVER = "#label, .end, #tools, #legend, #axes, #cut, #pins, #hover { visibility: hidden }";
+const OVER =
+  "#label, .end, #tools, #legend, #axes, #cut, #foot, #pins, #hover { visibility: hidden }";
 
-/** The number of pixels of the view for which `holds`, an expression of r, g and b, is true. */
-export async function countPixels(page, holds) {
-  const rows = await pixelRows(page, holds);
+/** The number of pixels of the view, or of the part beneath an element, for which `holds`, an expression of r, g and b, is true. */
+export async function countPixels(page, holds, selector = "#canvas") {
+  const rows = await pixelRows(page, holds, selector);
   return rows.reduce((sum, { count }) => sum + count, 0);
 }
 
 /** The rows of the view, from the top, in which there are such pixels, with their numbers. */
-export async function pixelRows(page, holds) {
+export async function pixelRows(page, holds, selector = "#canvas") {
   await page.waitForTimeout(500);
+  const beneath = await page.locator(selector).evaluate((node) => {
+    const { left, top, right, bottom } = node.getBoundingClientRect();
+    const { x, y } = document.getElementById("canvas").getBoundingClientRect();
+    return { left: left - x, top: top - y, right: right - x, bottom: bottom - y };
+  });
   const image = (await page.locator("#canvas").screenshot({ style: OVER })).toString("base64");
   return page.evaluate(
-    async ([image, holds]) => {
+    async ([image, holds, { left, top, right, bottom }]) => {
       const bitmap = await createImageBitmap(
         await (await fetch(`data:image/png;base64,${image}`)).blob(),
       );
@@ -24,9 +30,9 @@ export async function pixelRows(page, holds) {
       const { data } = context.getImageData(0, 0, width, height);
       const test = new Function("r", "g", "b", `return ${holds}`);
       const rows = [];
-      for (let y = 0; y < height; y++) {
+      for (let y = Math.ceil(top); y < Math.min(height, bottom); y++) {
         let count = 0;
-        for (let x = 0; x < width; x++) {
+        for (let x = Math.ceil(left); x < Math.min(width, right); x++) {
           const at = 4 * (y * width + x);
           count += Number(test(data[at], data[at + 1], data[at + 2]));
         }
@@ -34,6 +40,6 @@ export async function pixelRows(page, holds) {
       }
       return rows;
     },
-    [image, holds],
+    [image, holds, beneath],
   );
 }

@@ -99,8 +99,10 @@ export function onSection(listener: SectionListener, onChange: () => void): void
     listener.onNextFace(isPicking ? picked : undefined);
   };
   byFace.addEventListener("click", () => pick(byFace.getAttribute("aria-pressed") !== "true"));
-  window.addEventListener("keydown", ({ key }) => {
-    if (key === "Escape" && byFace.getAttribute("aria-pressed") === "true") pick(false);
+  window.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || byFace.getAttribute("aria-pressed") !== "true") return;
+    event.preventDefault();
+    pick(false);
   });
   changed();
 }

@@ -11,6 +11,10 @@ import { FaceList } from "./faceList.ts";
 /** The limit proposed where nothing is allowed yet, as a fraction of the diagonal. */
 const RELATIVE_LIMIT = 1e-5;
 
+/** What the colours of compared faces mean. */
+const COLORS =
+  "Changed faces have the colour of their model, undecided ones are violet, others grey.";
+
 const section = element("faces");
 const limit = element("face-limit", HTMLInputElement);
 const compare = element("compare", HTMLButtonElement);
@@ -129,8 +133,9 @@ export class FacesPanel {
       changed: `Faces differ by more than ${limit}:`,
       undecided: `Undecided at ${limit}:`,
     }[result.state];
+    const colors = result.state === "unchanged" ? [] : [COLORS];
     summary.replaceChildren(
-      ...[verdict, ...table, `in ${duration(result.seconds.solve)}`].map((text) => {
+      ...[verdict, ...table, ...colors, `in ${duration(result.seconds.solve)}`].map((text) => {
         const line = document.createElement("span");
         line.textContent = text;
         return line;

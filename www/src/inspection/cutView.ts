@@ -1,7 +1,15 @@
 // The plot of the section that the user placed, of the maps that are shown.
+import { element } from "../common/elements.ts";
 import type { Models } from "../scene/models.ts";
 import { showCut } from "./cutPlot.ts";
 import { painted } from "./deviationPanel.ts";
+
+// The plot is below the tools, of which there are more rows in a narrow window.
+const tools = element("tools");
+new ResizeObserver(() => {
+  const end = tools.offsetTop + tools.offsetHeight;
+  element("cut").style.setProperty("--tools-end", `${end}px`);
+}).observe(tools, { box: "border-box" });
 
 /** Draws the deviation along the section; without a section or a map, nothing. */
 export function drawCut(models: Models): void {

@@ -98,9 +98,7 @@ export class View {
       this.#lines.b.lines,
     );
     this.#viewport = viewport;
-    viewport.keepBeside(element("legend"));
-    viewport.keepClear(element("cut"), "top");
-    viewport.keepClear(element("legend"), "bottom");
+    viewport.keepClear(...["legend", "tools", "cut", "foot"].map((id) => element(id)));
     this.#gizmo = new Gizmo(viewport, canvas, onGizmo);
     const cube = new ViewCube(element("axes", SVGSVGElement), (view) => this.look(view));
     viewport.onDraw = () => {
@@ -220,6 +218,11 @@ export class View {
     if (arrow === undefined) this.#showArrow();
     else this.#arrow.show(arrow.from, arrow.to, arrow.texts, this.models.center);
     this.#viewport?.draw();
+  }
+
+  /** Shows what was seen before a place was shown from near. */
+  back(): void {
+    this.#viewport?.back();
   }
 
   /** Draws all faces of a model but these. */

@@ -19,6 +19,7 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { nextTask } from "../../common/nextTask.ts";
 import { fitDistance } from "./fit.ts";
+import { isSame, NOWHERE, nearest, type Part, partOf } from "./free.ts";
 import { STANDARD_VIEWS } from "./standardViews.ts";
 
 const FIELD_OF_VIEW = 32;
@@ -41,12 +42,11 @@ const WAY = 280;
 /** Milliseconds after which a drawing no longer waits for its shaders. */
 const MAX_COMPILATION = 3000;
 
-/** The part of the view's width that is given up; of a telephone's the legend takes more. */
-const MAX_COVERED = 0.3;
-/** The part of the view's width from which on what lies over it is as good as a bar across. */
-const ACROSS = 0.7;
-/** The part of the view's height that is given up. */
-const MAX_COVERED_HEIGHT = 0.5;
+/** A box that fills the view, seen from a direction. */
+interface Fitted {
+  box: Box3;
+  direction: Vector3;
+}
 
 /** A border across the view. */
 export interface Wipe {
@@ -73,11 +73,14 @@ export class Viewport {
   /** The part of the view, from the left, that shows one model; undefined where all is shown. */
   #wipe: Wipe | undefined;
   #way = 0;
-  /** CSS pixels at the left of the view, at its top and at its bottom that something else covers. */
-  #covered = 0;
-  readonly #bars = { top: 0, bottom: 0 };
+  /** The view's width and height, in CSS pixels. */
+  #size: readonly [number, number] = [0, 0];
+  /** What lies over the view, and where. */
+  readonly #over: { element: HTMLElement; part: Part }[] = [];
   /** What was fitted to the view, until the camera is moved elsewhere. */
-  #fitted: { box: Box3; direction: Vector3 } | undefined;
+  #fitted: Fitted | undefined;
+  /** What was seen before a place was shown from near. */
+  #before: { place: number[]; fitted: Fitted | undefined } | undefined;
 
   /**
    * Opens a viewport in some short tasks: the context, the renderer's state.
@@ -123,33 +126,31 @@ export class Viewport {
     new ResizeObserver(() => this.#resize()).observe(canvas);
   }
 
-  /** Keeps the middle of the view right of an element at its left, while that is shown and the view is wide. */
-  keepBeside(element: HTMLElement): void {
-    const observer = new ResizeObserver(([entry]) => {
-      const width = entry?.borderBoxSize[0]?.inlineSize ?? 0;
-      const given = width > 0 ? element.offsetLeft + width : 0;
-      const covered = given <= MAX_COVERED * this.#canvas.clientWidth ? given : 0;
-      if (covered === this.#covered) return;
-      this.#covered = covered;
-      this.#resize();
+  /** Shows models where none of these elements lies over them, as far as there is room; the first are heeded first. */
+  keepClear(...elements: HTMLElement[]): void {
+    const observer = new ResizeObserver(() => {
+      if (this.#clear() && this.#sized) this.#arrange();
     });
-    observer.observe(element, { box: "border-box" });
+    for (const element of elements) {
+      this.#over.push({ element, part: NOWHERE });
+      observer.observe(element, { box: "border-box" });
+    }
   }
 
-  /** Keeps the middle of the view between its edge and an element, while that is shown and reaches across. */
-  keepClear(element: HTMLElement, edge: "top" | "bottom"): void {
-    const observer = new ResizeObserver(([entry]) => {
-      const { inlineSize: width = 0, blockSize: height = 0 } = entry?.borderBoxSize[0] ?? {};
-      const { clientWidth, clientHeight } = this.#canvas;
-      const isAcross = width >= ACROSS * clientWidth && height > 0;
-      const { offsetTop } = element;
-      const given = edge === "top" ? offsetTop + height : clientHeight - offsetTop;
-      const covered = isAcross && given <= MAX_COVERED_HEIGHT * clientHeight ? given : 0;
-      if (covered === this.#bars[edge]) return;
-      this.#bars[edge] = covered;
-      this.#resize();
-    });
-    observer.observe(element, { box: "border-box" });
+  /** Heeds where the elements over the view are now; returns whether that is elsewhere than before. */
+  #clear(): boolean {
+    const before = this.#over.map(({ part }) => part);
+    for (const over of this.#over) over.part = partOf(over.element);
+    return this.#over.some(({ part }, index) => !isSame(part, before[index] ?? NOWHERE));
+  }
+
+  /** Moves the models to where nothing lies over them; what filled the view fills it there. */
+  #arrange(): void {
+    const [width, height] = this.#size;
+    // A place is in the middle of what is free.
+    this.#settle((free) => -Math.min(free[0] * width, free[1] * height));
+    if (this.#fitted !== undefined) this.fit(this.#fitted.box, this.#fitted.direction, true);
+    this.draw();
   }
 
   /** Draws one model left of a fraction of the view and the other one right of it. */
@@ -220,13 +221,42 @@ export class Viewport {
     if (box.isEmpty()) return;
     // Later sizes are observed: reading one here would lay out the page at once.
     if (!this.#sized) this.#resize();
-    const { clientWidth, clientHeight } = this.#canvas;
-    const distance = fitDistance(this.#perspective, direction, box, [
-      1 - this.#covered / Math.max(1, clientWidth),
-      1 - (this.#bars.top + this.#bars.bottom) / Math.max(1, clientHeight),
-    ]);
+    const distance = this.#settle((free) => fitDistance(this.#perspective, direction, box, free));
     this.#look(box.getCenter(new Vector3()), direction, distance, atOnce);
     this.#fitted = { box: box.clone(), direction: direction.clone() };
+    this.#before = undefined;
+  }
+
+  /** Shows what was seen before a place was shown from near. */
+  back(): void {
+    if (this.#before === undefined) return;
+    const { place, fitted } = this.#before;
+    this.#before = undefined;
+    if (fitted !== undefined) {
+      this.fit(fitted.box, fitted.direction);
+      return;
+    }
+    const eye = new Vector3(...place.slice(0, 3));
+    const target = new Vector3(...place.slice(3));
+    const direction = eye.sub(target);
+    const distance = direction.length();
+    this.#look(target, direction.normalize(), distance);
+  }
+
+  /**
+   * Shows models in the free part of the view in which they are seen from the least distance, by its
+   * width and height as parts of the view's; returns that distance.
+   */
+  #settle(distanceIn: (free: [width: number, height: number]) => number): number {
+    const [width, height] = this.#size;
+    const over = this.#over.map(({ part }) => part);
+    const { part, distance } = nearest(this.#size, over, distanceIn);
+    const { left, right, top, bottom } = part;
+    const [across, down] = [(width - left - right) / 2, (height - top - bottom) / 2];
+    for (const camera of [this.#perspective, this.#orthographic]) {
+      camera.setViewOffset(width, height, across, down, width, height);
+    }
+    return distance;
   }
 
   /** Shows a sphere at once, from a side from which a surface with this normal is seen. */
@@ -238,8 +268,10 @@ export class Viewport {
   /** Shows a sphere, from the current direction, or where a surface has this normal from its side. */
   approach(center: Vector3, radius: number, normal?: Vector3): void {
     const direction = normal === undefined ? this.#direction() : this.#facing(normal);
-    this.#look(center, direction, radius / SINE);
+    this.#before ??= { place: this.place, fitted: this.#fitted };
     this.#fitted = undefined;
+    this.#arrange();
+    this.#look(center, direction, radius / SINE);
   }
 
   /** The point that the camera looks at, and the direction from there to it. */
@@ -357,13 +389,9 @@ export class Viewport {
     // Nothing fits a view without a size, from any distance.
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#renderer.setSize(clientWidth, clientHeight, false);
-    const [left, top] = [-0.5 * this.#covered, 0.5 * (this.#bars.bottom - this.#bars.top)];
-    for (const camera of [this.#perspective, this.#orthographic]) {
-      camera.setViewOffset(clientWidth, clientHeight, left, top, clientWidth, clientHeight);
-    }
-    // What filled the view fills it in its new shape.
-    if (this.#fitted !== undefined) this.fit(this.#fitted.box, this.#fitted.direction, true);
-    this.draw();
+    this.#size = [clientWidth, clientHeight];
+    this.#clear();
+    this.#arrange();
   }
 }
 

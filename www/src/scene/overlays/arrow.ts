@@ -20,6 +20,8 @@ const END_RADIUS = 2.6;
 const HEAD_ASPECT = 2.6;
 /** The largest fraction of the arrow's length that the head takes. */
 const MAX_HEAD_FRACTION = 0.5;
+/** Pixels from the arrow to its label, as in the style sheet. */
+const LEADER = 22;
 /** Pixels from end to end above which both have labels of their own. */
 const MIN_APART = 70;
 const UP = new Vector3(0, 1, 0);
@@ -96,7 +98,11 @@ export class Arrow {
     if (!this.group.visible) return;
     const place = viewport.project(this.#middle);
     this.#label.hidden = place === undefined;
+    const { clientWidth: width } = this.#label.parentElement ?? this.#label;
     moveTo(this.#label, place);
+    // Left of the arrow where there is no room at its right.
+    const reach = (place?.[0] ?? 0) + LEADER + this.#label.offsetWidth;
+    this.#label.classList.toggle("left", reach > width);
     const ends = [viewport.project(this.#from), viewport.project(this.#to)] as const;
     // Seen head-on, or from far, both ends are at the label.
     const [from = [0, 0], to = [0, 0]] = ends;
@@ -104,6 +110,10 @@ export class Arrow {
     for (const [index, label] of this.#ends.entries()) {
       label.hidden = !apart || ends[index] === undefined || label.textContent === "";
       moveTo(label, ends[index]);
+      // Its middle is at the end, unless it would reach over an edge of the view.
+      const [at, half] = [ends[index]?.[0] ?? 0, label.offsetWidth / 2];
+      const shift = Math.max(half - at, Math.min(0, width - half - at));
+      label.style.setProperty("--across", `${shift}px`);
     }
     this.#size(viewport.pixelAt(this.#middle));
   }

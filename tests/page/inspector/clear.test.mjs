@@ -1,0 +1,114 @@
+// What lies over the view: not over the models, nor cut off at the view's edges.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { open } from "../support/open.mjs";
+import { countPixels } from "../support/pixels.mjs";
+
+const SCREENS = {
+  desktop: { width: 1280, height: 800 },
+  tablet: { width: 820, height: 1180 },
+  "tablet on its side": { width: 1180, height: 820 },
+  telephone: { width: 390, height: 844 },
+};
+const BROKEN = { name: "cut.step", mimeType: "text/plain", buffer: Buffer.from("ISO-10303-21;\n") };
+/** The colours of maps and caps, and not those of the view's background. */
+const COLOURED = "Math.max(r, g, b) - Math.min(r, g, b) > 40";
+
+let opened;
+let page;
+
+before(async () => {
+  opened = await open({ path: "", unfolded: false });
+  page = opened.page;
+  await page.locator('#result[data-state="done"]').waitFor();
+});
+
+after(() => opened.close());
+
+/** Asserts that these elements are shown, and nothing of the models beneath them. */
+async function keepsClear(screen, ...selectors) {
+  for (const selector of selectors) {
+    assert.ok(await page.locator(selector).isVisible(), `${screen}: ${selector}`);
+    assert.equal(await countPixels(page, COLOURED, selector), 0, `${screen}: ${selector}`);
+  }
+  assert.ok((await countPixels(page, COLOURED)) > 10_000, screen);
+}
+
+for (const [screen, size] of Object.entries(SCREENS)) {
+  test(`on a ${screen} nothing lies over the models`, async () => {
+    await page.setViewportSize(size);
+    await page.selectOption("#direction", "oblique");
+    await keepsClear(screen, "#legend");
+    await page.selectOption("#section-axis", "1");
+    await page.locator("#cut svg").waitFor();
+    for (const view of ["back", "isometric"]) {
+      await page.selectOption("#direction", view);
+      await keepsClear(`${screen}, ${view}`, "#legend", "#cut", "#tools");
+    }
+    // Nor is a control covered by the plot.
+    const [plot, tools] = await Promise.all(
+      ["#cut", "#tools"].map((selector) => page.locator(selector).boundingBox()),
+    );
+    assert.ok(tools.y + tools.height <= plot.y, screen);
+    await opened.screenshot(`clear-${screen.replaceAll(" ", "-")}`);
+    await page.selectOption("#section-axis", "");
+    await page.setInputFiles("#file-a", BROKEN);
+    await page.locator("#error").waitFor();
+    await keepsClear(screen, "#legend", "#error");
+    // A change of any option removes the error.
+    await opened.until("done", () => page.locator("#symmetric").evaluate((node) => node.click()));
+    await opened.until("done", () => page.locator("#symmetric").evaluate((node) => node.click()));
+  });
+}
+
+test("labels of the arrow are within the view, wherever its ends are", async () => {
+  await page.setViewportSize(SCREENS.desktop);
+  const rows = page.locator("#place-list button");
+  for (const place of [0, 1, 2, 3]) {
+    await rows.nth(place).click();
+    await page.locator("#label", { hasText: "0.350" }).waitFor();
+    for (const view of ["oblique", "isometric", "left", "back", "top"]) {
+      await page.selectOption("#direction", view);
+      await page.waitForTimeout(300);
+      const outside = await page.evaluate(() => {
+        const { left, right } = document.getElementById("stage").getBoundingClientRect();
+        const labels = [...document.querySelectorAll("#label, .end")];
+        return labels
+          .filter((label) => label.checkVisibility())
+          .map((label) => label.getBoundingClientRect())
+          .filter((box) => box.left < left - 1 || box.right > right + 1).length;
+      });
+      assert.equal(outside, 0, `${place}, ${view}`);
+    }
+  }
+});
+
+test("Escape shows what was seen before places were shown from near", async () => {
+  await page.selectOption("#direction", "left");
+  // The arrow of a place stays, and is not compared.
+  const seen = async () => {
+    await page.waitForTimeout(500);
+    return page.locator("#axes").innerHTML();
+  };
+  const before = [await seen(), await countPixels(page, COLOURED)];
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("n");
+  await page.keyboard.press("n");
+  assert.notDeepEqual([await seen(), await countPixels(page, COLOURED)], before);
+  await page.keyboard.press("Escape");
+  const [cube, count] = [await seen(), await countPixels(page, COLOURED)];
+  assert.equal(cube, before[0]);
+  assert.ok(Math.abs(count - before[1]) < 0.02 * before[1], `${count} for ${before[1]}`);
+});
+
+test("a comparison of faces says what its colours are, without the legend of the map", async () => {
+  assert.ok(await page.locator("#legend").isVisible());
+  await page.locator("#compare").click();
+  await page.locator('#faces[data-state="done"]').waitFor();
+  assert.ok(await page.locator("#legend").isHidden());
+  assert.match(await page.locator("#face-summary").textContent(), /the colour of their model/);
+  await page.locator("#faces-clear").click();
+  assert.ok(await page.locator("#legend").isVisible());
+});
+
+test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));
