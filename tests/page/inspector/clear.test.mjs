@@ -83,6 +83,26 @@ test("labels of the arrow are within the view, wherever its ends are", async () 
   }
 });
 
+test("an arrow that is seen head-on names both its ends", async () => {
+  // The witnesses of the brackets are apart along x.
+  await page.selectOption("#direction", "oblique");
+  await page.locator("#place-list button").first().click();
+  await page.locator("#approach").click();
+  await page.selectOption("#direction", "right");
+  assert.equal(await page.locator("#label").getAttribute("data-ends"), "", "it is short from far");
+  await page.locator("#approach").click();
+  await page.waitForFunction(() => document.getElementById("label").dataset.ends !== "");
+  const ends = await page.locator("#label").getAttribute("data-ends");
+  assert.match(ends, /^A: base end → B: base (end|top|bottom)$/);
+  await opened.screenshot("head-on");
+});
+
+test("the legend leads to its controls", async () => {
+  await page.locator("#legend-controls").click();
+  assert.ok(await page.locator("#scale-steps").isVisible());
+  assert.equal(await page.evaluate(() => document.activeElement.id), "scale-map");
+});
+
 test("Escape shows what was seen before places were shown from near", async () => {
   await page.selectOption("#direction", "left");
   // The arrow of a place stays, and is not compared.

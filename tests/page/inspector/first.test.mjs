@@ -170,6 +170,12 @@ test("a section is capped, and its deviations are drawn along it", async () => {
   await page.selectOption("#section-axis", "1");
   await page.locator("#cut svg").waitFor();
   assert.ok((await page.locator("#cut polygon").count()) > 100);
+  // It is below the tools, of which there is a row more.
+  await page.waitForFunction(
+    () =>
+      document.getElementById("tools").getBoundingClientRect().bottom <
+      document.getElementById("cut").getBoundingClientRect().top,
+  );
   // The base reaches from 0 to 80 mm in A, and to 0.35 more in B.
   const plot = await page.locator("#cut svg").boundingBox();
   const ends = await page.locator("#cut line").evaluateAll((lines) => {
@@ -199,6 +205,21 @@ test("a section is capped, and its deviations are drawn along it", async () => {
   await page.selectOption("#section-axis", "");
   await page.locator("#cut").waitFor({ state: "hidden" });
 });
+
+/** Counts the pixels of pictures that have the colour of marks. */
+const marks = (pictures) =>
+  pictures.map((picture) => {
+    const canvas = new OffscreenCanvas(picture.naturalWidth, picture.naturalHeight);
+    const context = canvas.getContext("2d");
+    context.drawImage(picture, 0, 0);
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    let count = 0;
+    for (let at = 0; at < data.length; at += 4) {
+      const [r, g, b] = data.subarray(at, at + 3);
+      if (Math.max(Math.abs(r - 207), Math.abs(g - 47), Math.abs(b - 75)) < 3) count += 1;
+    }
+    return count;
+  });
 
 test("the report has the verdict, views with legends, faces, and numbered axes", async () => {
   await page.locator("#report-part").fill("Bracket 7");
@@ -232,6 +253,10 @@ test("the report has the verdict, views with legends, faces, and numbered axes",
   assert.equal(await report.locator(".view img").count(), 2);
   assert.equal(await report.locator(".view svg.legend").count(), 2);
   assert.equal(await report.locator(".places img").count(), 4);
+  // In each the place is marked, in the middle, by a colour that no map has.
+  for (const count of await report.locator(".places img").evaluateAll(marks)) {
+    assert.ok(count > 30, `${count} pixels`);
+  }
   assert.match(await report.locator("svg.histogram").textContent(), /%.*deviation/);
   // Words do not run together, and no element has an identifier of the page's twice.
   assert.doesNotMatch(all, /undefined|NaN/);

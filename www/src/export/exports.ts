@@ -66,7 +66,7 @@ async function reportFrom(state: ExportedState): Promise<Blob> {
   return reportOf({ ...content, places: await placesOf(state) });
 }
 
-/** Pictures of the worst places, after which the view is where it was. */
+/** Pictures of the worst places, each with a mark, after which the view is where it was. */
 async function placesOf({ view, views, places, result }: ExportedState) {
   const { camera } = view;
   const all: { title: string; picture: string }[] = [];
@@ -78,13 +78,14 @@ async function placesOf({ view, views, places, result }: ExportedState) {
       return [x, y, z];
     };
     const { models } = view;
-    view.lookAt(
-      models.place(place.side, at(map.positions)),
-      models.turn(place.side, at(map.normals)),
-    );
+    const point = models.place(place.side, at(map.positions));
+    view.lookAt(point, models.turn(place.side, at(map.normals)));
     const size = sizeText(place, result?.diagonal ?? 1);
     const title = `${place.side.toUpperCase()} ${place.name}: ${size}`;
-    all.push({ title, picture: (await views.take(title)).picture });
+    const unmark = view.mark(point);
+    const { picture } = await views.take(title);
+    unmark();
+    all.push({ title, picture });
   }
   view.camera = camera;
   return all;

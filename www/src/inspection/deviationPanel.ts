@@ -22,7 +22,7 @@ import { hideLegend, type Legend, showLegend } from "./legend.ts";
 /** The deviation that the map resolves, in diagonals: its vertices are in float32. */
 const POINT_ACCURACY = 5e-7;
 
-const section = element("estimates");
+const section = element("estimates", HTMLDetailsElement);
 const map = element("scale-map", HTMLSelectElement);
 const kind = element("scale-kind", HTMLSelectElement);
 const range = element("scale-range", HTMLInputElement);
@@ -48,6 +48,11 @@ export function onScale(callback: (scale: ColorScale) => void): void {
     control.addEventListener("input", () => setFocus(undefined));
   }
   unfocus.addEventListener("click", () => setFocus(undefined));
+  element("legend-controls").addEventListener("click", () => {
+    section.open = true;
+    map.scrollIntoView({ block: "center" });
+    map.focus();
+  });
 }
 
 /** Draws with the options as they are now. */

@@ -182,6 +182,17 @@ export class View {
     this.#viewport?.approachAtOnce(point, PLACE_RADIUS * this.models.diagonal, normal);
   }
 
+  /** Marks a point of the scene instead of showing an arrow; returns the function that shows that again. */
+  mark(point: Vector3): () => void {
+    const before = this.#arrow.shown;
+    const at = point.clone().add(this.models.center).toArray();
+    this.#arrow.show(at, at, { length: "", from: "", to: "" }, this.models.center);
+    return () => {
+      if (before === undefined) this.#arrow.hide();
+      else this.#arrow.show(...before);
+    };
+  }
+
   /** Draws at once and without handles, so that the canvas can be read in the same task. */
   renderForExport(): void {
     this.#gizmo?.without(() => this.#viewport?.render());

@@ -22,6 +22,16 @@ export const isSame = (one: Part, other: Part): boolean =>
   one.top === other.top &&
   one.bottom === other.bottom;
 
+/** Returns where a strip of a view begins: right of what lies over its left half. */
+export const beginOf = (
+  over: readonly Part[],
+  [top, bottom]: readonly [number, number],
+  width: number,
+): number =>
+  over
+    .filter((part) => part.top < bottom && part.bottom > top && part.right < width / 2)
+    .reduce((begin, { right }) => Math.max(begin, right), 0);
+
 /**
  * Returns the free part of a view in which models are seen from the least distance, which depends on
  * its width and height as parts of the view's.

@@ -137,9 +137,14 @@ export class Viewport {
     }
   }
 
+  /** What lies over the view, in CSS pixels. */
+  get over(): readonly Part[] {
+    return this.#over.map(({ part }) => part);
+  }
+
   /** Heeds where the elements over the view are now; returns whether that is elsewhere than before. */
   #clear(): boolean {
-    const before = this.#over.map(({ part }) => part);
+    const before = this.over;
     for (const over of this.#over) over.part = partOf(over.element);
     return this.#over.some(({ part }, index) => !isSame(part, before[index] ?? NOWHERE));
   }
@@ -249,8 +254,7 @@ export class Viewport {
    */
   #settle(distanceIn: (free: [width: number, height: number]) => number): number {
     const [width, height] = this.#size;
-    const over = this.#over.map(({ part }) => part);
-    const { part, distance } = nearest(this.#size, over, distanceIn);
+    const { part, distance } = nearest(this.#size, this.over, distanceIn);
     const { left, right, top, bottom } = part;
     const [across, down] = [(width - left - right) / 2, (height - top - bottom) / 2];
     for (const camera of [this.#perspective, this.#orthographic]) {
@@ -376,6 +380,11 @@ export class Viewport {
       // Halfway to the opposite side, no direction is left.
       if (position.lengthSq() === 0) position.copy(direction);
       position.setLength(around).add(this.controls.target);
+      // The same view is the same wherever the way to it began.
+      if (part === 1) {
+        this.controls.target.copy(target);
+        position.copy(eye);
+      }
       this.controls.update();
       this.draw();
       if (part < 1) this.#way = requestAnimationFrame(step);

@@ -9,6 +9,7 @@ import {
   SphereGeometry,
   Vector3,
 } from "three";
+import { beginOf, type Part } from "../camera/free.ts";
 import type { Viewport } from "../camera/viewport.ts";
 
 /** Radii in pixels, independent of the zoom: short arrows stay visible and long ones slim. */
@@ -22,6 +23,8 @@ const HEAD_ASPECT = 2.6;
 const MAX_HEAD_FRACTION = 0.5;
 /** Pixels from the arrow to its label, as in the style sheet. */
 const LEADER = 22;
+/** Pixels from an end to the top of its label, as in the style sheet. */
+const BELOW = 8;
 /** Pixels from end to end above which both have labels of their own. */
 const MIN_APART = 70;
 const UP = new Vector3(0, 1, 0);
@@ -45,6 +48,7 @@ export class Arrow {
   readonly #head: Mesh;
   readonly #start: Mesh;
   readonly #end: Mesh;
+  #shown: Parameters<Arrow["show"]> | undefined;
 
   /** `ends` are labels for the point that the arrow starts from and for the one that it points to, or none. */
   constructor(label: HTMLElement, ends: readonly HTMLElement[], color: string) {
@@ -68,12 +72,14 @@ export class Arrow {
   }
 
   hide(): void {
+    this.#shown = undefined;
     this.group.visible = false;
     for (const label of [this.#label, ...this.#ends]) label.hidden = true;
   }
 
   /** Shows the arrow between two points of the models. `center` is the origin of the scene. */
   show(from: Point, to: Point, texts: ArrowTexts, center: Vector3): void {
+    this.#shown = [from, to, texts, center];
     this.#from.set(...from).sub(center);
     this.#to.set(...to).sub(center);
     this.#middle.copy(this.#from).lerp(this.#to, 0.5);
@@ -82,6 +88,11 @@ export class Arrow {
       label.textContent = index === 0 ? texts.from : texts.to;
     }
     this.group.visible = true;
+  }
+
+  /** What `show` was given last; undefined while nothing is shown. */
+  get shown(): Parameters<Arrow["show"]> | undefined {
+    return this.#shown;
   }
 
   /** The midpoint of the arrow, in scene coordinates. */
@@ -93,29 +104,47 @@ export class Arrow {
     return this.#from.distanceTo(this.#to);
   }
 
-  /** Adapts the arrow's thickness to the camera, and moves the label to its midpoint on the screen. */
+  /** Adapts the arrow's thickness to the camera, and moves the labels to their points on the screen. */
   update(viewport: Viewport): void {
     if (!this.group.visible) return;
     const place = viewport.project(this.#middle);
-    this.#label.hidden = place === undefined;
-    const { clientWidth: width } = this.#label.parentElement ?? this.#label;
-    moveTo(this.#label, place);
-    // Left of the arrow where there is no room at its right.
-    const reach = (place?.[0] ?? 0) + LEADER + this.#label.offsetWidth;
-    this.#label.classList.toggle("left", reach > width);
     const ends = [viewport.project(this.#from), viewport.project(this.#to)] as const;
-    // Seen head-on, or from far, both ends are at the label.
     const [from = [0, 0], to = [0, 0]] = ends;
-    const apart = Math.hypot(from[0] - to[0], from[1] - to[1]) >= MIN_APART;
+    // Seen from far, both ends are at the label; seen head-on, it has their names.
+    const isApart = Math.hypot(from[0] - to[0], from[1] - to[1]) >= MIN_APART;
+    const pixel = viewport.pixelAt(this.#middle);
+    const isHeadOn = !isApart && this.length >= MIN_APART * pixel;
+    const names = this.#ends.flatMap(({ textContent }) => textContent || []);
+    this.#label.dataset.ends = isHeadOn ? names.join(" → ") : "";
+    this.#label.hidden = place === undefined;
+    moveTo(this.#label, place);
     for (const [index, label] of this.#ends.entries()) {
-      label.hidden = !apart || ends[index] === undefined || label.textContent === "";
+      label.hidden = !isApart || ends[index] === undefined || label.textContent === "";
       moveTo(label, ends[index]);
-      // Its middle is at the end, unless it would reach over an edge of the view.
-      const [at, half] = [ends[index]?.[0] ?? 0, label.offsetWidth / 2];
-      const shift = Math.max(half - at, Math.min(0, width - half - at));
+    }
+    this.#keepWithin(viewport.over, [place, ...ends]);
+    this.#size(pixel);
+  }
+
+  /** Shifts labels that would reach over an edge of the view, or under what lies over its left half. */
+  #keepWithin(
+    over: readonly Part[],
+    [middle, ...ends]: readonly (readonly [number, number] | undefined)[],
+  ): void {
+    const { clientWidth: width } = this.#label.parentElement ?? this.#label;
+    // Left of the arrow where there is no room at its right.
+    const reach = (middle?.[0] ?? 0) + LEADER + this.#label.offsetWidth;
+    this.#label.classList.toggle("left", reach > width);
+    for (const [index, label] of this.#ends.entries()) {
+      // The middle of a label is at its end of the arrow, but for the shift.
+      const [at, y] = ends[index] ?? [0, 0];
+      const half = label.offsetWidth / 2;
+      const begin = beginOf(over, [y, y + BELOW + label.offsetHeight], width);
+      // What is covered itself keeps its label beside it.
+      const free = at < begin ? 0 : begin;
+      const shift = Math.max(free + half - at, Math.min(0, width - half - at));
       label.style.setProperty("--across", `${shift}px`);
     }
-    this.#size(viewport.pixelAt(this.#middle));
   }
 
   #size(pixel: number): void {
