@@ -80,7 +80,8 @@ impl WholeFaces {
 }
 
 /// Where a face has no boundary, in the parameters of a chart: each point of a box within all sides belongs to
-/// it, `±η_v < a + b η_u + c η_u²`, η relative to the chart's point and v along the side's axis.
+/// it, `±η_v < a + b η_u + c η_u² + d η_u η_v + f η_v²`, η relative to the chart's point and v along the side's axis.
+#[derive(Clone)]
 pub(super) struct FaceRim {
     /// One or two, with what holds of those of a [`Rim`].
     pub(super) sides: Vec<RimSide>,
@@ -103,9 +104,11 @@ impl FaceChart<'_> {
         let scales = Axis::BOTH.map(|axis| self.chart.own_width(axis) * self.region.scale(axis));
         let of_chart = |Rim { sides, region }: Rim| {
             let sides = sides.into_iter().map(|side| {
-                let ([a, b, c], v, u) = (side.coefficients, side.axis.index(), side.axis.other().index());
+                let ([a, b, c, d, f], v, u) =
+                    (side.coefficients, side.axis.index(), side.axis.other().index());
                 let ratio = scales[u] / scales[v];
-                let coefficients = [a / scales[v], b * ratio, c * ratio * scales[u]];
+                let coefficients =
+                    [a / scales[v], b * ratio, c * ratio * scales[u], d * scales[u], f * scales[v]];
                 RimSide { coefficients, slope: side.slope * ratio, ..side }
             });
             let parameters = [0, 1].map(|axis| {

@@ -3,6 +3,7 @@
 mod beyond;
 mod closing;
 mod confinement;
+mod conic;
 mod crossing;
 mod curve;
 mod enclosure;

@@ -1,15 +1,13 @@
-//! Where a region has no boundary, by a parabola near its loops.
+//! Where a region has no boundary, by a conic near its loops.
 
-use super::piece::{TrimPiece, point_of};
+use super::conic::{Conic, MAX_HALVINGS};
 use super::winding::{Winding, WindingPiece};
 use crate::axis::Axis;
-use crate::chebyshev::binomial;
 use crate::param_box::ParamBox;
-use crate::rounding::{gamma, upper_max};
-use glam::{DMat3, DVec2, DVec3};
+use crate::rounding::upper_max;
+use glam::DVec2;
 
-/// The largest number of halvings of an arc, and of pieces of arcs in a box.
-const MAX_HALVINGS: u32 = 32;
+/// The largest number of pieces of arcs in a box.
 const MAX_PIECES: usize = 64;
 
 /// The length of a piece relative to the box's diagonal.
@@ -18,33 +16,35 @@ const PIECE_LENGTH: f64 = 0.25;
 /// The largest product of the slopes of two sides.
 const MAX_SLOPES: f64 = 0.5;
 
-/// How far beyond the parabola a box is extended, relative to its length.
+/// How far beyond the conic a box is extended, relative to its length, where the domain goes on.
 const EXTENSION: f64 = 0.25;
 
-/// The part of the trace that is added to the normal equations of a parabola.
-const REGULARIZATION: f64 = 1e-13;
+/// How far between a lower side and the conic a point within it is: at the side it may be on the border of the domain.
+const WITHIN: f64 = 0.25;
 
-/// Roundings of a coefficient besides those for each product, relative to the sizes of its terms.
-const COEFFICIENT_ROUNDINGS: f64 = 32.0;
+/// The least derivative of a side's function by its own parameter.
+const MIN_RATE: f64 = 0.5;
 
-/// A parabola over one parameter v, in fractions of the domain relative to a point: with u for the other
-/// parameter, a region is where `±v < a + b u + c u²`, + if it is upwards.
+/// A conic by one parameter v and the other, u, in fractions of the domain relative to a point: a region is where
+/// `±v < a + b u + c u² + d u v + f v²`, + if it is upwards.
 #[derive(Debug, Clone, Copy)]
 pub struct RimSide {
     /// The axis of v.
     pub axis: Axis,
     /// Whether the region ends towards larger v.
     pub is_upwards: bool,
-    /// a, b and c.
-    pub coefficients: [f64; 3],
-    /// A bound on `|b + 2 c u|` over the box.
+    /// a, b, c, d and f.
+    pub coefficients: [f64; 5],
+    /// A positive lower bound on the derivative `1 ∓ d u ∓ 2 f v` of the difference of both sides by ±v over the box.
+    pub rate: f64,
+    /// A bound on `|b + 2 c u + d v| / rate` over the box.
     pub slope: f64,
 }
 
 /// Where a region has no boundary: in a box, each point within all of its sides, one or two, belongs to it.
 ///
 /// The sides of two axes have slopes of a product below 1, and those of one axis end the region towards the same
-/// side. Towards smaller ±v the sides contain the whole side of the box.
+/// side. Towards smaller ±v the whole side of the box is within the side.
 #[derive(Debug, Clone)]
 pub struct Rim {
     /// The sides.
@@ -73,77 +73,80 @@ impl Winding {
         let mut curves: Vec<Curve> = pieces.iter().map(|(curve, _)| *curve).collect();
         curves.sort_unstable();
         curves.dedup();
-        let graph = |of: &[Curve]| {
+        let conics = |of: &[Curve]| {
             let arcs = pieces.iter().filter(|(curve, _)| of.contains(curve)).map(|(_, arc)| arc);
-            Graph::through(arcs, bounds, origin)
+            Conic::through(arcs, bounds, origin)
         };
-        let mut groups: Vec<Vec<(Graph, Option<Curve>)>> = vec![vec![(graph(&curves), None)]];
+        let alone = |conic: Conic, curve: Option<Curve>| vec![(conic, curve)];
+        let of_all = conics(&curves).map(|conic| alone(conic, None));
+        let mut choices: Vec<Vec<Sides>> = vec![of_all.into()];
         if let [first, second] = curves[..] {
-            let [one, other] = [graph(&[first]), graph(&[second])];
-            groups.push(vec![(one.clone(), Some(first)), (other.clone(), Some(second))]);
-            groups.extend([vec![(one, None)], vec![(other, None)]]);
+            let [one, other] = [conics(&[first]), conics(&[second])];
+            let both =
+                |x: usize, y: usize| vec![(one[x].clone(), Some(first)), (other[y].clone(), Some(second))];
+            choices.push(vec![both(0, 0), both(0, 1), both(1, 0), both(1, 1)]);
+            choices.extend([one, other].map(|conics| conics.map(|conic| alone(conic, None)).into()));
         }
-        let signs = [[true, true], [false, false], [true, false], [false, true]];
-        let mut rims = Vec::new();
-        for graphs in &groups {
-            let of_axes = if graphs.len() == 1 || graphs[0].0.axis == graphs[1].0.axis { 2 } else { 4 };
-            rims.extend(signs[..of_axes].iter().find_map(|signs| self.rim_of(graphs, bounds, signs)));
-        }
-        rims
+        let rim_of = |sides: &Sides| {
+            let of_axes = if sides.len() == 1 || sides[0].0.axis == sides[1].0.axis { 2 } else { 4 };
+            SIGNS[..of_axes].iter().find_map(|signs| self.rim_of(sides, bounds, signs))
+        };
+        choices.iter().filter_map(|choice| choice.iter().find_map(rim_of)).collect()
     }
 
-    /// The rim with these graphs, each for the arcs of a curve or of all, that end the region upwards or not.
+    /// The rim with these conics, each for the arcs of a curve or of all, that end the region upwards or not.
     fn rim_of(
         &self,
-        graphs: &[(Graph, Option<Curve>)],
+        conics: &[(Conic, Option<Curve>)],
         [low, high]: [DVec2; 2],
         signs: &[bool],
     ) -> Option<Rim> {
         let sign = |side: usize| if signs[side] { 1.0 } else { -1.0 };
         let mut region = ParamBox::new([low.x, high.x], [low.y, high.y]);
-        // Each side of the box that a graph must not meet is moved beyond it, twice as they depend on each other.
+        // A point within the sides, at most as far from the lower sides as those are moved.
+        let mut within = DVec2::from(region.middle());
+        // Each side of the box that a conic must not meet is moved beyond it, twice as they depend on each other.
         for _ in 0..2 {
-            for (side, (graph, _)) in graphs.iter().enumerate() {
-                let axis = graph.axis;
-                let lowest =
-                    sign(side) * graph.lowest(sign(side), region[axis.other()]) + graph.origin[axis.index()];
+            for (side, (conic, _)) in conics.iter().enumerate() {
+                let (axis, is_upwards) = (conic.axis, signs[side]);
+                let lowest = conic.lowest(sign(side), region[axis.other()]);
                 let extension = sign(side) * EXTENSION * (high - low)[axis.index()];
                 let [near, far] = [low, high].map(|corner| corner[axis.index()]);
-                let end = if signs[side] { near.min(lowest) } else { far.max(lowest) } - extension;
-                region[axis][usize::from(!signs[side])] = end;
+                let lowest = if is_upwards { near.min(lowest) } else { far.max(lowest) };
+                let end = (lowest - extension).clamp(0.0, 1.0);
+                region[axis][usize::from(!is_upwards)] = end;
+                within[axis.index()] = end + WITHIN * (lowest - end);
             }
         }
         let is_inside = region.low().iter().chain(&region.high()).all(|end| (0.0..=1.0).contains(end));
-        // A point of the sides that all graphs must not meet.
-        let mut within = DVec2::from(region.middle());
-        for (side, (graph, _)) in graphs.iter().enumerate() {
-            within[graph.axis.index()] = region[graph.axis][usize::from(!signs[side])];
-        }
         if !is_inside || !self.holds(within) {
             return None;
         }
         let pieces = self.pieces_in([region.low().into(), region.high().into()])?;
         let is_known =
-            |piece: &Curve| graphs.iter().any(|(_, curve)| curve.is_none_or(|curve| curve == *piece));
+            |piece: &Curve| conics.iter().any(|(_, curve)| curve.is_none_or(|curve| curve == *piece));
         if !pieces.iter().all(|(curve, _)| is_known(curve)) {
             return None;
         }
-        let mut sides = Vec::with_capacity(graphs.len());
-        for (side, (graph, curve)) in graphs.iter().enumerate() {
-            let (sign, axis) = (sign(side), graph.axis);
+        let mut sides = Vec::with_capacity(conics.len());
+        for (side, (conic, curve)) in conics.iter().enumerate() {
+            let (sign, axis) = (sign(side), conic.axis);
             let arcs = pieces.iter().filter(|(of, _)| curve.is_none_or(|curve| curve == *of));
             let depth =
-                arcs.map(|(_, arc)| -graph.least(&arc.piece, sign, self.rounding())).fold(0.0, upper_max);
-            let range = region[axis.other()];
-            let end = sign * (region[axis][usize::from(!signs[side])] - graph.origin[axis.index()]);
-            if !(end < graph.lowest(sign, range) - depth) {
+                arcs.map(|(_, arc)| -conic.least(&arc.piece, sign, self.rounding())).fold(0.0, upper_max);
+            let [a, b, c, d, f] = conic.coefficients.map(|coefficient| sign * coefficient);
+            let rounding = 8.0 * self.rounding() * (1.0 + b.abs() + c.abs() + d.abs() + f.abs());
+            let depth = depth + rounding;
+            let rate = conic.rate(&region) - rounding;
+            let lower_side = region[axis][usize::from(!signs[side])];
+            let is_within = conic.highest(sign, lower_side, region[axis.other()]) < -depth
+                && conic.at(sign, within) < -depth;
+            if !is_within || !(rate >= MIN_RATE) {
                 return None;
             }
-            let [a, b, c] = graph.coefficients.map(|coefficient| sign * coefficient);
-            let rounding = 8.0 * self.rounding() * (1.0 + b.abs() + c.abs());
-            let slope = graph.slope(range) + rounding;
-            let coefficients = [a - depth - rounding, b, c];
-            sides.push(RimSide { axis, is_upwards: signs[side], coefficients, slope });
+            let slope = (conic.slope(&region) + rounding) / rate;
+            let coefficients = [a - depth, b, c, d, f];
+            sides.push(RimSide { axis, is_upwards: signs[side], coefficients, rate, slope });
         }
         let product: f64 = sides.iter().map(|side| side.slope).product();
         let is_proper = sides.len() == 1 || sides[0].axis == sides[1].axis || product <= MAX_SLOPES;
@@ -179,107 +182,11 @@ impl Winding {
 /// The index of a loop, and of a curve in it.
 type Curve = (usize, u32);
 
-/// The function v = a + b u + c u² relative to a point.
-#[derive(Debug, Clone)]
-struct Graph {
-    axis: Axis,
-    origin: DVec2,
-    coefficients: [f64; 3],
-}
+/// Conics, each for the arcs of a curve or of all.
+type Sides = Vec<(Conic, Option<Curve>)>;
 
-impl Graph {
-    /// The parabola nearest to the ends and the middles of these pieces, over the parameter along which they run in the box.
-    fn through<'a>(
-        pieces: impl Iterator<Item = &'a WindingPiece> + Clone,
-        [low, high]: [DVec2; 2],
-        origin: DVec2,
-    ) -> Self {
-        let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
-        let run: DVec2 = pieces.clone().map(|arc| (arc.ends[1] - arc.ends[0]).abs() / half).sum();
-        let axis = if run.x >= run.y { Axis::V } else { Axis::U };
-        let (v, u) = (axis.index(), axis.other().index());
-        let (mut matrix, mut right) = (DMat3::ZERO, DVec3::ZERO);
-        for point in pieces.flat_map(|arc| [arc.ends[0], arc.piece.halves()[0].end(), arc.ends[1]]) {
-            let place = (point - middle) / half;
-            let row = DVec3::new(1.0, place[u], place[u] * place[u]);
-            matrix += DMat3::from_cols(row.x * row, row.y * row, row.z * row);
-            right += place[v] * row;
-        }
-        let trace = matrix.x_axis.x + matrix.y_axis.y + matrix.z_axis.z;
-        let [h0, h1, h2] = ((matrix + DMat3::from_diagonal(DVec3::splat(REGULARIZATION * trace))).inverse()
-            * right)
-            .to_array();
-        // Relative to the point and not to the middle.
-        let (shift, ratio) = ((origin[u] - middle[u]) / half[u], half[v] / half[u]);
-        let coefficients = [
-            middle[v] - origin[v] + half[v] * (h0 + shift * (h1 + shift * h2)),
-            ratio * (h1 + 2.0 * shift * h2),
-            ratio / half[u] * h2,
-        ];
-        Self { axis, origin, coefficients }
-    }
-
-    /// A bound on the derivative over a range of u.
-    fn slope(&self, range: [f64; 2]) -> f64 {
-        let [_, b, c] = self.coefficients;
-        let origin = self.origin[self.axis.other().index()];
-        let [low, high] = range.map(|end| (b + 2.0 * c * (end - origin)).abs());
-        upper_max(low, high)
-    }
-
-    /// The least value of ±v over a range of u.
-    fn lowest(&self, sign: f64, range: [f64; 2]) -> f64 {
-        let [a, b, c] = self.coefficients;
-        let origin = self.origin[self.axis.other().index()];
-        let [low, high] = range.map(|end| end - origin);
-        let vertex = (-b / (2.0 * c)).clamp(low, high);
-        let vertex = if vertex.is_nan() { low } else { vertex };
-        let value = |u: f64| sign * (a + u * (b + u * c));
-        value(low).min(value(high)).min(value(vertex))
-    }
-
-    /// A lower bound on `±(v - a - b u - c u²)` over a piece.
-    ///
-    /// With homogeneous controls (U, V, W) relative to the point, the coefficients of
-    /// `±(V - a W - b U) W ∓ c U²` over those of W².
-    fn least(&self, piece: &TrimPiece, sign: f64, rounding: f64) -> f64 {
-        let [a, b, c] = self.coefficients;
-        let (v, u) = (self.axis.index(), self.axis.other().index());
-        let moved = |control: &DVec3| {
-            let place = point_of(*control) - self.origin;
-            [place[u], place[v], control.z]
-        };
-        let controls: Vec<[f64; 3]> = piece.controls.iter().map(moved).collect();
-        let term = |[x, y, w]: [f64; 3], [other_x, _, other_w]: [f64; 3]| {
-            let weight = w * other_w;
-            (weight * sign * (y - a - b * x - c * x * other_x), weight)
-        };
-        let degree = piece.degree();
-        let row: Vec<f64> = (0..=degree).map(|k| binomial(degree, k)).collect();
-        let (mut values, mut weights) = (vec![0.0; 2 * degree + 1], vec![0.0; 2 * degree + 1]);
-        for (i, left) in controls.iter().enumerate() {
-            for (k, right) in controls.iter().enumerate() {
-                let (value, weight) = term(*left, *right);
-                values[i + k] += row[i] * row[k] * value;
-                weights[i + k] += row[i] * row[k] * weight;
-            }
-        }
-        let reach = controls.iter().fold(0.0, |reach, [x, ..]| upper_max(reach, x.abs()));
-        let height = controls.iter().fold(0.0, |height, [_, y, _]| upper_max(height, y.abs()));
-        let slope = 1.0 + b.abs() + 2.0 * c.abs() * reach;
-        let roundings = (2 * (degree + 1)) as f64 + COEFFICIENT_ROUNDINGS;
-        let of_points = rounding + gamma(f64::from(MAX_HALVINGS) * (2.0 * degree as f64 + 4.0));
-        let sizes = height + a.abs() + reach * (b.abs() + reach * c.abs());
-        let error = slope * of_points + gamma(2.0 * roundings) * sizes;
-        let mut least = f64::INFINITY;
-        for (value, weight) in values.iter().zip(&weights) {
-            let value = value / weight;
-            // NaN bounds nothing.
-            least = if value >= least { least } else { value };
-        }
-        if least.is_nan() { f64::NEG_INFINITY } else { least - error }
-    }
-}
+/// Whether the sides end the region upwards: both to the same side first, which those over one parameter have to.
+const SIGNS: [[bool; 2]; 4] = [[true, true], [false, false], [true, false], [false, true]];
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
@@ -288,67 +195,33 @@ mod tests {
     use crate::model::trim::{Trim, TrimCurveArrays};
     use crate::model::{NurbsSurface, SurfaceArrays};
 
-    /// On a straight piece that lies on the graph, the least value is the allowance: that of the places times
-    /// the slope, and the rounding of the coefficients' terms.
-    #[test]
-    fn the_depth_of_an_arc_has_its_rounding() {
-        let coefficients = [0.25, 0.5, 0.0];
-        let graph = Graph { axis: Axis::V, origin: DVec2::ZERO, coefficients };
-        let ends = [DVec2::new(-0.5, 0.0), DVec2::new(0.5, 0.5)];
-        let piece = TrimPiece { controls: ends.map(|end| end.extend(1.0)).to_vec(), curve: 0 };
-        let (slope, sizes) = (1.5, 0.5 + 0.25 + 0.25);
-        let of_terms = gamma(2.0 * (4.0 + 32.0)) * sizes;
-        for rounding in [0.0, 1e-3] {
-            let of_places = slope * (rounding + gamma(32.0 * 6.0));
-            for sign in [1.0, -1.0] {
-                let depth = -graph.least(&piece, sign, rounding);
-                let expected = of_places + of_terms;
-                assert!((depth / expected - 1.0).abs() < 1e-3, "{depth:e} {expected:e} of {sign}");
-            }
-        }
-    }
-
-    /// The same on a piece of second order: the slope is that at its end, and the sizes are those there.
-    #[test]
-    fn the_depth_of_a_parabola_has_its_rounding() {
-        let graph = Graph { axis: Axis::V, origin: DVec2::ZERO, coefficients: [0.25, 0.5, 0.5] };
-        let points = [DVec2::new(-0.5, 0.125), DVec2::new(0.0, 0.125), DVec2::new(0.5, 0.625)];
-        let piece = TrimPiece { controls: points.map(|point| point.extend(1.0)).to_vec(), curve: 0 };
-        let (slope, sizes) = (1.0 + 0.5 + 0.5, 0.625 + 0.25 + 0.5 * (0.5 + 0.25));
-        for rounding in [0.0, 1e-3] {
-            let of_places = slope * (rounding + gamma(32.0 * 8.0));
-            let expected = of_places + gamma(2.0 * (2.0 * 2.0 + 34.0)) * sizes;
-            let depth = -graph.least(&piece, 1.0, rounding);
-            assert!((depth / expected - 1.0).abs() < 1e-2, "{depth:e} {expected:e}");
-        }
-    }
-
-    /// A side is as far within its parabola as arcs are, and by 8 roundings of the domain of each coefficient's
-    /// term besides, which its slope is enlarged by, too.
+    /// A side is as far within its conic as arcs are, and by 8 roundings of the domain of each coefficient's term
+    /// besides, which its slope is enlarged and its rate lowered by, too.
     #[test]
     fn a_side_has_its_rounding() {
         let square = [[-0.5, -1.0], [0.5, -1.0], [0.5, 1.0], [-0.5, 1.0]];
         let winding = region(&square, 0.0).winding();
-        let (b, c) = (0.5, 0.25);
+        let (b, c, d, f) = (0.5, 0.25, 0.75, 1.5);
         for (is_upwards, sign, v) in [(true, 1.0, 0.75), (false, -1.0, 0.25)] {
-            let coefficients = [0.0, sign * b, sign * c];
+            let coefficients = [0.0, sign * b, sign * c, sign * d, sign * f];
             let origin = DVec2::new(0.5, v);
-            let graph = Graph { axis: Axis::V, origin, coefficients };
+            let conic = Conic { axis: Axis::V, origin, coefficients };
             let half = DVec2::splat(1.0 / 32.0);
             let bounds = [origin - half, origin + half];
-            let rim = winding.rim_of(&[(graph.clone(), None)], bounds, &[is_upwards]).unwrap();
+            let rim = winding.rim_of(&[(conic.clone(), None)], bounds, &[is_upwards]).unwrap();
             let pieces = winding.pieces_in([rim.region.low().into(), rim.region.high().into()]).unwrap();
             let depth = pieces
                 .iter()
-                .map(|(_, arc)| -graph.least(&arc.piece, sign, winding.rounding()))
+                .map(|(_, arc)| -conic.least(&arc.piece, sign, winding.rounding()))
                 .fold(0.0, upper_max);
-            // The loop is straight, at v of the point: below the parabola by as much as that rises.
+            // The loop is straight, at v of the point: below the conic by as much as that rises.
             let rise = b / 32.0 + c / 1024.0;
             assert!(depth >= rise && depth < 2.0 * rise, "{depth} {rise}");
-            let rounding = 8.0 * winding.rounding() * (1.0 + b + c);
+            let rounding = 8.0 * winding.rounding() * (1.0 + b + c + d + f);
             let [side] = &rim.sides[..] else { panic!("{rim:?}") };
             let own = |found: f64| (found / rounding - 1.0).abs() < 0.1;
-            assert!(own(side.slope - (b + 2.0 * c / 32.0)), "{side:?} {rounding:e}");
+            assert!(own(conic.rate(&rim.region) - side.rate), "{side:?} {rounding:e}");
+            assert!(own(side.slope * side.rate - conic.slope(&rim.region)), "{side:?} {rounding:e}");
             assert!(own(-side.coefficients[0] - depth), "{side:?} {depth:e} {rounding:e}");
         }
     }
@@ -356,15 +229,6 @@ mod tests {
     /// The part of [-1, 1] × [-2, 2] within a polygon, with sides of this middle weight, 0 for straight ones: they
     /// bulge by a fifth of their length, outwards or inwards in turn.
     fn region(corners: &[[f64; 2]], weight: f64) -> Trim {
-        let surface = NurbsSurface::new(
-            0,
-            SurfaceArrays {
-                degree: [1, 1],
-                knots: [vec![-1.0, -1.0, 1.0, 1.0], vec![-2.0, -2.0, 2.0, 2.0]],
-                counts: [2, 2],
-                control_points: [-1.0, 1.0].map(|x| [-2.0, 2.0].map(|y| [x, y, 0.0, 1.0])).concat(),
-            },
-        );
         let side = |k: usize| {
             let [from, to] = [corners[k], corners[(k + 1) % corners.len()]];
             let bulge = if k.is_multiple_of(2) { 0.2 } else { -0.2 };
@@ -382,7 +246,21 @@ mod tests {
                 ..TrimCurveArrays::default()
             }
         };
-        Trim::new(0, &surface.unwrap(), vec![(0..corners.len()).map(side).collect()]).unwrap()
+        region_within((0..corners.len()).map(side).collect())
+    }
+
+    /// The part of [-1, 1] × [-2, 2] within a loop.
+    fn region_within(curves: Vec<TrimCurveArrays>) -> Trim {
+        let surface = NurbsSurface::new(
+            0,
+            SurfaceArrays {
+                degree: [1, 1],
+                knots: [vec![-1.0, -1.0, 1.0, 1.0], vec![-2.0, -2.0, 2.0, 2.0]],
+                counts: [2, 2],
+                control_points: [-1.0, 1.0].map(|x| [-2.0, 2.0].map(|y| [x, y, 0.0, 1.0])).concat(),
+            },
+        );
+        Trim::new(0, &surface.unwrap(), vec![curves]).unwrap()
     }
 
     /// Counterclockwise, with convex, right, obtuse and reflex corners.
@@ -392,9 +270,22 @@ mod tests {
     /// The value of a side at fractions relative to the point: how far they are beyond it.
     fn beyond(side: &RimSide, place: DVec2) -> f64 {
         let (v, u) = (side.axis.index(), side.axis.other().index());
-        let [a, b, c] = side.coefficients;
+        let [a, b, c, d, f] = side.coefficients;
         let sign = if side.is_upwards { 1.0 } else { -1.0 };
-        sign * place[v] - a - place[u] * (b + c * place[u])
+        sign * place[v] - a - place[u] * (b + c * place[u] + d * place[v]) - f * place[v] * place[v]
+    }
+
+    /// Whether every point of a lower side of a rim is within that side.
+    fn has_lower_sides_within(rim: &Rim, origin: DVec2) -> bool {
+        rim.sides.iter().all(|side| {
+            let mut place = DVec2::ZERO;
+            place[side.axis.index()] = rim.region[side.axis][usize::from(!side.is_upwards)];
+            let [low, high] = rim.region[side.axis.other()];
+            (0..=64).all(|step| {
+                place[side.axis.other().index()] = low + (high - low) * f64::from(step) / 64.0;
+                beyond(side, place - origin) < 0.0
+            })
+        })
     }
 
     /// Every point of the box within all sides belongs to the region, on whichever side it is and of whichever
@@ -423,6 +314,7 @@ mod tests {
                     corners += usize::from(rim.sides.len() == 2);
                     let [first, last] = [DVec2::from(rim.region.low()), DVec2::from(rim.region.high())];
                     assert!(first.cmple(middle - half).all() && last.cmpge(middle + half).all());
+                    assert!(has_lower_sides_within(&rim, middle + 0.3 * half), "{rim:?}");
                     let mut outside = f64::INFINITY;
                     for _ in 0..100 {
                         let place = first + (last - first) * DVec2::new(random.f64(), random.f64());
@@ -435,8 +327,11 @@ mod tests {
                         let number = winding.number(winding.parameters(place));
                         assert!(excess >= 0.0 || number == Some(1), "{rim:?} at {place} {excess:e}");
                         for side in &rim.sides {
-                            let (u, c) = (side.axis.other().index(), side.coefficients);
-                            assert!((c[1] + 2.0 * c[2] * relative[u]).abs() <= side.slope);
+                            let [u, v] = [side.axis.other(), side.axis].map(|axis| relative[axis.index()]);
+                            let [_, b, c, d, f] = side.coefficients;
+                            let sign = if side.is_upwards { 1.0 } else { -1.0 };
+                            assert!(1.0 - sign * (d * u + 2.0 * f * v) >= side.rate && side.rate >= 0.5);
+                            assert!((b + 2.0 * c * u + d * v).abs() <= side.slope * side.rate);
                         }
                         if number == Some(0) {
                             outside = outside.min(excess);
@@ -469,6 +364,69 @@ mod tests {
                 side.coefficients.iter().all(|value| value.abs() < 1e-9) && side.slope < 1e-9,
                 "{side:?}"
             );
+        }
+    }
+
+    /// Arcs of circles are met exactly from either side: no place within the domain of the rim that is farther
+    /// than rounding within the conic is outside, and none as far beyond it is inside.
+    #[test]
+    fn arcs_of_circles_are_exact() {
+        let random = &mut fastrand::Rng::with_seed(3193);
+        // Four quarters of a circle about the middle, in fractions of the domain an ellipse.
+        let corners = [[0.5, 0.0], [0.0, 0.5], [-0.5, 0.0], [0.0, -0.5]];
+        let arc = |k: usize| {
+            let ([x0, y0], [x1, y1]): ([f64; 2], [f64; 2]) = (corners[k], corners[(k + 1) % 4]);
+            let weight = std::f64::consts::FRAC_1_SQRT_2;
+            let middle = [x0 + x1, y0 + y1, weight];
+            TrimCurveArrays {
+                degree: 2,
+                knots: [vec![0.0; 3], vec![1.0; 3]].concat(),
+                control_points: vec![[x0, y0, 1.0], middle, [x1, y1, 1.0]],
+                ..TrimCurveArrays::default()
+            }
+        };
+        let winding = region_within((0..4).map(arc).collect()).winding();
+        let mut found = 0;
+        for _ in 0..200 {
+            let angle = std::f64::consts::TAU * random.f64();
+            let size = 10.0_f64.powf(-1.0 - 3.0 * random.f64());
+            let middle = [0.5 * angle.cos(), 0.5 * angle.sin()];
+            let box_ = ParamBox::new(
+                [middle[0] - size, middle[0] + 0.3 * size],
+                [middle[1] - 0.7 * size, middle[1] + size],
+            );
+            let origin = winding.fraction(DVec2::from(middle));
+            for rim in winding.rims(&box_, middle).iter().filter(|rim| rim.sides.len() == 1) {
+                found += 1;
+                let [low, high] = [DVec2::from(rim.region.low()), DVec2::from(rim.region.high())];
+                for _ in 0..50 {
+                    let place = low + (high - low) * DVec2::new(random.f64(), random.f64());
+                    let excess = beyond(&rim.sides[0], place - origin);
+                    let [x, y] = winding.parameters(place);
+                    let is_inside = x * x + y * y < 0.25;
+                    assert!(excess.abs() < 1e-10 || is_inside == (excess < 0.0), "{excess:e} {rim:?}");
+                }
+            }
+        }
+        assert!(found > 150, "{found}");
+    }
+
+    /// A loop that ends on the border of the domain has a rim there, over the parameter in which the region can be
+    /// left without leaving the domain.
+    #[test]
+    fn a_loop_has_a_rim_up_to_the_border_of_the_domain() {
+        let winding = region(&[[-1.0, -2.0], [1.0, -2.0], [-1.0, 1.0]], 0.0).winding();
+        for (box_, origin) in [
+            (ParamBox::new([-1.0, -0.98], [0.9, 1.0]), [-1.0, 0.95]),
+            (ParamBox::new([0.9, 1.0], [-2.0, -1.9]), [0.95, -2.0]),
+        ] {
+            let rims = winding.rims(&box_, origin);
+            let place = winding.fraction(DVec2::from(origin));
+            assert!(rims.iter().all(|rim| has_lower_sides_within(rim, place)), "{rims:?}");
+            let [side] = &rims[0].sides[..] else { panic!("{rims:?}") };
+            // The region ends at x / 2 + (y + 2) / 3 = 1 / 2, by fractions at x + y = 1.
+            let relative = winding.fraction(DVec2::new(-1.0, 1.0)) - winding.fraction(DVec2::from(origin));
+            assert!(beyond(side, relative).abs() < 1e-9, "{side:?}");
         }
     }
 

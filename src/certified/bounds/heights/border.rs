@@ -20,6 +20,9 @@ const COMBINATION_ROUNDINGS: f64 = 32.0;
 /// Roundings of a step of a length.
 const STEP_ROUNDINGS: f64 = 8.0;
 
+/// The number of lines that are looked at for the least of their maximum: most often one or two are found.
+const MAX_LINES: usize = 8;
+
 /// The ends of the surface and, of a trimmed face, the sides of a rim. *Open* are those beyond which points of the
 /// cell are too far.
 pub(super) struct Border {
@@ -109,7 +112,7 @@ impl Over<'_> {
         let Quadric { linear, form } = placement.functions[axis.index()];
         let sign = if end == 0 { -1.0 } else { 1.0 };
         let function = Quadric { linear: sign * linear, form: form * sign };
-        Excess { values: self.a.quadratic_values(&function), constant: placement.offsets[axis.index()][end] }
+        Excess::new(function, &self.a, placement.offsets[axis.index()][end])
     }
 }
 
@@ -120,25 +123,17 @@ impl Side {
         self.length * (value / weight + self.excess.constant)
     }
 
-    /// An upper bound on the lesser of two excesses as lengths over the cell, by the combination of both that varies
-    /// least.
+    /// The excess as a length at a point of the cell.
+    pub(super) fn at(&self, point: DVec3) -> f64 {
+        self.length * (self.excess.function.at(point) + self.excess.constant)
+    }
+
+    /// An upper bound on the lesser of two excesses as lengths over the cell, by a combination of both.
     pub(super) fn lesser_excess(&self, other: &Self) -> f64 {
         let lengths: Vec<[f64; 2]> = (0..self.excess.values.coefficients.len())
             .map(|index| [self.coefficient(index), other.coefficient(index)])
             .collect();
-        // The share with which the combination varies least.
-        let count = lengths.len() as f64;
-        let (mut mean, mut product, mut square) = ([0.0; 2], 0.0, 0.0);
-        for pair in &lengths {
-            mean = [mean[0] + pair[0] / count, mean[1] + pair[1] / count];
-        }
-        for pair in &lengths {
-            let [one, two] = [pair[0] - mean[0], pair[1] - mean[1]];
-            product += two * (two - one);
-            square += (two - one) * (two - one);
-        }
-        let share: f64 = product / square;
-        let share = if share.is_nan() { 0.5 } else { share.clamp(0.0, 1.0) };
+        let share = share_of(&lengths);
         let mut highest = f64::NEG_INFINITY;
         for [one, two] in lengths {
             highest = upper_max(highest, share * one + (1.0 - share) * two);
@@ -148,9 +143,42 @@ impl Side {
 
     /// The rounding error of a coefficient in a combination.
     fn error(&self) -> f64 {
-        let Excess { values, constant } = &self.excess;
+        let Excess { values, constant, .. } = &self.excess;
         self.length * (values.error + gamma(COMBINATION_ROUNDINGS) * (values.size + constant.abs()))
     }
+}
+
+/// The share s of [0, 1] with which the largest `s one + (1 - s) other` of pairs is about the least.
+///
+/// The largest is a convex function of s, the maximum of a line for each pair: between a line that falls and one that
+/// rises its least value is where a higher line replaces one of both, or where they meet.
+fn share_of(pairs: &[[f64; 2]]) -> f64 {
+    let value = |share: f64, [one, other]: [f64; 2]| share * one + (1.0 - share) * other;
+    let highest = |share: f64| {
+        let higher = |best: [f64; 2], pair: [f64; 2]| {
+            if value(share, pair) > value(share, best) { pair } else { best }
+        };
+        pairs.iter().copied().reduce(higher).unwrap_or_default()
+    };
+    let rise = |[one, other]: [f64; 2]| one - other;
+    let [mut falling, mut rising] = [highest(0.0), highest(1.0)];
+    if rise(falling) >= 0.0 {
+        return 0.0;
+    }
+    if rise(rising) <= 0.0 {
+        return 1.0;
+    }
+    let meeting = |falling: [f64; 2], rising: [f64; 2]| {
+        ((falling[1] - rising[1]) / (rise(rising) - rise(falling))).clamp(0.0, 1.0)
+    };
+    for _ in 0..MAX_LINES {
+        let highest = highest(meeting(falling, rising));
+        if highest == falling || highest == rising {
+            break;
+        }
+        *(if rise(highest) > 0.0 { &mut rising } else { &mut falling }) = highest;
+    }
+    meeting(falling, rising)
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -163,7 +191,8 @@ mod tests {
     fn side(ends: [f64; 2], constant: f64, length: f64, error: f64) -> Side {
         let coefficients = [ends[0], ends[0], ends[1], ends[1]].map(|value| (2.0 * value, 2.0)).to_vec();
         let values = Values { degree: [1, 1], coefficients, size: 3.0, error };
-        Side { excess: Excess { values, constant }, length }
+        let function = Quadric::of_plane(DVec3::ZERO);
+        Side { excess: Excess { function, values, constant }, length }
     }
 
     /// Two functions with opposite slopes have what their constants leave in common, with the errors of both.
@@ -180,6 +209,26 @@ mod tests {
         assert!(
             one.lesser_excess(&other) >= 0.375 + 0.5 * (2.0 * rounding(0.25) + 0.5 * rounding(0.5)) - 1e-16
         );
+    }
+
+    /// No other share of two functions lowers the largest of their sum, with all of their lines and with those that fall or
+    /// rise alone.
+    #[test]
+    fn the_share_lowers_the_largest_most() {
+        let random = &mut fastrand::Rng::with_seed(3212);
+        for case in 0..300 {
+            let bias = [0.0, 1.0, -1.0][case % 3];
+            let pairs: Vec<[f64; 2]> =
+                (0..9).map(|_| [random.f64() - 0.5 + bias, random.f64() - 0.5 - bias]).collect();
+            let largest = |share: f64| {
+                let values = pairs.iter().map(|[one, other]| share * one + (1.0 - share) * other);
+                values.fold(f64::NEG_INFINITY, upper_max)
+            };
+            let share = share_of(&pairs);
+            assert!((0.0..=1.0).contains(&share));
+            let least = (0..=1000).map(|k| largest(f64::from(k) / 1000.0)).fold(f64::INFINITY, f64::min);
+            assert!(largest(share) <= least + 1e-12, "{} {least} of case {case}", largest(share));
+        }
     }
 
     /// No place of a cell is beyond both by more than the lesser excess, and it is that of one place where both

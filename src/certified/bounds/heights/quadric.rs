@@ -29,6 +29,11 @@ impl Quadric {
         Self { linear, form: DMat3::ZERO }
     }
 
+    /// Its value at a point.
+    pub(super) fn at(&self, y: DVec3) -> f64 {
+        y.dot(self.linear + self.form * y)
+    }
+
     /// Whether it is linear.
     pub(super) fn is_linear(&self) -> bool {
         self.form == DMat3::ZERO

@@ -1,18 +1,20 @@
 //! Cells over a loop of a face.
 //!
-//! Lemma (3.19 of `docs/method.md`). Let a face have no boundary where one or two parabolas of its parameters say
-//! so: in a box of them each point within all sides, `±η_v < a + b η_u + c η_u²` with η relative to the foot,
-//! belongs to it. Let all fixed points of a cell be in the box. With the functions g and the lags λ of their
-//! placement and the lags κ of linear functions at its fixed points, no fixed point is beyond a side by more than
+//! Lemma (3.19 of `docs/method.md`). Let a face have no boundary where one or two conics of its parameters say so: in
+//! a box of them each point within all sides, `e = ±η_v - a - b η_u - c η_u² - d η_u η_v - f η_v² < 0` with η relative
+//! to the foot and a derivative by ±η_v of at least σ, belongs to it. Let all fixed points of a cell be in the box. With
+//! the functions g and the lags λ of their placement, the lags κ of linear functions at its fixed points and the largest
+//! parameters q, e is at no fixed point more than
 //!
-//! `max over the cell of (±g_v - b g_u - c (P_u·Y)²) - a + λ_v + |b| λ_u + |c| κ_u (2 |η_u| + κ_u)`.
+//! `max over the cell of (±g_v - b g_u - c (P_u·Y)² - d (P_u·Y) (P_v·Y) - f (P_v·Y)²) - a + λ_v + |b| λ_u`
+//! `+ |c| κ_u (2 q_u + κ_u) + |d| (κ_u q_v + (q_u + κ_u) κ_v) + |f| κ_v (2 q_v + κ_v)`.
 //!
-//! A step along v of the largest excess, or along both axes of `(x_1 + s_1 x_2) / (1 - s_1 s_2)` and
-//! `(x_2 + s_2 x_1) / (1 - s_1 s_2)` for excesses x and slopes s of sides of both, leads to a point of the face.
+//! With these excesses over σ, x, and slopes s of both sides, a step along v of the largest x, or along both axes of
+//! `(x_1 + s_1 x_2) / (1 - s_1 s_2)` and `(x_2 + s_2 x_1) / (1 - s_1 s_2)`, leads to a point of the face.
 
 use super::frame::Placement;
 use super::over::Over;
-use super::piece::Values;
+use super::piece::{Piece, Values};
 use super::quadric::{Quadric, symmetric_product};
 use crate::axis::Axis;
 use crate::certified::faces::{FaceChart, FaceRim};
@@ -58,51 +60,69 @@ pub(super) fn overrun_of(
     (overrun <= threshold).then_some(overrun)
 }
 
-/// Whether steps towards the inside lead from all of these parameters to places in the rim's box.
+/// Whether steps along both axes lead from all of these parameters to places in the rim's box. Steps along one do: the
+/// side of the box that they lead to is within the rim.
 pub(super) fn stays_in_box(rim: &FaceRim, feet: [[f64; 2]; 2], steps: [f64; 2]) -> bool {
-    rim.sides.iter().all(|side| {
+    let is_inside = |side: &RimSide| {
         let index = side.axis.index();
         let ([low, high], [first, last]) = (rim.parameters[index], feet[index]);
         steps[index] <= if side.is_upwards { first - low } else { high - last }
-    })
+    };
+    steps.contains(&0.0) || rim.sides.iter().all(is_inside)
 }
 
 /// A bound, for each point of a cell, on how far its fixed point is beyond a line.
 pub(super) struct Excess {
-    /// On the cell, of twice its degrees.
+    pub(super) function: Quadric,
+    /// Its values on the cell, of twice the cell's degrees.
     pub(super) values: Values,
     /// What is added to the values.
     pub(super) constant: f64,
 }
 
 impl Excess {
+    pub(super) fn new(function: Quadric, a: &Piece, constant: f64) -> Self {
+        Self { values: a.quadratic_values(&function), function, constant }
+    }
+
     /// The largest over the cell.
     pub(super) fn highest(&self) -> f64 {
         self.values.range()[1] + self.constant
     }
 }
 
-/// How far fixed points may be beyond a side, along its axis, for feet within the threshold.
+/// How far fixed points may be beyond a side, along its axis at most, for feet within the threshold.
 pub(super) fn excess(over: &Over<'_>, placement: &Placement, side: &RimSide, threshold: f64) -> Excess {
     let frame = &over.frame;
-    let (across, along) = (side.axis.index(), side.axis.other().index());
-    let ([a, b, c], sign) = (side.coefficients, if side.is_upwards { 1.0 } else { -1.0 });
-    let [g, h] = [placement.functions[across], placement.functions[along]];
-    let row = frame.inverse[along];
-    let function = Quadric {
-        linear: sign * g.linear - b * h.linear,
-        form: g.form * sign - h.form * b - symmetric_product(row, row) * c,
-    };
-    let values = over.a.quadratic_values(&function);
-    let ([low, high], at) = (placement.feet[along], frame.chart.parameters[along]);
-    let reach = upper_max(at - low, high - at);
-    let linear_lag =
-        over.linear.bracket[along] + placement.overshoot[along] + h.size() * over.reach() * threshold;
-    let lags = placement.lag[across]
-        + b.abs() * placement.lag[along]
-        + c.abs() * linear_lag * (2.0 * reach + linear_lag);
-    let sizes = a.abs() + reach * (b.abs() + reach * c.abs()) + values.size + lags;
-    Excess { constant: lags - a + gamma(SUM_ROUNDINGS) * sizes, values }
+    let axes = [side.axis.index(), side.axis.other().index()];
+    // Relative to the least derivative across the side.
+    let v = if side.is_upwards { 1.0 } else { -1.0 } / side.rate;
+    let [a, b, c, d, f] = side.coefficients.map(|coefficient| coefficient / side.rate);
+    let [g, h] = axes.map(|axis| placement.functions[axis]);
+    let [across, along] = axes.map(|axis| frame.inverse[axis]);
+    let products = symmetric_product(along, along) * c
+        + symmetric_product(along, across) * d
+        + symmetric_product(across, across) * f;
+    let function = Quadric { linear: v * g.linear - b * h.linear, form: g.form * v - h.form * b - products };
+    // The largest parameters, and those of linear functions in place of them.
+    let [y, x] = axes.map(|axis| {
+        let ([low, high], at) = (placement.feet[axis], frame.chart.parameters[axis]);
+        upper_max(at - low, high - at)
+    });
+    let [y_lag, x_lag] = axes.map(|axis| {
+        let size = placement.functions[axis].size();
+        over.linear.bracket[axis] + placement.overshoot[axis] + size * over.reach() * threshold
+    });
+    let [b, c, d, f] = [b, c, d, f].map(f64::abs);
+    let lags = v.abs() * placement.lag[axes[0]]
+        + b * placement.lag[axes[1]]
+        + c * x_lag * (2.0 * x + x_lag)
+        + d * (x_lag * y + (x + x_lag) * y_lag)
+        + f * y_lag * (2.0 * y + y_lag);
+    let mut excess = Excess::new(function, &over.a, lags - a);
+    let sizes = a.abs() + x * (b + x * c + y * d) + y * y * f + excess.values.size + lags;
+    excess.constant += gamma(SUM_ROUNDINGS) * sizes;
+    excess
 }
 
 /// Steps along both axes that lead from where all excesses are at most these to within all sides.

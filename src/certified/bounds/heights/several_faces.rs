@@ -14,6 +14,7 @@ use super::{framed, places};
 use crate::certified::cell_context::CellContext;
 use crate::certified::nearest::Foot;
 use crate::rounding::{upper_max, upper_min};
+use glam::DVec3;
 
 /// The largest distance, relative to the threshold, by which a point may be beyond an open side of the face
 /// that it is compared with.
@@ -25,23 +26,31 @@ const MAX_FACES: usize = 4;
 /// The largest number of combinations of their borders that are tried.
 const MAX_TRIALS: usize = 64;
 
+/// The lines of places along each axis of a cell at which faces are looked for. With fewer, corners of faces between
+/// them are missed, and the cell is divided.
+const LINES: usize = 7;
+
 /// A face or a surface of B over the cell, and where it may end there.
 struct Candidate<'a> {
     over: Over<'a>,
+    /// One at least.
     borders: Vec<Border>,
+    /// The cell's points at the places.
+    points: Vec<DVec3>,
 }
 
 impl<'a> Candidate<'a> {
-    fn new(over: Over<'a>, largest: f64, threshold: f64) -> Self {
+    /// `None` where it is not known where the face ends.
+    fn new(over: Over<'a>, largest: f64, threshold: f64) -> Option<Self> {
         let borders = Border::all(&over, largest, threshold);
-        Self { over, borders }
+        let points = over.a.samples([LINES; 2]);
+        (!borders.is_empty()).then_some(Self { over, borders, points })
     }
 
-    /// The least length by which the place of a coefficient is beyond one of its borders, up to what coefficients
-    /// differ from values.
-    fn beyond(&self, index: usize) -> f64 {
+    /// The least length by which the point at a place is beyond one of its borders.
+    fn beyond(&self, place: usize) -> f64 {
         let of_border = |border: &Border| {
-            border.open.iter().map(|side| side.coefficient(index)).fold(f64::NEG_INFINITY, upper_max)
+            border.open.iter().map(|side| side.at(self.points[place])).fold(f64::NEG_INFINITY, upper_max)
         };
         self.borders.iter().map(of_border).fold(f64::INFINITY, upper_min)
     }
@@ -53,14 +62,13 @@ pub(super) fn upper_bound(context: &CellContext<'_>, first: Over<'_>, threshold:
         return None;
     }
     let largest = MAX_EXCESS * threshold;
-    let degree = first.a.degree().map(|degree| 2 * degree);
-    let mut candidates = vec![Candidate::new(first, largest, threshold)];
-    while let Some(place) = place_beyond(&candidates, degree, largest) {
+    let mut candidates = vec![Candidate::new(first, largest, threshold)?];
+    while let Some(place) = place_beyond(&candidates, largest) {
         if candidates.len() == MAX_FACES {
             return None;
         }
         let over = beyond(context, &candidates, place, threshold)?;
-        candidates.push(Candidate::new(over, largest, threshold));
+        candidates.push(Candidate::new(over, largest, threshold)?);
     }
     if candidates.len() == 1 {
         return None;
@@ -70,7 +78,7 @@ pub(super) fn upper_bound(context: &CellContext<'_>, first: Over<'_>, threshold:
     (0..combinations.min(MAX_TRIALS)).find_map(|number| {
         let mut rest = number;
         let mut faces = Vec::with_capacity(candidates.len());
-        for Candidate { over, borders } in &candidates {
+        for Candidate { over, borders, .. } in &candidates {
             faces.push((over, &borders[rest % borders.len()]));
             rest /= borders.len();
         }
@@ -87,20 +95,19 @@ pub(super) fn upper_bound(context: &CellContext<'_>, first: Over<'_>, threshold:
     })
 }
 
-/// The place in the cell, of those of the coefficients of functions of this degree, that is farthest beyond all
-/// faces, if it is so by more than the largest excess.
-fn place_beyond(candidates: &[Candidate<'_>], degree: [usize; 2], largest: f64) -> Option<[f64; 2]> {
-    let columns = degree[1] + 1;
+/// The place in the cell, of those of a grid, that is farthest beyond all faces, if it is so by more than the largest
+/// excess.
+fn place_beyond(candidates: &[Candidate<'_>], largest: f64) -> Option<[f64; 2]> {
     let mut farthest = (largest, None);
-    for index in 0..(degree[0] + 1) * columns {
+    for place in 0..LINES * LINES {
         let beyond =
-            candidates.iter().map(|candidate| candidate.beyond(index)).fold(f64::INFINITY, upper_min);
+            candidates.iter().map(|candidate| candidate.beyond(place)).fold(f64::INFINITY, upper_min);
         if beyond > farthest.0 {
-            farthest = (beyond, Some(index));
+            farthest = (beyond, Some(place));
         }
     }
-    let along = |line: usize, axis: usize| 2.0 * line as f64 / degree[axis] as f64 - 1.0;
-    farthest.1.map(|index| [along(index / columns, 0), along(index % columns, 1)])
+    let along = |line: usize| 2.0 * line as f64 / (LINES - 1) as f64 - 1.0;
+    farthest.1.map(|place| [along(place / LINES), along(place % LINES)])
 }
 
 /// The face or surface of the nearest foot of a place, about its foot of the cell's centre, if it is another one.

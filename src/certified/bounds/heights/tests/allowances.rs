@@ -1,6 +1,6 @@
 //! Allowances of the lemmas that are as small as rounding, or that need several patches of B.
 
-use super::over_faces::{cut_all, face, plane, plate};
+use super::over_faces::{cut_all, face, flat_side, plane, plate};
 use super::terms::{curved, with_over};
 use super::*;
 use crate::axis::Axis;
@@ -256,7 +256,7 @@ fn a_lag_has_the_rounding_of_every_term() {
     }
 }
 
-/// An excess has 32 roundings of each of its terms: the side's three, and the function's on the cell.
+/// An excess has 32 roundings of each of its terms: the side's five, and the function's on the cell.
 #[test]
 fn an_excess_has_the_rounding_of_every_term() {
     const REACH: f64 = 0.5;
@@ -266,14 +266,16 @@ fn an_excess_has_the_rounding_of_every_term() {
         placement.feet = at.map(|at| [at - REACH, at + REACH]);
         [placement.lag, placement.overshoot, over.linear.bracket] = [[0.0; 2]; 3];
         for (x, coefficients, sizes) in [
-            (0.0, [1.0, 0.0, 0.0], 1.0),
-            (0.0, [0.0, 8.0, 0.0], 8.0 * REACH),
-            (0.0, [0.0, 0.0, 8.0], 8.0 * REACH * REACH),
-            (8.0, [0.0; 3], 8.0),
+            (0.0, [1.0, 0.0, 0.0, 0.0, 0.0], 1.0),
+            (0.0, [0.0, 8.0, 0.0, 0.0, 0.0], 8.0 * REACH),
+            (0.0, [0.0, 0.0, 8.0, 0.0, 0.0], 8.0 * REACH * REACH),
+            (0.0, [0.0, 0.0, 0.0, 8.0, 0.0], 8.0 * REACH * REACH),
+            (0.0, [0.0, 0.0, 0.0, 0.0, 8.0], 8.0 * REACH * REACH),
+            (8.0, [0.0; 5], 8.0),
         ] {
             over.a = Piece::new([1, 1], vec![(x * DVec3::X).extend(1.0); 4], DVec3::ZERO, 0.0);
             placement.functions = [Quadric::of_plane(if x > 0.0 { DVec3::X } else { DVec3::ZERO }); 2];
-            let side = RimSide { axis: Axis::V, is_upwards: true, coefficients, slope: 0.0 };
+            let side = RimSide { axis: Axis::V, is_upwards: true, coefficients, rate: 1.0, slope: 0.0 };
             let constant = rim::excess(&over, &placement, &side, 1.0).constant;
             assert_close(constant + coefficients[0], gamma(32.0) * sizes, 0.1);
         }
@@ -283,7 +285,7 @@ fn an_excess_has_the_rounding_of_every_term() {
 /// Excesses of two sides are larger by 128 roundings before the steps are made of them.
 #[test]
 fn steps_along_both_axes_have_their_rounding() {
-    let side = |axis: Axis, slope: f64| RimSide { axis, is_upwards: true, coefficients: [0.0; 3], slope };
+    let side = |axis: Axis, slope: f64| RimSide { slope, ..flat_side(axis) };
     let ([s, t], [x, y]) = ([3.0, 0.25], [1.0, 2.0]);
     let [along_u, along_v] = rim::steps(&[side(Axis::U, s), side(Axis::V, t)], &[x, y]);
     let rounding = gamma(128.0) * (1.0 + s) * (1.0 + t) * (x + y);
@@ -295,7 +297,7 @@ fn steps_along_both_axes_have_their_rounding() {
 #[test]
 fn a_point_within_a_side_is_no_negative_excess() {
     with_over(&curved(), |over| {
-        let side = |axis: Axis| RimSide { axis, is_upwards: true, coefficients: [0.0; 3], slope: 0.5 };
+        let side = |axis: Axis| RimSide { slope: 0.5, ..flat_side(axis) };
         let rim = FaceRim { sides: Axis::BOTH.map(side).to_vec(), parameters: [[0.3, 0.7]; 2] };
         let mut placement = over.linear;
         placement.feet = [[0.45, 0.55]; 2];
@@ -307,9 +309,17 @@ fn a_point_within_a_side_is_no_negative_excess() {
     });
 }
 
-/// A parabola of the face's parameters is one of the chart's, by the widths of the chart's patch.
+/// A conic of the face's parameters is one of the chart's, by the widths of the chart's patch.
 #[test]
 fn a_rim_is_in_the_parameters_of_the_chart() {
+    // A parabola, and an ellipse.
+    for weight in [1.0, 0.9] {
+        rim_of_a_top(weight);
+    }
+}
+
+/// Of a face with one side that is no line, with the middle weight of that.
+fn rim_of_a_top(weight: f64) {
     let value = |u: f64| 0.5 + 0.1 * u + 0.2 * u * u;
     let slope = |u: f64| 0.1 + 0.4 * u;
     let [us, vs] = [[-1.0, -0.5, 1.0], [-1.0, 0.2, 1.0]];
@@ -325,7 +335,8 @@ fn a_rim_is_in_the_parameters_of_the_chart() {
     let top = &mut arrays.trim.as_mut().unwrap()[0][2];
     top.degree = 2;
     top.knots = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
-    top.control_points.insert(1, [0.0, right[1] - 0.6 * slope(0.6), 1.0]);
+    top.control_points.insert(1, [0.0, right[1] - 0.6 * slope(0.6), weight]);
+    let controls = top.control_points.clone();
     let b = cut_all(vec![arrays]);
     let of = |flat: u32| b.faces.chart(&Chart::new(b.pieces.sheets(), flat, [0.5; 2])).unwrap();
     let is_in_patch = |face: &FaceChart<'_>| {
@@ -341,11 +352,29 @@ fn a_rim_is_in_the_parameters_of_the_chart() {
     let rim = face.rims(box_).into_iter().find(|rim| rim.sides.len() == 1).unwrap();
     let side = rim.sides[0];
     assert!(side.axis == Axis::V && side.is_upwards);
-    let expected = [(value(u) - v) / 0.8, slope(u) * 1.5 / 0.8, 0.2 * 1.5 * 1.5 / 0.8];
-    for (found, expected) in side.coefficients.into_iter().zip(expected) {
-        assert_close(found, expected, 1e-6);
+    // Points of the loop are on the conic.
+    let mut on_it = 0;
+    for step in 0..=100 {
+        let t = f64::from(step) / 100.0;
+        let shares = [(1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t) * weight, t * t];
+        let sum = |axis: usize| (0..3).map(|k| shares[k] * controls[k][axis]).sum::<f64>();
+        let [u, v] = [0, 1].map(|axis| sum(axis) / shares.iter().sum::<f64>());
+        let [u, v] = [(u - us[1]) / 1.5, (v - vs[1]) / 0.8];
+        if (0..2).all(|axis| (rim.parameters[axis][0]..=rim.parameters[axis][1]).contains(&[u, v][axis])) {
+            let ([x, y], [a, b, c, d, f]) = ([u - at[0], v - at[1]], side.coefficients);
+            let excess = y - a - x * (b + c * x + d * y) - f * y * y;
+            assert!(excess.abs() < 1e-9, "{excess:e} at {t} of {weight}");
+            on_it += 1;
+        }
     }
-    assert_close(side.slope, expected[1] + 2.0 * expected[2] * (0.5 - at[0]), 1e-6);
+    assert!(on_it > 10, "{on_it}");
+    if weight == 1.0 {
+        let expected = [(value(u) - v) / 0.8, slope(u) * 1.5 / 0.8, 0.2 * 1.5 * 1.5 / 0.8, 0.0, 0.0];
+        for (found, expected) in side.coefficients.into_iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-6, "{found:e} {expected:e}");
+        }
+        assert_close(side.slope * side.rate, expected[1] + 2.0 * expected[2] * (0.5 - at[0]), 1e-6);
+    }
     for (found, expected) in rim.parameters[0].into_iter().zip(box_[0]) {
         assert_close(found, expected, 1e-6);
     }

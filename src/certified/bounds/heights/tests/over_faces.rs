@@ -37,6 +37,11 @@ pub(super) fn face(surface: SurfaceArrays, loops: &[&[[f64; 2]]]) -> FaceArrays 
     }
 }
 
+/// A straight side of a rim, at a constant parameter.
+pub(super) fn flat_side(axis: Axis) -> RimSide {
+    RimSide { axis, is_upwards: true, coefficients: [0.0; 5], rate: 1.0, slope: 0.0 }
+}
+
 /// Cuts faces.
 pub(super) fn cut_all(faces: Vec<FaceArrays>) -> Cut {
     let model = Model::from_faces(ModelArrays { faces, ..ModelArrays::default() }).unwrap();
@@ -279,7 +284,7 @@ fn steps_lead_within_both_sides() {
     for _ in 0..200 {
         let slopes = [random.f64() * 10.0, random.f64() * 0.05];
         let excesses = [random.f64(), random.f64()];
-        let side = |axis: Axis, slope: f64| RimSide { axis, is_upwards: true, coefficients: [0.0; 3], slope };
+        let side = |axis: Axis, slope: f64| RimSide { slope, ..flat_side(axis) };
         let sides = [side(Axis::V, slopes[0]), side(Axis::U, slopes[1])];
         let [along_u, along_v] = rim::steps(&sides, &excesses);
         assert!(along_v - slopes[0] * along_u >= excesses[0]);

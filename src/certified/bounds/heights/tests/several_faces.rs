@@ -75,6 +75,33 @@ fn a_cell_over_several_faces_lies_on_them() {
     }
 }
 
+/// A cell beside a corner at which only three of four faces are needs no fourth one, however near and askew it passes;
+/// if it reaches into that quarter, the bound is at least how far.
+#[test]
+fn a_cell_beside_a_corner_lies_on_three_faces() {
+    const LINE: f64 = 0.13;
+    let (low, high) = ([-0.8, LINE], [LINE, 0.8]);
+    let quarters = [[low, low], [low, high], [high, low]];
+    let of_ends = cut_all(quarters.iter().map(|[x, y]| own_surface(*x, *y)).collect());
+    let of_loops = faces(&quarters.map(|[x, y]| rectangle(x, y)));
+    // One side passes the corner from (2, -1) below it, or above it.
+    let cell = |away: f64| {
+        patch(through(|s, t| {
+            let [x, y] = [0.04 * (s - 0.5) + 0.01 * (t - 1.0), -0.02 * (s - 0.5) + 0.03 * (t - 1.0)];
+            DVec3::new(LINE + x - away, LINE + y, 0.0)
+        }))
+    };
+    for b in [&of_ends, &of_loops] {
+        for away in [1e-5, 1e-4, 1e-3] {
+            let found = bound(&cell(away), b, true, 1e-6);
+            assert!(found.is_some_and(|bound| bound <= 1e-11), "{found:?} at {away}");
+            // The triangle in the fourth quarter has the legs away and away / 2.
+            let into = bound(&cell(-away), b, true, 4.0 * away);
+            assert!(into.is_none_or(|bound| bound >= away / 3.0), "{into:?} at {away}");
+        }
+    }
+}
+
 /// Over a slit the bound is half its width, which the middle of the slit attains.
 #[test]
 fn a_cell_over_a_slit_is_at_half_its_width() {

@@ -1,5 +1,6 @@
 //! Each term of the lemmas, against what it states.
 
+use super::over_faces::flat_side;
 use super::*;
 use crate::axis::Axis;
 use crate::bezier::Patch;
@@ -270,43 +271,59 @@ fn an_excess_has_every_term_of_the_lemma() {
             over.linear.bracket = [0; 2].map(|_| random.f64());
             let threshold = random.f64();
             let [axis, other] = if case % 2 == 0 { [0, 1] } else { [1, 0] };
-            let (is_upwards, [a, b, c]) = (case % 4 < 2, vector(random).to_array());
-            let side = RimSide { axis: Axis::BOTH[axis], is_upwards, coefficients: [a, b, c], slope: 0.0 };
+            let (is_upwards, rate) = (case % 4 < 2, 0.5 + random.f64());
+            let coefficients = [0; 5].map(|_| random.f64() - 0.5);
+            let axes = [axis, other];
+            let side = RimSide { axis: Axis::BOTH[axis], is_upwards, coefficients, rate, slope: 0.0 };
             let found = rim::excess(&over, &placement, &side, threshold).highest();
-            let [g_v, g_u] = [axis, other].map(|axis| value(&Cubic::of(placement.functions[axis]), point));
-            let [low, high] = placement.feet[other].map(|end| (end - frame.chart.parameters[other]).abs());
-            let reach = low.max(high);
-            let along = frame.inverse[other].dot(point);
-            let height = if is_upwards { g_v } else { -g_v } - b * g_u - c * along * along;
-            let turn = placement.functions[other].size() * (point.length() + of_b) * threshold;
-            let linear_lag = over.linear.bracket[other] + placement.overshoot[other] + turn;
+            let [a, b, c, d, f] = coefficients;
+            let [g_v, g_u] = axes.map(|axis| value(&Cubic::of(placement.functions[axis]), point));
+            let [y_reach, x_reach] = axes.map(|axis| {
+                let [low, high] = placement.feet[axis].map(|end| (end - frame.chart.parameters[axis]).abs());
+                low.max(high)
+            });
+            let [y, x] = axes.map(|axis| frame.inverse[axis].dot(point));
+            let height = if is_upwards { g_v } else { -g_v } - b * g_u - c * x * x - d * x * y - f * y * y;
+            let [y_lag, x_lag] = axes.map(|axis| {
+                let turn = placement.functions[axis].size() * (point.length() + of_b) * threshold;
+                over.linear.bracket[axis] + placement.overshoot[axis] + turn
+            });
+            let [b, c, d, f] = [b, c, d, f].map(f64::abs);
             let lags = placement.lag[axis]
-                + b.abs() * placement.lag[other]
-                + c.abs() * linear_lag * (2.0 * reach + linear_lag);
-            let expected = height - a + lags;
+                + b * placement.lag[other]
+                + c * x_lag * (2.0 * x_reach + x_lag)
+                + d * (x_lag * y_reach + (x_reach + x_lag) * y_lag)
+                + f * y_lag * (2.0 * y_reach + y_lag);
+            let expected = (height - a + lags) / rate;
             assert!((found - expected).abs() < 1e-12, "{found} {expected} of case {case}");
-            let sizes = a.abs() + reach * (b.abs() + reach * c.abs()) + height.abs() + lags;
+            let of_sides = a.abs() + x_reach * (b + x_reach * c + y_reach * d) + y_reach * y_reach * f;
+            let sizes = (of_sides + height.abs() + lags) / rate;
             let least = 0.75 * gamma(32.0) * sizes;
             assert!(found - expected > least, "{:e} {least:e} of case {case}", found - expected);
         }
     });
 }
 
-/// Steps must end in the rim's box: by the ends of the range of feet on the inner side of each side.
+/// Steps along both axes must end in the rim's box: by the ends of the range of feet on the inner side of each side.
 #[test]
 fn steps_beyond_the_box_of_a_rim_are_refused() {
     for axis in 0..2 {
         for is_upwards in [true, false] {
-            let side = RimSide { axis: Axis::BOTH[axis], is_upwards, coefficients: [0.0; 3], slope: 0.0 };
-            let rim = FaceRim { sides: vec![side], parameters: [[0.0, 1.0]; 2] };
-            let mut feet = [[0.0, 1.0]; 2];
+            let side = |axis: usize| RimSide { is_upwards, ..flat_side(Axis::BOTH[axis]) };
+            let rim = FaceRim { sides: vec![side(0), side(1)], parameters: [[0.0, 1.0]; 2] };
+            let mut feet = [[0.5, 0.5]; 2];
             feet[axis] = if is_upwards { [0.25, 1.0] } else { [0.0, 0.75] };
             let stays = |length: f64| {
-                let mut steps = [0.0; 2];
+                let mut steps = [0.125; 2];
                 steps[axis] = length;
                 rim::stays_in_box(&rim, feet, steps)
             };
             assert!(stays(0.25) && !stays(0.2500001), "{axis} {is_upwards}");
+            // Along one axis the side that it leads to is within the rim.
+            let one = FaceRim { sides: vec![side(axis)], ..rim.clone() };
+            let mut steps = [0.0; 2];
+            steps[axis] = 0.5;
+            assert!(rim::stays_in_box(&one, feet, steps), "{axis} {is_upwards}");
         }
     }
 }
