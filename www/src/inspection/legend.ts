@@ -8,8 +8,8 @@ import { BINS, binsOf, histogram } from "./histogram.ts";
 
 /** The stops of the scale's gradient. */
 const STOPS = 96;
-/** The least distance of two labels, as a fraction of the scale. */
-const MIN_GAP = 0.075;
+/** The least distance of two labels as a fraction of the scale: a line of text in its 300 px. */
+const MIN_GAP = 0.05;
 
 /** What the legend shows. */
 export interface Legend {
