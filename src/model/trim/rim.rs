@@ -77,15 +77,22 @@ impl Winding {
             let arcs = pieces.iter().filter(|(curve, _)| of.contains(curve)).map(|(_, arc)| arc);
             Conic::through(arcs, bounds, origin)
         };
-        let alone = |conic: Conic, curve: Option<Curve>| vec![(conic, curve)];
-        let of_all = conics(&curves).map(|conic| alone(conic, None));
-        let mut choices: Vec<Vec<Sides>> = vec![of_all.into()];
+        let alone =
+            |conics: [Conic; 2], curve: Option<Curve>| conics.map(|conic| vec![(conic, curve)]).into();
+        let mut choices: Vec<Vec<Sides>> = Vec::new();
+        choices.extend(conics(&curves).into_iter().map(|conics| alone(conics, None)));
         if let [first, second] = curves[..] {
-            let [one, other] = [conics(&[first]), conics(&[second])];
-            let both =
-                |x: usize, y: usize| vec![(one[x].clone(), Some(first)), (other[y].clone(), Some(second))];
-            choices.push(vec![both(0, 0), both(0, 1), both(1, 0), both(1, 1)]);
-            choices.extend([one, other].map(|conics| conics.map(|conic| alone(conic, None)).into()));
+            let [of_first, of_second] = [conics(&[first]), conics(&[second])];
+            let kinds = of_first.len().max(of_second.len());
+            choices.extend((0..kinds).map(|kind| {
+                // A straight curve has one kind.
+                let [one, other] = [&of_first, &of_second].map(|kinds| &kinds[kind.min(kinds.len() - 1)]);
+                let both = |x: usize, y: usize| {
+                    vec![(one[x].clone(), Some(first)), (other[y].clone(), Some(second))]
+                };
+                vec![both(0, 0), both(0, 1), both(1, 0), both(1, 1)]
+            }));
+            choices.extend(of_first.into_iter().chain(of_second).map(|conics| alone(conics, None)));
         }
         let rim_of = |sides: &Sides| {
             let of_axes = if sides.len() == 1 || sides[0].0.axis == sides[1].0.axis { 2 } else { 4 };
@@ -396,7 +403,8 @@ mod tests {
                 [middle[1] - 0.7 * size, middle[1] + size],
             );
             let origin = winding.fraction(DVec2::from(middle));
-            for rim in winding.rims(&box_, middle).iter().filter(|rim| rim.sides.len() == 1) {
+            let is_conic = |rim: &&Rim| rim.sides.len() == 1 && rim.sides[0].coefficients[3..] != [0.0; 2];
+            for rim in winding.rims(&box_, middle).iter().filter(is_conic) {
                 found += 1;
                 let [low, high] = [DVec2::from(rim.region.low()), DVec2::from(rim.region.high())];
                 for _ in 0..50 {
