@@ -137,15 +137,16 @@ test("a file that is stopped while its faces are drawn leaves the models before"
 test("models are measured again after a file that is broken was chosen instead of one that took long", async () => {
   await opened.until("done", () => page.selectOption("#preset", { index: 1 }));
   const before = await page.locator("#distance").textContent();
-  await page.setInputFiles("#file-b", manyFaces(12_000));
+  await page.setInputFiles("#file-b", manyFaces(30_000));
   await page.waitForFunction(() =>
     document.getElementById("loading").textContent.startsWith("reading… "),
   );
-  // After a second the file that is read is given up, with the worker that reads it.
+  // After a second the file that is read is given up, with the worker that reads it: it takes several.
   await page.waitForTimeout(1000);
   await opened.until("done", () =>
     page.setInputFiles("#file-a", file("broken.json", "not a model")),
   );
+  assert.ok(!(await page.locator("#shape-b option:checked").textContent()).includes("squares"));
   assert.equal(await page.locator("#error").getAttribute("data-code"), "FORMAT_UNSUPPORTED");
   assert.equal(await page.locator("#distance").textContent(), before);
 });
