@@ -364,8 +364,8 @@ async function openFirst(): Promise<void> {
 }
 
 function onReply(reply: Reply): void {
-  // What a run found of models that are no longer drawn, or of which the clearance is measured
-  // instead; they are measured again if they return, and when that ends.
+  // A run's replies are dropped while its models are not drawn, or their clearance is measured
+  // instead. Distances are measured again afterwards.
   const isUnwanted = view.isDrafting || clearance.active;
   if (isUnwanted && "run" in reply && reply.run !== undefined) return;
   switch (reply.kind) {

@@ -3,21 +3,17 @@
 mod beyond;
 mod closing;
 mod confinement;
-mod conic;
 mod crossing;
 mod curve;
-mod enclosure;
 mod nesting;
 mod orientation;
 mod piece;
-mod rim;
 mod winding;
 
 pub(super) use beyond::extended_surface;
 pub use orientation::oriented;
 pub use piece::TrimPiece;
-pub use rim::{Rim, RimSide};
-pub use winding::{RESOLUTION, Winding};
+pub use winding::{RESOLUTION, Rim, RimSide, Winding};
 
 use crate::axis::Axis;
 use crate::error::{Error, Result, TrimFault};

@@ -4,7 +4,7 @@ import type { Models } from "../scene/models.ts";
 import { showCut } from "./cutPlot.ts";
 import { painted } from "./deviationPanel.ts";
 
-// The plot is below the tools, of which there are more rows in a narrow window.
+// The plot lies below the tools, which take more rows in a narrow window.
 const tools = element("tools");
 new ResizeObserver(() => {
   const end = tools.offsetTop + tools.offsetHeight;

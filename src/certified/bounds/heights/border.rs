@@ -211,8 +211,8 @@ mod tests {
         );
     }
 
-    /// No other share of two functions lowers the largest of their sum, with all of their lines and with those that fall or
-    /// rise alone.
+    /// No other share makes the largest combination of two functions less, whether the lines fall and rise or do one of
+    /// both.
     #[test]
     fn the_share_lowers_the_largest_most() {
         let random = &mut fastrand::Rng::with_seed(3212);

@@ -43,8 +43,11 @@ impl<'a> Candidate<'a> {
     /// `None` where it is not known where the face ends.
     fn new(over: Over<'a>, largest: f64, threshold: f64) -> Option<Self> {
         let borders = Border::all(&over, largest, threshold);
+        if borders.is_empty() {
+            return None;
+        }
         let points = over.a.samples([LINES; 2]);
-        (!borders.is_empty()).then_some(Self { over, borders, points })
+        Some(Self { over, borders, points })
     }
 
     /// The least length by which the point at a place is beyond one of its borders.

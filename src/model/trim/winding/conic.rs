@@ -1,7 +1,7 @@
 //! Conics near arcs of loops.
 
-use super::piece::{TrimPiece, point_of};
-use super::winding::WindingPiece;
+use super::super::piece::{TrimPiece, point_of};
+use super::WindingPiece;
 use crate::axis::Axis;
 use crate::chebyshev::binomial;
 use crate::param_box::ParamBox;
@@ -127,8 +127,7 @@ impl Conic {
         let [a, b, c, d, f] = self.coefficients;
         let (v, u) = (self.origin[self.axis.index()], self.origin[self.axis.other().index()]);
         let [low, high] = range.map(|end| end - u);
-        let vertex = (-b / (2.0 * c)).clamp(low, high);
-        let vertex = if vertex.is_nan() { low } else { vertex };
+        let vertex = vertex_of(b, c, [low, high]);
         let of_place = |u: f64| {
             let mut v = a + u * (b + u * c);
             for _ in 0..STEPS {
@@ -144,8 +143,7 @@ impl Conic {
         let [_, b, c, d, _] = self.coefficients;
         let v = v - self.origin[self.axis.index()];
         let [low, high] = range.map(|end| end - self.origin[self.axis.other().index()]);
-        let vertex = (-(b + d * v) / (2.0 * c)).clamp(low, high);
-        let vertex = if vertex.is_nan() { low } else { vertex };
+        let vertex = vertex_of(b + d * v, c, [low, high]);
         let value = |u: f64| sign * self.value(u, v);
         upper_max(upper_max(value(low), value(high)), value(vertex))
     }
@@ -192,6 +190,12 @@ impl Conic {
         }
         if least.is_nan() { f64::NEG_INFINITY } else { least - error }
     }
+}
+
+/// Where `b u + c u²` is least or largest over all u, or the nearest end of the range.
+fn vertex_of(b: f64, c: f64, [low, high]: [f64; 2]) -> f64 {
+    let vertex = (-b / (2.0 * c)).clamp(low, high);
+    if vertex.is_nan() { low } else { vertex }
 }
 
 /// Five points of a piece, as many as a conic has factors.
@@ -285,11 +289,11 @@ mod tests {
         }
     }
 
-    /// The same on a line that two hyperbolas contain, by either of the last two terms: each counts in the slope, u v
-    /// by both parameters, and in the sizes.
+    /// The same on a line on which the last two terms cancel: each counts in the slope, u v by both parameters, and in
+    /// the sizes.
     #[test]
     fn the_depth_of_a_conic_has_its_rounding() {
-        // v = u / 2 as v = (1 / 2 - k) u + 2 k u v / u, and from v² = u v / 2.
+        // On v = u / 2, d u v + f v² vanishes where d = -f / 2.
         let points = [DVec2::new(-0.5, -0.25), DVec2::new(0.5, 0.25)];
         let piece = TrimPiece { controls: points.map(|point| point.extend(1.0)).to_vec(), curve: 0 };
         for (d, f) in [(-2.0, 4.0), (2.0, -4.0)] {
@@ -332,8 +336,8 @@ mod tests {
         }
     }
 
-    /// On a box the derivatives are at most as far from the graph of a line as at the corners; the lowest place and
-    /// the highest value on a line are those of samples.
+    /// The bounds on derivatives over a box, the lowest place of the conic and the highest value on a line are those
+    /// of samples.
     #[test]
     fn derivatives_and_extremes_are_those_of_samples() {
         let random = &mut fastrand::Rng::with_seed(3194);

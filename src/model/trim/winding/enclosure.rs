@@ -1,6 +1,6 @@
 //! Whether a box of parameters lies in the trimmed region.
 
-use super::winding::{Winding, WindingPiece};
+use super::{Winding, WindingPiece};
 use crate::param_box::ParamBox;
 use glam::DVec2;
 

@@ -8,6 +8,12 @@
 //! W. Wang, arXiv 2510.25159 (2025), and J. Spainhour, D. Gunderman and K. Weiss,
 //! ACM Transactions on Graphics 43(4) (2024), article 38.
 
+mod conic;
+mod enclosure;
+mod rim;
+
+pub use rim::{Rim, RimSide};
+
 use super::piece::{TrimPiece, homogeneous, point_of};
 use crate::axis::Axis;
 use crate::param_box::ParamBox;

@@ -1,7 +1,7 @@
 //! Where a region has no boundary, by a conic near its loops.
 
 use super::conic::{Conic, MAX_HALVINGS};
-use super::winding::{Winding, WindingPiece};
+use super::{Winding, WindingPiece};
 use crate::axis::Axis;
 use crate::param_box::ParamBox;
 use crate::rounding::upper_max;
@@ -35,7 +35,7 @@ pub struct RimSide {
     pub is_upwards: bool,
     /// a, b, c, d and f.
     pub coefficients: [f64; 5],
-    /// A positive lower bound on the derivative `1 ∓ d u ∓ 2 f v` of the difference of both sides by ±v over the box.
+    /// A positive lower bound over the box on `1 ∓ d u ∓ 2 f v`, the derivative by ±v of the left side less the right.
     pub rate: f64,
     /// A bound on `|b + 2 c u + d v| / rate` over the box.
     pub slope: f64,
