@@ -78,9 +78,8 @@ export class ModelMesh {
     const paint = isCloud
       ? new PointsMaterial({ map, ...dots, transparent: true })
       : painted(map, side === "a" ? 1 : 3);
-    this.#painted = isCloud
-      ? new Points(new BufferGeometry(), paint)
-      : new Mesh(new BufferGeometry(), paint);
+    const unpainted = likePaint(geometry);
+    this.#painted = isCloud ? new Points(unpainted, paint) : new Mesh(unpainted, paint);
     this.#outline = new LineSegments(
       edges,
       new LineBasicMaterial({ ...OUTLINE, transparent: true }),
@@ -129,6 +128,8 @@ export class ModelMesh {
     const paint = this.#painted.material as Material;
     paint.opacity = transparent ? SEE_THROUGH : 1;
     paint.depthWrite = !transparent;
+    // Only what is seen through is drawn back to front: in two passes, with a shader for each.
+    paint.forceSinglePass = !transparent;
     // Before what is solid, whose colours it then does not change.
     this.#painted.renderOrder = transparent ? 1 : 2;
   }
@@ -256,6 +257,19 @@ export class ModelMesh {
     const parts = [this.#painted, this.#outline, this.#triangles];
     return [this.#satin, this.#glass, ...material, ...parts.flatMap((part) => part.material)];
   }
+}
+
+/**
+ * What is painted before there is a map, and not drawn: with the attributes that a map has, by
+ * which three.js chooses the shaders that it compiles ahead.
+ */
+function likePaint(surface: BufferGeometry): BufferGeometry {
+  const geometry = new BufferGeometry();
+  for (const name of ["position", "normal"]) {
+    geometry.setAttribute(name, surface.getAttribute(name));
+  }
+  geometry.setAttribute("uv", new BufferAttribute(new Float32Array(), 2));
+  return geometry;
 }
 
 /** The colours of the vertices of all faces; `other` is that of faces without one in their file. */

@@ -302,6 +302,9 @@ export class Viewport {
    */
   async compile(): Promise<void> {
     this.#compiling += 1;
+    this.#canvas.dataset.state = "pending";
+    // How the objects are shown, which is set in the same task, decides on their shaders.
+    await Promise.resolve();
     const compiled = this.#renderer.compileAsync(this.scene, this.#camera);
     const late = new Promise((resolve) => setTimeout(resolve, MAX_COMPILATION));
     await Promise.race([compiled, late]);
@@ -309,13 +312,15 @@ export class Viewport {
     this.draw();
   }
 
-  /** Requests a drawing in the next frame. */
+  /** Requests a drawing in the next frame; until then the canvas says that one is pending. */
   draw(): void {
+    this.#canvas.dataset.state = "pending";
     if (this.#drawRequested || this.#compiling > 0) return;
     this.#drawRequested = true;
     requestAnimationFrame(() => {
       this.#drawRequested = false;
       this.render();
+      if (this.#compiling === 0) this.#canvas.dataset.state = "drawn";
     });
   }
 
