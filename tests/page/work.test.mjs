@@ -74,4 +74,29 @@ test("the colours of a solid model are drawn once a frame, and nothing where not
   await page.selectOption("#show-b", "auto");
 });
 
+test("for a verdict that needs a narrower interval the colours are computed once", async () => {
+  const before = await seen();
+  const { lower, upper } = await opened.data();
+  // A little more than the distance: some measurements are needed to decide that.
+  const width = Number(upper) - Number(lower);
+  assert.ok(width > 1e-4, `${lower} ${upper}`);
+  await page.locator("#limit").fill(`${Number(lower) + width / 200}`);
+  await page.locator('#verdict[data-verdict="pass"]').waitFor();
+  await page.locator('#result[data-state="done"]').waitFor();
+  const after = await seen();
+  assert.ok(after.requests > before.requests + 1);
+  assert.equal(after.colours, before.colours + 1);
+});
+
+test("an interval that no tolerance makes narrower is not measured again", async () => {
+  const address = page.url().replace(/#.*/, "");
+  await page.goto("about:blank");
+  await page.goto(`${address}#a=bracket&b=bracket-revised&deviation=`);
+  await page.locator('#result[data-state="done"]').waitFor();
+  const before = await seen();
+  await page.locator("#limit").fill("0.35");
+  await page.locator('#verdict[data-verdict="undecided"]').waitFor();
+  assert.equal((await seen()).requests, before.requests);
+});
+
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

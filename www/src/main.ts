@@ -235,7 +235,9 @@ function refine(): void {
   const { result } = view;
   if (result?.method !== "certified" || !result.converged || !needsPrecision()) return;
   const now = finer ?? options.distanceOptions().relativeTolerance ?? FINEST;
-  if (now <= FINEST) return;
+  const reached = (result.upper - result.lower) / result.diagonal;
+  // An interval that is narrow enough for the finest tolerance is the one that it would give.
+  if (now <= FINEST || reached <= FINEST) return;
   finer = Math.max(FINEST, now / FINER);
   measure();
 }
@@ -410,7 +412,8 @@ function onReply(reply: Reply): void {
       showMeasured(reply);
       warnings.showEngine(reply.engine);
       warnings.showResultNotice(reply.result.notice, reply.engine);
-      if (!reply.pending && client.isNewest(reply.run)) refine();
+      // Before the colours are computed, which those of the finer measurement would replace.
+      if (client.isNewest(reply.run)) refine();
       break;
     case "clearance":
       if (clearance.active) showMeeting(view, clearance.show(reply));
