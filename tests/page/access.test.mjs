@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { test } from "node:test";
+import { drawn } from "./support/drawn.mjs";
 import { modelFile, row } from "./support/models.mjs";
 import { open } from "./support/open.mjs";
 
@@ -20,39 +21,42 @@ async function findings(page) {
   return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join(" ")}`);
 }
 
+/** The page is opened in the first scheme, and changes to the second. */
 const screens = [
-  { name: "wide", size: { width: 1280, height: 800 } },
-  { name: "narrow", size: { width: 400, height: 800 } },
+  { name: "wide", size: { width: 1280, height: 800 }, schemes: ["light", "dark"] },
+  { name: "narrow", size: { width: 400, height: 800 }, schemes: ["dark", "light"] },
 ];
 
-for (const { name, size } of screens) {
-  for (const colorScheme of ["light", "dark"]) {
-    test(`the main page, ${name} and ${colorScheme}, with all that it can show`, async () => {
-      const prepare = (page) => page.emulateMedia({ colorScheme });
-      const { page, until, screenshot, close } = await open({ size, prepare });
-      try {
-        await page.locator('#result[data-state="done"]').waitFor();
-        for (const [side, heights] of [
-          ["a", [0, 0]],
-          ["b", [0, 0.5]],
-        ]) {
-          const file = modelFile(`${side}.json`, row(...heights));
-          await until("done", () => page.setInputFiles(`#file-${side}`, file));
-        }
-        await page.locator("#limit").fill("0.1");
-        await until("done", () => page.locator("#deviation").check());
-        await page.locator("#compare").click();
-        await page.locator('#faces[data-state="done"]').waitFor();
-        await page.selectOption("#section-axis", "0");
-        await page.locator("#canvas").focus();
-        await page.keyboard.press("Enter");
-        assert.deepEqual(await findings(page), []);
-        await screenshot(`access-${name}-${colorScheme}`);
-      } finally {
-        await close();
+for (const { name, size, schemes } of screens) {
+  test(`the main page, ${name}, ${schemes.join(" and ")}, with all that it can show`, async () => {
+    const prepare = (page) => page.emulateMedia({ colorScheme: schemes[0] });
+    const { page, until, screenshot, close } = await open({ size, prepare });
+    try {
+      await page.locator('#result[data-state="done"]').waitFor();
+      for (const [side, heights] of [
+        ["a", [0, 0]],
+        ["b", [0, 0.5]],
+      ]) {
+        const file = modelFile(`${side}.json`, row(...heights));
+        await until("done", () => page.setInputFiles(`#file-${side}`, file));
       }
-    });
-  }
+      await page.locator("#limit").fill("0.1");
+      await until("done", () => page.locator("#deviation").check());
+      await page.locator("#compare").click();
+      await page.locator('#faces[data-state="done"]').waitFor();
+      await page.selectOption("#section-axis", "0");
+      await page.locator("#canvas").focus();
+      await page.keyboard.press("Enter");
+      for (const colorScheme of schemes) {
+        await page.emulateMedia({ colorScheme });
+        await drawn(page);
+        assert.deepEqual(await findings(page), [], colorScheme);
+        await screenshot(`access-${name}-${colorScheme}`);
+      }
+    } finally {
+      await close();
+    }
+  });
 }
 
 for (const [path, selector] of [

@@ -5,6 +5,7 @@ import { after, before, test } from "node:test";
 import { validateBytes } from "gltf-validator";
 import { Box3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+import { drawn } from "./support/drawn.mjs";
 import { modelFile, planes } from "./support/models.mjs";
 import { open } from "./support/open.mjs";
 
@@ -130,10 +131,12 @@ test("the legend's range, kind and steps are the user's", async () => {
 test("identical models have one neutral colour and an upper bound", async () => {
   const { page } = opened;
   await page.locator("#limit").fill("");
+  await opened.until("done", () => page.locator("#deviation").uncheck());
   await opened.until("done", () => page.selectOption("#preset", { label: "Torus and moved copy" }));
-  await opened.until("done", () => page.locator("#move-x-exact").fill("0"));
-  await opened.until("done", () => page.locator("#move-y-exact").fill("0"));
-  await opened.until("done", () => page.locator("#move-z-exact").fill("0"));
+  for (const axis of ["x", "y", "z"]) {
+    await opened.until("done", () => page.locator(`#move-${axis}-exact`).fill("0"));
+  }
+  await opened.until("done", () => page.locator("#deviation").check());
   assert.match(await text("#distance"), /^(0|≤ \d\.\de-\d+)$/);
   const bars = await page
     .locator("#histogram rect:not(.target)")
@@ -185,11 +188,12 @@ test("a resting pointer shows the distance there", async () => {
 test("undo and redo go through positions and options, and the address keeps them", async () => {
   const { page } = opened;
   await opened.until("done", () => page.selectOption("#preset", { label: "Torus and moved copy" }));
-  await page.waitForTimeout(400);
+  // What rests is a step of its own, and is then in the address.
+  await page.waitForFunction(() => location.hash.includes("a=torus"));
   await opened.until("done", () => page.locator("#turn-x-exact").fill("30"));
-  await page.waitForTimeout(400);
+  await page.waitForFunction(() => location.hash.includes("turn-x=30"));
   await opened.until("done", () => page.locator("#symmetric").check());
-  await page.waitForTimeout(400);
+  await page.waitForFunction(() => !location.hash.includes("symmetric"));
   const { computed } = await opened.data();
   const url = page.url();
   assert.match(url, /turn-x=30/);
@@ -281,7 +285,7 @@ test("a position without end is cut to one that the view can show, and left agai
   assert.ok(1e6 < value && value < 1e20, `${value}`);
   for (const view of ["front", "top"]) await page.selectOption("#direction", view);
   await page.locator("#fit").click();
-  await page.waitForTimeout(300);
+  await drawn(page);
   await until("done", () => page.locator("#move-x-exact").fill("0"));
   await page.locator("#fit").click();
   const labels = await page.locator("#axes text").first().getAttribute("x");

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { drawn } from "./support/drawn.mjs";
 import { modelFile, planes, sphereParts } from "./support/models.mjs";
 import { open } from "./support/open.mjs";
 import { pixelRows } from "./support/pixels.mjs";
@@ -31,7 +32,7 @@ async function openPlanes(a, b) {
 async function colorLeftOfMiddle() {
   const { page } = opened;
   const { x, y, width, height } = await page.locator("#canvas").boundingBox();
-  await page.waitForTimeout(500);
+  await drawn(page);
   const at = { x: Math.floor(x + 0.44 * width), y: Math.floor(y + height / 2) };
   const clip = { ...at, width: 1, height: 1 };
   const image = (await page.screenshot({ clip })).toString("base64");

@@ -1,6 +1,7 @@
 // What lies over the view: not over the models, nor cut off at the view's edges.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { drawn } from "../support/drawn.mjs";
 import { open } from "../support/open.mjs";
 import { countPixels } from "../support/pixels.mjs";
 
@@ -52,12 +53,6 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     assert.ok(tools.y + tools.height <= plot.y, screen);
     await opened.screenshot(`clear-${screen.replaceAll(" ", "-")}`);
     await page.selectOption("#section-axis", "");
-    await page.setInputFiles("#file-a", BROKEN);
-    await page.locator("#error").waitFor();
-    await keepsClear(screen, "#legend", "#error");
-    // A change of any option removes the error.
-    await opened.until("done", () => page.locator("#symmetric").evaluate((node) => node.click()));
-    await opened.until("done", () => page.locator("#symmetric").evaluate((node) => node.click()));
   });
 }
 
@@ -69,7 +64,7 @@ test("labels of the arrow are within the view, wherever its ends are", async () 
     await page.locator("#label", { hasText: "0.350" }).waitFor();
     for (const view of ["oblique", "isometric", "left", "back", "top"]) {
       await page.selectOption("#direction", view);
-      await page.waitForTimeout(300);
+      await drawn(page);
       const outside = await page.evaluate(() => {
         const { left, right } = document.getElementById("stage").getBoundingClientRect();
         const labels = [...document.querySelectorAll("#label, .end")];
@@ -107,7 +102,7 @@ test("Escape shows what was seen before places were shown from near", async () =
   await page.selectOption("#direction", "left");
   // The arrow of a place stays, and is not compared.
   const seen = async () => {
-    await page.waitForTimeout(500);
+    await drawn(page);
     return page.locator("#axes").innerHTML();
   };
   const before = [await seen(), await countPixels(page, COLOURED)];
@@ -129,6 +124,16 @@ test("a comparison of faces says what its colours are, without the legend of the
   assert.match(await page.locator("#face-summary").textContent(), /the colour of their model/);
   await page.locator("#faces-clear").click();
   assert.ok(await page.locator("#legend").isVisible());
+});
+
+test("an error lies over the models on no screen", async () => {
+  await page.selectOption("#direction", "isometric");
+  await page.setInputFiles("#file-a", BROKEN);
+  await page.locator("#error").waitFor();
+  for (const [screen, size] of Object.entries(SCREENS)) {
+    await page.setViewportSize(size);
+    await keepsClear(screen, "#legend", "#error");
+  }
 });
 
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

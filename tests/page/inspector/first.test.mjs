@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { copyFileSync, readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { drawn } from "../support/drawn.mjs";
 import { open } from "../support/open.mjs";
 
 /** The base plate of the revision is longer by this, and the bores moved by the other. */
@@ -28,7 +29,7 @@ async function takePicture(path) {
   await page.setViewportSize({ width: 1130, height: 800 });
   await page.locator("#fit").click();
   await page.mouse.move(0, 0);
-  await page.waitForTimeout(500);
+  await drawn(page);
   await page.screenshot({ path });
   await page.setViewportSize(size);
 }

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
+import { drawn } from "../support/drawn.mjs";
 import { cube, modelFile } from "../support/models.mjs";
 import { open } from "../support/open.mjs";
 import { countPixels } from "../support/pixels.mjs";
@@ -167,7 +168,7 @@ test("a section that is tilted by 45° is longer by √2, about either direction
 test("a section along a face that is clicked is moved by an exact offset", async () => {
   await page.selectOption("#section-axis", "");
   await page.selectOption("#direction", "top");
-  await page.waitForTimeout(300);
+  await drawn(page);
   await page.selectOption("#section-axis", "0");
   await page.locator("#section-at").fill("1");
   const face = page.locator("#section-face");
@@ -207,7 +208,7 @@ test("a section along a face that is clicked is moved by an exact offset", async
 test("what an address says of a section is checked", async () => {
   for (const free of ["", "1,2", "0,0,0,1,2,3", "a,b,c,d,e,f", "1,0,0,1e999,0,0"]) {
     await page.goto(
-      `${page.url().replace(/[?#].*/, `?${encodeURIComponent(free)}`)}#a=bracket&b=bracket-revised&section=free&section-free=${free}&section-tilt=x&section-turn=1e9`,
+      `${page.url().replace(/[?#].*/, `?${encodeURIComponent(free)}`)}#a=fig5-plane&b=fig5-cylinder&symmetric=&section=free&section-free=${free}&section-tilt=x&section-turn=1e9`,
     );
     await page.locator('#result[data-state="done"]').waitFor();
     assert.match(await page.locator("#distance").textContent(), /\d/);

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
+import { drawn } from "../support/drawn.mjs";
 import { file, stepAssembly, stepSquares } from "../support/models.mjs";
 import { open } from "../support/open.mjs";
 
@@ -27,7 +28,7 @@ const text = (selector) => page.locator(selector).textContent();
 async function isAccessible(state) {
   for (const colorScheme of ["light", "dark"]) {
     await page.emulateMedia({ colorScheme });
-    await page.waitForTimeout(300);
+    await drawn(page);
     const found = await page.evaluate(async (values) => {
       const { violations } = await globalThis.axe.run(document, {
         runOnly: { type: "tag", values },
@@ -81,6 +82,7 @@ test("with a face that was skipped on reading nothing passes, and the card says 
   assert.equal(await text("#badge"), "UNDECIDED");
   assert.match(await text("#verdict"), /1 face was skipped/);
   assert.match(await text("#doubts"), /1 face skipped on reading/);
+  await drawn(page);
   // The face that is missing lies at the left end, beside the legend, which covers no label.
   const [legend, label] = await Promise.all(
     ["#legend", "#label-from"].map((selector) => page.locator(selector).boundingBox()),

@@ -2,6 +2,7 @@
 import { chromium } from "playwright-core";
 import { preview } from "vite";
 import { launchOptions } from "../../../scripts/test/browser.mjs";
+import { drawn } from "./drawn.mjs";
 import { saveScreenshot } from "./screenshots.mjs";
 
 /** Timeout for anything on the page, in milliseconds; SwiftShader is slow. */
@@ -32,6 +33,8 @@ export async function open({
     logLevel: "silent",
   });
   const args = launchOptions.args.filter((flag) => webgpu || !flag.includes("webgpu"));
+  // A picture for people is smooth; every sample of a pixel costs the software as much as the first.
+  if (!process.env.PICTURE) args.push("--webgl-antialiasing-mode=none");
   if (!webgl) args.push("--disable-3d-apis");
   const browser = await chromium.launch({ ...launchOptions, args });
   const page = await browser.newPage({ viewport: size, hasTouch: touch });
@@ -61,7 +64,7 @@ export async function open({
       return Object.fromEntries(terms.map((term, index) => [term, texts[index]]));
     },
     async screenshot(name) {
-      await page.waitForTimeout(500);
+      await drawn(page);
       saveScreenshot(name, await page.screenshot());
     },
     async close() {

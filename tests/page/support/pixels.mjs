@@ -1,4 +1,5 @@
 // Counting of pixels in pictures of the view.
+import { drawn } from "./drawn.mjs";
 
 /** What lies over the view and has colours of its own. */
 const OVER =
@@ -12,7 +13,7 @@ export async function countPixels(page, holds, selector = "#canvas") {
 
 /** The rows of the view, from the top, in which there are such pixels, with their numbers. */
 export async function pixelRows(page, holds, selector = "#canvas") {
-  await page.waitForTimeout(500);
+  await drawn(page);
   const beneath = await page.locator(selector).evaluate((node) => {
     const { left, top, right, bottom } = node.getBoundingClientRect();
     const { x, y } = document.getElementById("canvas").getBoundingClientRect();
