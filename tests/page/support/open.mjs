@@ -1,4 +1,5 @@
 // Serves the built page and opens it in headless Chromium.
+import { after } from "node:test";
 import { chromium } from "playwright-core";
 import { preview } from "vite";
 import { launchOptions } from "../../../scripts/test/browser.mjs";
@@ -7,6 +8,17 @@ import { saveScreenshot } from "./screenshots.mjs";
 
 /** Timeout for anything on the page, in milliseconds; SwiftShader is slow. */
 const TIMEOUT = 60_000;
+
+/** The browsers of this file's tests by their arguments: one that has shaders needs not compile them again. */
+const browsers = new Map();
+after(() => Promise.all([...browsers.values()].map(async (browser) => (await browser).close())));
+
+/** A browser that was started with these arguments. */
+function launched(args) {
+  const key = args.join(" ");
+  if (!browsers.has(key)) browsers.set(key, chromium.launch({ ...launchOptions, args }));
+  return browsers.get(key);
+}
 
 /** The main page with the least of work: one direction, and no colours. */
 export const PLAIN = "#symmetric=&deviation=";
@@ -36,7 +48,7 @@ export async function open({
   // A picture for people is smooth; every sample of a pixel costs the software as much as the first.
   if (!process.env.PICTURE) args.push("--webgl-antialiasing-mode=none");
   if (!webgl) args.push("--disable-3d-apis");
-  const browser = await chromium.launch({ ...launchOptions, args });
+  const browser = await launched(args);
   const page = await browser.newPage({ viewport: size, hasTouch: touch });
   const errors = [];
   page.on("pageerror", (error) => errors.push(error.message));
@@ -68,7 +80,7 @@ export async function open({
       saveScreenshot(name, await page.screenshot());
     },
     async close() {
-      await browser.close();
+      await page.close();
       await server.close();
     },
   };
