@@ -100,6 +100,7 @@ mod flatness;
 mod gpu;
 mod hierarchy;
 mod iteration;
+mod least_squares;
 mod limits;
 #[cfg(feature = "mesh")]
 mod mesh_files;

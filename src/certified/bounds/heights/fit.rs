@@ -5,15 +5,13 @@
 //! the fifth order of the piece's size: a surface has 15 terms below that order, and they have 19.
 
 use super::quadric::{Cubic, Quadric};
+use crate::least_squares::LeastSquares;
 use crate::rounding::{lower_min, upper_max};
 use glam::DVec3;
 
 /// Points along each side of a piece that a function is fitted to.
 pub(super) const POINTS_ALONG: usize = 5;
 pub(super) const POINTS: usize = POINTS_ALONG * POINTS_ALONG;
-
-/// The part of a term's values that must not depend on the terms before it.
-const MIN_INDEPENDENCE: f64 = 1e-5;
 
 /// Terms as exponents of two coordinates along the tangent plane and of the height, in the order in which they are
 /// used: those of a paraboloid, of any quadric, and those of third order below the fifth order of the
@@ -28,20 +26,16 @@ pub(super) const ORDERS: [&[[usize; 3]]; 3] = [&PARABOLOID, &QUADRIC, &CUBIC];
 /// A value at each of the points.
 type Column = [f64; POINTS];
 
-/// A fit of the height over a plane by terms of rising order (modified Gram and Schmidt).
+/// A fit of the height over a plane by terms of rising order.
 pub(super) struct Fit {
     normal: DVec3,
     /// The coordinates whose products are the terms.
     coordinates: [DVec3; 3],
     /// Their values at the points.
     points: [Column; 3],
-    /// The terms that are used, with their columns made orthonormal and how they depend on those before.
+    /// The terms that are used.
     terms: Vec<[usize; 3]>,
-    columns: Vec<Column>,
-    dependences: Vec<Vec<f64>>,
-    shares: Vec<f64>,
-    /// What is left of the height.
-    residual: Column,
+    squares: LeastSquares<Column>,
 }
 
 impl Fit {
@@ -60,17 +54,17 @@ impl Fit {
             coordinates: [0, 1, 2].map(|axis| axes[axis] / scales[axis]),
             points: [0, 1, 2].map(|axis| values[axis].map(|value| value / scales[axis])),
             terms: Vec::new(),
-            columns: Vec::new(),
-            dependences: Vec::new(),
-            shares: Vec::new(),
-            residual: values[2],
+            squares: LeastSquares::new(values[2]),
         })
     }
 
     /// Half the range of the function's values at the points.
     pub(super) fn spread(&self) -> f64 {
-        let [least, largest] =
-            self.residual.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, largest], &value| {
+        let [least, largest] = self
+            .squares
+            .residual()
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[least, largest], &value| {
                 [lower_min(least, value), upper_max(largest, value)]
             });
         0.5 * (largest - least)
@@ -83,24 +77,8 @@ impl Fit {
             if self.spread() <= sufficient {
                 return;
             }
-            let mut column = self.values(term);
-            let size = dot(&column, &column).sqrt();
-            let mut dependences = Vec::with_capacity(self.columns.len());
-            for earlier in &self.columns {
-                let share = dot(earlier, &column);
-                subtract(&mut column, share, earlier);
-                dependences.push(share);
-            }
-            let length = dot(&column, &column).sqrt();
-            if length > MIN_INDEPENDENCE * size {
-                column = column.map(|value| value / length);
-                let share = dot(&column, &self.residual);
-                subtract(&mut self.residual, share, &column);
-                dependences.push(length);
+            if self.squares.add(self.values(term)) {
                 self.terms.push(term);
-                self.columns.push(column);
-                self.dependences.push(dependences);
-                self.shares.push(share);
             }
         }
     }
@@ -119,37 +97,17 @@ impl Fit {
 
     /// The height less the terms with their factors, without the constant.
     pub(super) fn function(&self) -> Cubic {
-        let count = self.terms.len();
-        let mut factors = self.shares.clone();
-        for later in (0..count).rev() {
-            let dependences = &self.dependences[later];
-            factors[later] /= dependences[later];
-            let factor = factors[later];
-            for (earlier, dependence) in factors[..later].iter_mut().zip(dependences) {
-                *earlier -= factor * dependence;
-            }
-        }
         let mut function = Cubic::of(Quadric::of_plane(self.normal));
-        for (term, factor) in self.terms.iter().zip(&factors) {
+        for (term, factor) in self.terms.iter().zip(self.squares.factors()) {
             let named = term.iter().zip(&self.coordinates);
             let named = named.flat_map(|(&exponent, &coordinate)| std::iter::repeat_n(coordinate, exponent));
             match named.collect::<Vec<_>>()[..] {
-                [a] => function.quadric.linear -= *factor * a,
+                [a] => function.quadric.linear -= factor * a,
                 [a, b] => function.add_product(-factor, a, b),
                 [a, b, c] => function.add_triple_product(-factor, a, b, c),
                 _ => {}
             }
         }
         function
-    }
-}
-
-fn dot(left: &Column, right: &Column) -> f64 {
-    left.iter().zip(right).map(|(left, right)| left * right).sum()
-}
-
-fn subtract(column: &mut Column, share: f64, other: &Column) {
-    for (value, other) in column.iter_mut().zip(other) {
-        *value -= share * other;
     }
 }

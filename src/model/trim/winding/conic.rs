@@ -4,15 +4,13 @@ use super::super::piece::{TrimPiece, point_of};
 use super::WindingPiece;
 use crate::axis::Axis;
 use crate::chebyshev::binomial;
+use crate::least_squares::LeastSquares;
 use crate::param_box::ParamBox;
 use crate::rounding::{gamma, lower_min, upper_max};
 use glam::{DVec2, DVec3};
 
 /// The largest number of halvings of an arc.
 pub(super) const MAX_HALVINGS: u32 = 32;
-
-/// The part of a term's values that must not depend on the terms before it: of straight arcs the last terms do.
-const MIN_INDEPENDENCE: f64 = 1e-5;
 
 /// The least extent of the places of a conic along an axis, relative to the box: straight arcs may have none.
 const MIN_EXTENT: f64 = 1e-3;
@@ -205,47 +203,15 @@ fn points_of(arc: &WindingPiece) -> [DVec2; 5] {
     [arc.ends[0], quarter(&first), first.end(), quarter(&second), arc.ends[1]]
 }
 
-/// The factors of the terms of a value that are nearest to it at all places, 0 for terms that depend on those before
-/// (modified Gram and Schmidt).
+/// The factors of the terms of a value that are nearest to it at all places, 0 for terms that depend on those before, as
+/// the last ones do on straight arcs.
 fn least_squares<const N: usize>(rows: &[([f64; N], f64)]) -> [f64; N] {
-    let mut residual: Vec<f64> = rows.iter().map(|(_, value)| *value).collect();
-    let mut columns: Vec<Vec<f64>> = Vec::with_capacity(N);
-    let (mut shares, mut dependences) = ([0.0; N], [[0.0; N]; N]);
-    for term in 0..N {
-        let mut column: Vec<f64> = rows.iter().map(|(terms, _)| terms[term]).collect();
-        let size = dot(&column, &column).sqrt();
-        for (earlier, unit) in columns.iter().enumerate() {
-            dependences[term][earlier] = remove(&mut column, unit);
-        }
-        let length = dot(&column, &column).sqrt();
-        dependences[term][term] = length;
-        let is_independent = length > MIN_INDEPENDENCE * size;
-        let unit = column.iter().map(|value| if is_independent { value / length } else { 0.0 });
-        columns.push(unit.collect());
-        shares[term] = remove(&mut residual, &columns[term]);
-    }
-    for later in (0..N).rev() {
-        if shares[later] != 0.0 {
-            shares[later] /= dependences[later][later];
-        }
-        for earlier in 0..later {
-            shares[earlier] -= shares[later] * dependences[later][earlier];
-        }
-    }
-    shares
-}
-
-fn dot(left: &[f64], right: &[f64]) -> f64 {
-    left.iter().zip(right).map(|(left, right)| left * right).sum()
-}
-
-/// Takes from a column its part along a unit one, and returns that part's length.
-fn remove(column: &mut [f64], unit: &[f64]) -> f64 {
-    let share = dot(column, unit);
-    for (value, unit) in column.iter_mut().zip(unit) {
-        *value -= share * unit;
-    }
-    share
+    let mut squares = LeastSquares::new(rows.iter().map(|(_, value)| *value).collect::<Vec<_>>());
+    let is_added = std::array::from_fn::<bool, N, _>(|term| {
+        squares.add(rows.iter().map(|(terms, _)| terms[term]).collect())
+    });
+    let mut factors = squares.factors().into_iter();
+    is_added.map(|is_added| if is_added { factors.next().unwrap_or(0.0) } else { 0.0 })
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
