@@ -1,12 +1,12 @@
 //! Pairs that lie on each other, or nearly so, in other parameters: with poles, with ends that are lines of
-//! vanishing derivatives, and with ends that one of both goes beyond.
+//! vanishing derivatives, with ends that one of both goes beyond, and divided into several surfaces.
 
 use super::partners::near;
 use super::surfaces::{direction, magnitude};
 use fastrand::Rng;
 use glam::{DMat3, DQuat, DVec3};
 use nurbs_hausdorff::shapes::operations::{part, refit_surface, transformed};
-use nurbs_hausdorff::shapes::{disc, sphere};
+use nurbs_hausdorff::shapes::{disc, shape, sphere};
 use nurbs_hausdorff::{NurbsSurface, ParamBox, RigidTransform, SurfaceArrays};
 
 /// The degree of the polynomial surfaces, and that of their composition with maps of the same degree.
@@ -15,20 +15,20 @@ const COMPOSED: usize = DEGREE * DEGREE;
 
 /// Returns both models of a pair in either order.
 pub(crate) fn reparametrized(rng: &mut Rng) -> [Vec<SurfaceArrays>; 2] {
-    let [mut a, mut b] = match rng.u8(0..4) {
-        0 => ellipsoids(rng),
-        1 => discs(rng),
-        _ => compositions(rng),
+    let [mut a, mut b] = match rng.u8(0..5) {
+        0 => ellipsoids(rng).map(|surface| vec![surface]),
+        1 => discs(rng).map(|surface| vec![surface]),
+        2 => divided(rng),
+        _ => compositions(rng).map(|surface| vec![surface]),
     };
     let columns = [0, 1, 2].map(|axis| DVec3::AXES[axis] + 0.4 * direction(rng));
     let map = DMat3::from_cols(columns[0], columns[1], columns[2]);
-    for surface in [&mut a, &mut b] {
+    for surface in a.iter_mut().chain(&mut b) {
         for point in &mut surface.control_points {
             let mapped = map * DVec3::from_slice(&point[..3]);
             point[..3].copy_from_slice(&mapped.to_array());
         }
     }
-    let (mut a, b) = (vec![a], vec![b]);
     if rng.bool() {
         let size = magnitude(rng, -12.0, -2.0);
         a = near(rng, &a, size);
@@ -58,6 +58,46 @@ fn ellipsoids(rng: &mut Rng) -> [SurfaceArrays; 2] {
         b = refit_surface(&b, [rng.usize(9..20), rng.usize(6..14)]).unwrap();
     }
     [a.into_arrays(), b.into_arrays()]
+}
+
+/// A surface of revolution, turned so that it lies on itself, or a part of it, and the same divided at some of its
+/// parameter lines, with slits or without, and seldom without one of the pieces.
+fn divided(rng: &mut Rng) -> [Vec<SurfaceArrays>; 2] {
+    let name = ["sphere", "torus", "cylinder", "cone"][rng.usize(0..4)];
+    let model = shape(name).unwrap();
+    let turn = match rng.u8(0..3) {
+        0 if name == "sphere" => DQuat::from_axis_angle(direction(rng), 3.0 * rng.f64()),
+        1 => DQuat::IDENTITY,
+        _ => DQuat::from_rotation_z(3.0 * rng.f64()),
+    };
+    let turned = transformed(&model, &RigidTransform::new(turn, DVec3::ZERO).unwrap()).unwrap();
+    let mut a = turned.surfaces()[0].clone();
+    if rng.bool() {
+        let mut range = || {
+            let [start, end] = [0.6 * rng.f64(), 0.1 + 0.3 * rng.f64()];
+            [start, start + end]
+        };
+        a = part(&a, ParamBox::new(range(), range())).unwrap();
+    }
+    let mut ranges = || {
+        let mut ranges = Vec::new();
+        let mut start = 0.0;
+        for _ in 0..rng.u8(0..3) {
+            let end = start + (0.1 + 0.7 * rng.f64()) * (1.0 - start);
+            let slit = if rng.bool() { 0.0 } else { magnitude(rng, -12.0, -2.0) * (1.0 - end) };
+            ranges.push([start, end]);
+            start = end + slit;
+        }
+        ranges.push([start, 1.0]);
+        ranges
+    };
+    let [u, v] = [ranges(), ranges()];
+    let boxes = u.iter().flat_map(|u| v.iter().map(|v| ParamBox::new(*u, *v)));
+    let mut b: Vec<_> = boxes.map(|range| part(&model.surfaces()[0], range).unwrap().into_arrays()).collect();
+    if b.len() > 1 && rng.u8(0..4) == 0 {
+        b.swap_remove(rng.usize(0..b.len()));
+    }
+    [vec![a.into_arrays()], b]
 }
 
 /// A biquadratic surface in the plane of a disc of polar parameters, within it or beyond its end.

@@ -47,10 +47,9 @@ impl Border {
     /// All that are known, for feet within the threshold and points that are beyond open sides by no more than the
     /// largest excess.
     pub(super) fn all(over: &Over<'_>, largest: f64, threshold: f64) -> Vec<Self> {
-        let closer = over.closer_placement();
+        let closer = over.closer_placement(threshold);
         let lengths = over.frame.tangents.map(DVec3::length);
-        let is_far = |beyond: f64, length: f64| !(beyond * length <= MAX_CLOSED * threshold);
-        let is_open = [0, 1].map(|axis| closer.beyond[axis].map(|beyond| is_far(beyond, lengths[axis])));
+        let is_open = over.open_ends(&closer, threshold);
         let placement = limited(&closer, is_open, lengths.map(|length| largest / length));
         let of = |rim: Option<FaceRim>| {
             let mut border = Self { placement, is_open, rim, closed: Vec::new(), open: Vec::new() };
@@ -64,7 +63,7 @@ impl Border {
             for side in border.rim.iter().flat_map(|rim| &rim.sides) {
                 let excess = rim::excess(over, &placement, side, threshold);
                 let (length, highest) = (lengths[side.axis.index()], excess.highest());
-                let is_closed = !is_far(highest, length);
+                let is_closed = !is_far(highest * length, threshold);
                 border.closed.push(is_closed.then_some(highest));
                 if !is_closed {
                     border.open.push(Side { excess, length });
@@ -100,6 +99,11 @@ impl Border {
     }
 }
 
+/// Whether points that are beyond a side by this length are too far.
+fn is_far(beyond: f64, threshold: f64) -> bool {
+    !(beyond <= MAX_CLOSED * threshold)
+}
+
 /// A placement for the points that are beyond no open end by more than these steps.
 fn limited(placement: &Placement, is_open: [[bool; 2]; 2], steps: [f64; 2]) -> Placement {
     let limit = |axis: usize| is_open[axis].map(|is_open| if is_open { steps[axis] } else { f64::INFINITY });
@@ -107,7 +111,15 @@ fn limited(placement: &Placement, is_open: [[bool; 2]; 2], steps: [f64; 2]) -> P
 }
 
 impl Over<'_> {
-    /// How far F is beyond an end of the surface.
+    /// The ends of the surface beyond which points of the cell are too far.
+    pub(super) fn open_ends(&self, placement: &Placement, threshold: f64) -> [[bool; 2]; 2] {
+        [0, 1].map(|axis| {
+            let length = self.frame.tangents[axis].length();
+            placement.beyond[axis].map(|beyond| is_far(beyond * length, threshold))
+        })
+    }
+
+    /// How far F is beyond an end of the surface at a fixed point.
     fn end_excess(&self, placement: &Placement, axis: Axis, end: usize) -> Excess {
         let Quadric { linear, form } = placement.functions[axis.index()];
         let sign = if end == 0 { -1.0 } else { 1.0 };

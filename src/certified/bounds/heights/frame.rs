@@ -43,7 +43,10 @@ pub(super) struct Frame<'a> {
 
 /// The part of B over a box of parameters.
 pub(super) struct Image {
+    /// By rows.
     pub(super) parts: Vec<Part>,
+    /// The parts of a row.
+    pub(super) columns: usize,
     /// The ends of the box.
     pub(super) ends: [[f64; 2]; 2],
     /// How far the surface is followed.
@@ -71,9 +74,9 @@ pub(super) struct Placement {
     pub(super) lag: [f64; 2],
     /// The ranges of the fixed points' parameters.
     pub(super) feet: [[f64; 2]; 2],
-    /// How far the ranges of F are beyond the start and the end of the box.
+    /// How far F can be beyond the start and the end of the box where y is there.
     pub(super) beyond: [[f64; 2]; 2],
-    /// For a point a this is at most `offset - g(a)` and `offset + g(a)`.
+    /// For a point a that is at most `offset - g(a)` and `offset + g(a)`.
     pub(super) offsets: [[f64; 2]; 2],
     /// What jumps and rounding add to it.
     margin: [f64; 2],
@@ -83,6 +86,33 @@ impl Image {
     /// The largest distance of its control points from the foot.
     pub(super) fn radius(&self) -> f64 {
         self.parts.iter().fold(0.0, |radius, part| upper_max(radius, part.piece.radius))
+    }
+
+    /// Whether the surface ends where the box does.
+    fn is_last(&self, axis: usize, end: usize) -> bool {
+        self.ends[axis][end] == self.reach.domain[axis][end]
+    }
+
+    /// The range of a function on the curves at an end of the box.
+    fn range_at(&self, axis: Axis, end: usize, function: &Quadric) -> [f64; 2] {
+        let ranges = self.end(axis, end).map(|curve| curve.values(function).range());
+        ranges.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, largest], [low, high]| {
+            [lower_min(least, low), upper_max(largest, high)]
+        })
+    }
+
+    /// The curves at an end of the box, in order.
+    pub(super) fn end(&self, axis: Axis, end: usize) -> impl Iterator<Item = Piece> {
+        let parts = line_of_grid(&self.parts, self.columns, axis, end);
+        parts.into_iter().map(move |part| part.piece.side(axis, end))
+    }
+}
+
+/// The first line (`end` 0) or the last one (1) across an axis of a grid that is given by rows.
+pub(super) fn line_of_grid<T>(grid: &[T], columns: usize, axis: Axis, end: usize) -> Vec<&T> {
+    match axis {
+        Axis::U => grid[end * (grid.len() - columns)..][..columns].iter().collect(),
+        Axis::V => grid.iter().skip(end * (columns - 1)).step_by(columns).collect(),
     }
 }
 
@@ -169,18 +199,14 @@ impl<'a> Frame<'a> {
             });
             let parts = self.parts(&reach, extent, ends)?;
             let gap = self.chart.gap(&reach, extent);
-            let image = Image { parts, ends, reach, gap };
+            let columns = self.chart.all_touched(extent, &reach)[1].clone().count();
+            let image = Image { parts, columns, ends, reach, gap };
             let placement = self.placement(a, &image, functions);
-            let mut lack = [0.0; 2];
-            for axis in 0..2 {
-                // Beyond an end of the surface there is nothing more.
-                let sides = ends[axis].iter().zip(&image.reach.domain[axis]).zip(placement.beyond[axis]);
-                for ((end, last), beyond) in sides {
-                    if end != last {
-                        lack[axis] = upper_max(lack[axis], beyond);
-                    }
-                }
-            }
+            // Beyond an end of the surface there is nothing more.
+            let lack = [0, 1].map(|axis| {
+                let ends = (0..2).filter(|end| !image.is_last(axis, *end));
+                ends.fold(0.0, |lack, end| upper_max(lack, placement.beyond[axis][end]))
+            });
             if lack == [0.0; 2] {
                 return Some((image, placement));
             }
@@ -222,12 +248,26 @@ impl<'a> Frame<'a> {
             let margin = slope * image.gap + rounding;
             let [first, last] = [at + low + least - margin, at + high + largest + margin];
             placement.offsets[index] = [start - at - least, at - end + largest];
-            placement.beyond[index] = [placement.offsets[index][0] - low, placement.offsets[index][1] + high];
+            for (end, of_a) in [-low, high].into_iter().enumerate() {
+                let offset = &mut placement.offsets[index][end];
+                // Where F is beyond an end, the fixed point is on it.
+                if *offset + of_a > 0.0 && image.is_last(index, end) {
+                    let [least, largest] = image.range_at(axis, end, function);
+                    *offset = upper_min(*offset, if end == 0 { largest } else { -least });
+                }
+                placement.beyond[index][end] = *offset + of_a;
+            }
             placement.bracket[index] = upper_max(-least, largest);
             placement.feet[index] = [first, last].map(|parameter| clamped(parameter, [start, end]));
             placement.margin[index] = margin;
         }
         placement.limited([[f64::INFINITY; 2]; 2])
+    }
+
+    /// How far the gradient of a placement's function is from its row of P within this distance of the foot.
+    pub(super) fn turn(&self, placement: &Placement, axis: usize, reach: f64) -> f64 {
+        let function = &placement.functions[axis];
+        (function.linear - self.inverse[axis]).length() + function.size() * reach
     }
 
     /// The pieces of B over a box; `None` where they are many.

@@ -3,8 +3,8 @@
 //!
 //! Lemma (3.17 of `docs/method.md`). Let b be a point, P a linear map of space to parameter steps, T two
 //! vectors, n a unit vector, `|I - T P - n nᵀ| <= ν` and `|n·T_i| <= ν |T_i|`. Let Y be a box of B's
-//! parameters with β, and o_i a bound on how far `β + P (a - b) + (y - β) - P (B(y) - b)` is beyond Y along
-//! axis i, for all points a of the cell and all y of Y. For any function `f(b + v) = n·v + v·M v` whose
+//! parameters with β, and o_i a bound on how far `y + P (a - B(y))` is beyond an end of Y along axis i, for all
+//! points a of the cell and all y at that end. For any function `f(b + v) = n·v + v·M v` whose
 //! values on the cell differ from those on B(Y) by at most Δ,
 //!
 //! `d(a, B) <= ((Δ + (ν + μ) l) / (1 - μ_n - ν) + l) / (1 - 6 ν)`, `l = |T_s| o_s + |T_t| o_t`,
@@ -25,6 +25,7 @@
 mod around;
 mod border;
 mod comparison;
+mod ends;
 mod fit;
 mod frame;
 mod over;

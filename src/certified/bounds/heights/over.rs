@@ -49,13 +49,11 @@ impl<'a> Over<'a> {
     /// The bound from this foot; `None` where a point of B that is compared with the cell may be beyond the face,
     /// or beyond the surface by more than the threshold.
     pub(super) fn upper_bound(&self, threshold: f64) -> Option<f64> {
-        let is_held =
-            |placement: &Placement| self.face.as_ref().is_none_or(|face| face.holds(placement.feet));
         let mut placement = self.linear;
         let mut overrun = None;
-        if self.beyond(&placement) > MAX_BEYOND * threshold || !is_held(&placement) {
-            placement = self.closer_placement();
-            if !is_held(&placement) {
+        if self.beyond(&placement) > MAX_BEYOND * threshold || !self.is_held(&placement) {
+            placement = self.closer_placement(threshold);
+            if !self.is_held(&placement) {
                 overrun = Some(rim::overrun(self, self.face.as_ref()?, &placement, threshold)?);
             }
         }
@@ -84,9 +82,28 @@ impl<'a> Over<'a> {
         is_proven.then_some(bound + overrun.unwrap_or(0.0) + of_face)
     }
 
-    /// The fixed points by functions that follow B's parameters to second order.
-    pub(super) fn closer_placement(&self) -> Placement {
-        *self.closer.get_or_init(|| self.frame.closer_placement(&self.a, &self.image))
+    /// The fixed points by functions that follow B's parameters to second order, or that vanish at the ends of the
+    /// surface beyond which the cell goes, where the former say too little about these.
+    pub(super) fn closer_placement(&self, threshold: f64) -> Placement {
+        *self.closer.get_or_init(|| {
+            let (frame, a, image) = (&self.frame, &self.a, &self.image);
+            let closer = frame.closer_placement(a, image);
+            let open = self.open_ends(&closer, threshold);
+            let loose = [0, 1].map(|axis| {
+                let is_loose = frame.tangents[axis].length() * closer.bracket[axis] > MAX_BEYOND * threshold;
+                open[axis].map(|is_open| is_open && is_loose)
+            });
+            if loose == [[false; 2]; 2] || !self.is_held(&closer) {
+                return closer;
+            }
+            let at_ends = frame.placement_at_ends(a, image, loose, threshold);
+            at_ends.filter(|placement| self.is_held(placement)).unwrap_or(closer)
+        })
+    }
+
+    /// Whether the points of B that are compared with the cell are in the face.
+    fn is_held(&self, placement: &Placement) -> bool {
+        self.face.as_ref().is_none_or(|face| face.holds(placement.feet))
     }
 
     /// The sum of the largest distances of the cell's points and of those of B from the foot.
@@ -103,7 +120,7 @@ impl<'a> Over<'a> {
     pub(super) fn comparison(&self, placement: &Placement) -> Comparison<'_> {
         let Frame { skew, normal, tangents, .. } = self.frame;
         let reach = self.reach();
-        let bend = |axis: usize| tangents[axis].length() * placement.functions[axis].size() * reach;
+        let bend = |axis: usize| tangents[axis].length() * self.frame.turn(placement, axis, reach);
         Comparison {
             a: &self.a,
             b: self.image.parts.iter().map(|part| &part.piece).collect(),

@@ -173,6 +173,16 @@ impl Piece {
     }
 }
 
+/// Points along curves that follow each other, this many in sum.
+pub(super) fn samples_along(curves: &[Piece], points: usize) -> Vec<DVec3> {
+    let count = curves.len();
+    let samples = curves.iter().enumerate().flat_map(|(index, curve)| {
+        let own = points * (index + 1) / count - points * index / count;
+        curve.samples(curve.degree().map(|degree| if degree == 0 { 1 } else { own }))
+    });
+    samples.collect()
+}
+
 impl Values {
     /// The range of the function.
     pub(super) fn range(&self) -> [f64; 2] {

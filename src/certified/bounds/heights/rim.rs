@@ -110,8 +110,8 @@ pub(super) fn excess(over: &Over<'_>, placement: &Placement, side: &RimSide, thr
         upper_max(at - low, high - at)
     });
     let [y_lag, x_lag] = axes.map(|axis| {
-        let size = placement.functions[axis].size();
-        over.linear.bracket[axis] + placement.overshoot[axis] + size * over.reach() * threshold
+        let turn = frame.turn(placement, axis, over.reach());
+        over.linear.bracket[axis] + placement.overshoot[axis] + turn * threshold
     });
     let [b, c, d, f] = [b, c, d, f].map(f64::abs);
     let lags = v.abs() * placement.lag[axes[0]]

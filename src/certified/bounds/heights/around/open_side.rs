@@ -2,7 +2,7 @@
 
 use super::super::fit::{Fit, POINTS};
 use super::super::frame::Frame;
-use super::super::piece::Piece;
+use super::super::piece::{Piece, samples_along};
 use super::super::quadric::{Cubic, Quadric};
 use crate::certified::rounding::gamma;
 use crate::rounding::{lower_min, upper_max};
@@ -68,7 +68,7 @@ impl OpenSide {
         if outwards == DVec3::ZERO {
             return None;
         }
-        let samples = samples(curves);
+        let samples = samples_along(curves, POINTS);
         // No function that follows a parabola of twice this turn turns less than it may.
         let sagitta = outwards.dot(samples[samples.len() / 2] - start).abs();
         if !(4.0 * sagitta * reach <= 2.0 * MAX_TURN * along.length_squared()) {
@@ -133,16 +133,6 @@ fn sum_of([first, second]: &[[Option<OpenSide>; 2]; 2], excess: impl Fn(&OpenSid
         }
     }
     Some(largest)
-}
-
-/// Points along curves that follow each other.
-fn samples(curves: &[Piece]) -> Vec<DVec3> {
-    let count = curves.len();
-    let samples = curves.iter().enumerate().flat_map(|(index, curve)| {
-        let own = POINTS * (index + 1) / count - POINTS * index / count;
-        curve.samples(curve.degree().map(|degree| if degree == 0 { 1 } else { own }))
-    });
-    samples.collect()
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]

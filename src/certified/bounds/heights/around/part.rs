@@ -1,6 +1,6 @@
 //! Parts of B whose border runs around a cell.
 
-use super::super::frame::Frame;
+use super::super::frame::{Frame, line_of_grid};
 use super::super::piece::Piece;
 use super::loops::runs_around;
 use super::open_side::{Allowances, OpenSide};
@@ -145,16 +145,10 @@ pub(super) fn points_around(frame: &Frame<'_>, pole: &Pole<'_>, extent: f64) -> 
 
 /// The sides of a box of pieces in the order of its border.
 fn sides(pieces: &[Piece], columns: usize, frame: &Frame<'_>) -> [Side; 4] {
-    let rows = pieces.len() / columns;
     [(Axis::V, 0, false), (Axis::U, 1, false), (Axis::V, 1, true), (Axis::U, 0, true)].map(
         |(axis, end, is_reversed)| {
-            let curves: Vec<Piece> = match axis {
-                Axis::U => pieces[end * (rows - 1) * columns..][..columns].iter().collect::<Vec<_>>(),
-                Axis::V => pieces.iter().skip(end * (columns - 1)).step_by(columns).collect(),
-            }
-            .into_iter()
-            .map(|piece| piece.side(axis, end))
-            .collect();
+            let line = line_of_grid(pieces, columns, axis, end);
+            let curves: Vec<Piece> = line.into_iter().map(|piece| piece.side(axis, end)).collect();
             let mut shadows: Vec<Shadow> = curves.iter().map(|curve| Shadow::of(curve, frame)).collect();
             if is_reversed {
                 shadows.reverse();

@@ -2,6 +2,7 @@
 
 mod allowances;
 mod around;
+mod ends;
 mod over_faces;
 mod several_faces;
 mod terms;
