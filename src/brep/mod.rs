@@ -10,6 +10,7 @@
 #[cfg(feature = "archives")]
 mod archive;
 mod assembly;
+mod digits;
 mod edges;
 mod faces;
 mod file;

@@ -2,6 +2,7 @@
 
 use super::frame::Frame;
 use super::order::{self, Circuit};
+use crate::brep::digits::three_digits;
 use crate::brep::faces::gap::Gap;
 use crate::brep::faces::uses::TrimUse;
 use crate::brep::nurbs::Surface;
@@ -96,7 +97,8 @@ impl Chain {
             self.remarks.push(Remark::new("BREP_SEAM_END", why));
         }
         if gap.is_nan() || gap > allowed {
-            let why = format!("a loop is open by {gap:e}, expected at most {allowed:e}");
+            let [gap, allowed] = [gap, allowed].map(three_digits);
+            let why = format!("a loop is open by {gap}, expected at most {allowed}");
             return Err(FaceFault::new("BREP_LOOP_OPEN", why));
         }
         if !is_near {

@@ -1,6 +1,7 @@
 //! Cubic curves in the parameters of a surface, fitted to projected edges.
 
 use super::{Projection, Projector};
+use crate::brep::digits::three_digits;
 use crate::brep::nurbs::{Curve, Spline, Surface, Unconvertible};
 use crate::brep::report::FaceFault;
 use crate::brep::topology::{Edge, SpaceCurve};
@@ -152,7 +153,7 @@ impl<'a> Traced<'a> {
             .project(self.point(t), near, NEAR * self.size)
             .ok_or_else(|| fault("no curve in the parameters, and no points to make one of".to_owned()))?;
         if found.distance.is_nan() || found.distance > (FARTHEST * self.size).max(self.tolerance) {
-            return Err(fault(format!("the edge is {:e} from the surface", found.distance)));
+            return Err(fault(format!("the edge is {} from the surface", three_digits(found.distance))));
         }
         Ok(found)
     }

@@ -2,6 +2,7 @@
 
 use super::pairing::{Pair, Piece};
 use super::{Shapes, Sheet, used};
+use crate::brep::digits::three_digits;
 use crate::brep::iges::file::{Entity, Found};
 use crate::brep::iges::geometry::{Leaf, leaves};
 use crate::brep::nurbs::{Curve, CurvePart, nearest_parameter};
@@ -186,7 +187,8 @@ impl Shapes<'_> {
         let found = distances(&curve, range, turned);
         for (end, distance) in found.into_iter().enumerate() {
             if !(distance <= allowed) {
-                return Err(format!("its curve ends {distance:e} from its vertex"));
+                let distance = three_digits(distance);
+                return Err(format!("its curve ends {distance} from its vertex"));
             }
             let vertex = ends[if turned { 1 - end } else { end }].shape;
             if let ShapeKind::Vertex(tolerance) = &mut self.topology.shapes[vertex].kind {

@@ -1,6 +1,7 @@
 //! Edges: the parts of curves between vertices.
 
 use super::{Shapes, used};
+use crate::brep::digits::three_digits;
 use crate::brep::nurbs::{Curve, CurvePart, nearest_parameter};
 use crate::brep::report::FaceFault;
 use crate::brep::step::geometry::{curve, point, trimmed};
@@ -65,7 +66,8 @@ impl Shapes<'_> {
         for end in [0, 1] {
             let distance = distances[end];
             if !(distance <= allowed) {
-                return Err(fault(&format!("its curve ends {distance:e} from its vertex")));
+                let distance = three_digits(distance);
+                return Err(fault(&format!("its curve ends {distance} from its vertex")));
             }
             if let ShapeKind::Vertex(tolerance) = &mut self.topology.shapes[ends[end].shape].kind {
                 *tolerance = tolerance.max(distance);
