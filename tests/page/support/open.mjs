@@ -9,12 +9,18 @@ import { saveScreenshot } from "./screenshots.mjs";
 /** Timeout for anything on the page, in milliseconds; SwiftShader is slow. */
 const TIMEOUT = 60_000;
 
+/** Whether the test runner runs this file, in which browsers are closed after all tests; else each is with its page. */
+const isTested = process.env.NODE_TEST_CONTEXT !== undefined;
+
 /** The browsers of this file's tests by their arguments: one that has shaders needs not compile them again. */
 const browsers = new Map();
-after(() => Promise.all([...browsers.values()].map(async (browser) => (await browser).close())));
+if (isTested) {
+  after(() => Promise.all([...browsers.values()].map(async (browser) => (await browser).close())));
+}
 
 /** A browser that was started with these arguments. */
 function launched(args) {
+  if (!isTested) return chromium.launch({ ...launchOptions, args });
   const key = args.join(" ");
   if (!browsers.has(key)) browsers.set(key, chromium.launch({ ...launchOptions, args }));
   return browsers.get(key);
@@ -80,7 +86,7 @@ export async function open({
       saveScreenshot(name, await page.screenshot());
     },
     async close() {
-      await page.close();
+      await (isTested ? page : browser).close();
       await server.close();
     },
   };
