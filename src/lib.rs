@@ -83,6 +83,7 @@
     allow(clippy::arc_with_non_send_sync, reason = "natively the same values are shared between threads")
 )]
 
+mod approximation;
 mod area;
 mod axis;
 mod bezier;
@@ -90,7 +91,6 @@ mod bezier;
 mod brep;
 mod bvh;
 mod certified;
-mod chebyshev;
 mod clearance;
 mod closest;
 mod engine;
@@ -100,7 +100,6 @@ mod flatness;
 mod gpu;
 mod hierarchy;
 mod iteration;
-mod least_squares;
 mod limits;
 #[cfg(feature = "mesh")]
 mod mesh_files;

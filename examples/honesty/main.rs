@@ -33,8 +33,9 @@
 //! parallel rows, exactly or within rounding; otherwise one pair in 26 is of these.
 //!
 //! With `--reparametrized`, both models are ellipsoids, discs, surfaces of revolution, one of them divided at
-//! parameter lines, or polynomial surfaces that lie on each other, or nearly so, in other parameters, with poles, with ends along
-//! which a derivative vanishes, and with ends that one goes beyond; otherwise one pair in 32 is of these.
+//! parameter lines, or polynomial surfaces that lie on each other, or nearly so, in other parameters, with poles,
+//! with ends along which a derivative vanishes, and with ends that one goes beyond; otherwise one pair in 32 is
+//! of these.
 //!
 //! With `--facets`, at least one model of each pair is a mesh or a cloud of points: tessellations, near
 //! copies, sheets, slivers and degenerate triangles. Distances to facets are compared with all of them

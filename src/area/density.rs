@@ -1,7 +1,7 @@
 //! The area density of a patch over a part of its parameters, as polynomials.
 
+use crate::approximation::chebyshev::{Linear, coefficients, nodes};
 use crate::bezier::{HomogeneousTangents, Patch};
-use crate::chebyshev::{Linear, coefficients, nodes};
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
 use glam::{DVec3, DVec4, Vec4Swizzles};

@@ -1,6 +1,6 @@
 //! Rational Bézier curves in the parameter plane.
 
-use crate::chebyshev::binomial;
+use crate::approximation::chebyshev::binomial;
 use glam::{DVec2, DVec3};
 
 /// A rational Bézier curve with homogeneous controls `(w u, w v, w)`, w > 0.

@@ -1,6 +1,6 @@
 //! Bounds on a function by its interpolant at Chebyshev nodes (lemma T9 of docs/trimming.md).
 
-use crate::chebyshev::{coefficients, nodes};
+use crate::approximation::chebyshev::{coefficients, nodes};
 use glam::DVec3;
 
 /// The numbers of nodes, for curves from straight ones to arcs of several turns.

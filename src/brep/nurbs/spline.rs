@@ -1,6 +1,6 @@
 //! Rational B-spline curves in homogeneous coordinates.
 
-use crate::chebyshev::binomial;
+use crate::approximation::chebyshev::binomial;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The distance of the ends of a closed curve or surface relative to its coordinates: the

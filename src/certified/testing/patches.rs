@@ -1,10 +1,10 @@
 //! Models of single patches, given by their nets.
 
+use crate::approximation::chebyshev::binomial;
 use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet, relative};
 use crate::certified::cell_context::{CellContext, UpperBound};
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::{Cell, Operand, Pair};
-use crate::chebyshev::binomial;
 use crate::closest::Target;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;

@@ -1,7 +1,7 @@
 //! Boundaries as graphs u = g(v) of polynomials, with a proven bound on the error.
 
 use super::run::Run;
-use crate::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
+use crate::approximation::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
 use crate::rounding::upper_max;
 use crate::untrim::curve::{Curve, casteljau, divided, restricted};
 use glam::{DVec2, DVec3};

@@ -1,6 +1,6 @@
 //! Rational curves as polynomial pieces, with a proven bound on the error.
 
-use crate::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
+use crate::approximation::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
 use crate::rounding::upper_max;
 use crate::untrim::curve::{Curve, divided};
 use glam::DVec3;

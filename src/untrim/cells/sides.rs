@@ -1,6 +1,6 @@
 //! The sides of a cell: parts of arcs, whose distance from the arcs is proven from values.
 
-use crate::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
+use crate::approximation::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
 use crate::rounding::upper_max;
 use crate::untrim::boundary::Side;
 use crate::untrim::boundary::graph::{Graph, residual};

@@ -1,7 +1,7 @@
 //! The distance of a finished patch from the composition, proven from values.
 
+use crate::approximation::chebyshev::{node_factor, nodes};
 use crate::bezier::{Patch, binomials};
-use crate::chebyshev::{node_factor, nodes};
 use crate::limits::MAX_DEGREE;
 use crate::rounding::{gamma, upper_max};
 use crate::untrim::cells::ruling::Ruling;
@@ -134,7 +134,7 @@ fn combined(controls: &[DVec4], basis: &[f64]) -> DVec4 {
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
-    use crate::chebyshev::{coefficients, to_bernstein};
+    use crate::approximation::chebyshev::{coefficients, to_bernstein};
     use crate::model::{NurbsSurface, SurfaceArrays};
     use crate::untrim::curve::Curve;
     use crate::untrim::testing::{face_within, plane};

@@ -1,9 +1,10 @@
 //! Functions of 3.17 that vanish where a surface ends in a plane.
 //!
-//! The functions g of 3.17 follow B's parameters to second order, so that where a surface ends they tell to third order
-//! how far a cell is beyond it. Where the end lies in a plane, as circles of latitude, meridians and sections do, the
-//! plane's function less as much of one that vanishes on the cell as makes it rise along the surface alone tells it
-//! exactly; and of two surfaces that end there the functions are opposite to each other on the cell.
+//! The functions g of 3.17 follow B's parameters to second order, so that they bound the overshoot of a cell beyond an
+//! end of the surface to third order. An end in a plane, such as a circle of latitude or a meridian, has a better
+//! function: the signed distance from the plane, less a multiple of a function that vanishes on the cell. The multiple
+//! makes the gradient tangential to the surface. On a cell that lies on B this function is the signed distance from the
+//! plane, and those of two surfaces that end in one plane are opposite to each other.
 
 use super::fit::{Fit, ORDERS, POINTS, POINTS_ALONG};
 use super::frame::{Frame, Image, Placement};

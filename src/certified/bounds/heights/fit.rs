@@ -5,7 +5,7 @@
 //! the fifth order of the piece's size: a surface has 15 terms below that order, and they have 19.
 
 use super::quadric::{Cubic, Quadric};
-use crate::least_squares::LeastSquares;
+use crate::approximation::least_squares::LeastSquares;
 use crate::rounding::{lower_min, upper_max};
 use glam::DVec3;
 

@@ -2,9 +2,9 @@
 
 use super::super::piece::{TrimPiece, point_of};
 use super::WindingPiece;
+use crate::approximation::chebyshev::binomial;
+use crate::approximation::least_squares::LeastSquares;
 use crate::axis::Axis;
-use crate::chebyshev::binomial;
-use crate::least_squares::LeastSquares;
 use crate::param_box::ParamBox;
 use crate::rounding::{gamma, lower_min, upper_max};
 use glam::{DVec2, DVec3};

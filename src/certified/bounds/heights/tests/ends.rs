@@ -6,9 +6,8 @@ use super::*;
 use crate::axis::Axis;
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::testing::{Surfaces, patch, through};
-use crate::certified::{Cell, Pair};
 use crate::flatness::Flatness;
-use crate::model::{RigidTransform, SurfaceArrays};
+use crate::model::SurfaceArrays;
 use crate::rounding::upper_min;
 use glam::{DMat3, DVec4};
 
@@ -49,14 +48,8 @@ fn surfaces(patches: &[[DVec4; 9]]) -> Surfaces {
     Surfaces::new(patches.iter().map(of).collect(), Flatness::None)
 }
 
-/// The bound of A's whole patch.
 fn bound(a: &Surfaces, b: &Surfaces, threshold: f64) -> Option<f64> {
-    let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
-    let nearest = NearestPoint::new(pair.b);
-    let center = pair.a.patch(0).point([0.5; 2]);
-    let foot = nearest.nearest(center, Foot::start(0, [0.5; 2]), 0.0);
-    let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &foot);
-    Heights.evaluate(&mut context, threshold)
+    bound_of(a.operand(), b.operand(), threshold)
 }
 
 /// A cell of the sphere across a circle of latitude, or a meridian, at which two parts of it meet is at no distance
@@ -89,7 +82,7 @@ fn a_cell_over_a_slit_along_a_circle_is_at_half_its_width() {
     }
 }
 
-/// A cell that ends where the surface does is at no distance, and one that goes on is as far as it does.
+/// The bound is 0 for a cell that ends with the surface, and the length of the overshoot for one that extends beyond it.
 #[test]
 fn a_cell_at_the_end_of_a_sphere_is_as_far_as_it_is_beyond_it() {
     let b = surfaces(&[revolved(0.0, [-0.5, 0.5], [-0.6, 0.2])]);
@@ -106,7 +99,7 @@ fn a_cell_at_the_end_of_a_sphere_is_as_far_as_it_is_beyond_it() {
 fn over(b: &Surfaces, at: [f64; 2], size: f64) -> Over<'_> {
     let frame = Frame::new(Chart::new(b.sheets(), 0, at)).unwrap();
     let patch = b.operand().patch(0);
-    // The cell is a part of the same patch, as far as it goes.
+    // The cell is the part of the same patch over these parameters, clamped to its domain.
     let ends = at.map(|at| [(at - size).max(0.0), (at + size).min(1.0)]);
     let controls = patch.restricted(ends[0], ends[1]);
     let a = Piece::new(patch.degree, controls, frame.jet.point - patch.center, 10.0);

@@ -2,11 +2,11 @@
 
 use super::*;
 use crate::axis::Axis;
+use crate::certified::TrimmedFaces;
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::testing::{Surfaces, oblique, patch, through};
-use crate::certified::{Cell, Pair, TrimmedFaces};
 use crate::model::trim::{FaceArrays, RimSide, TrimCurveArrays};
-use crate::model::{Model, ModelArrays, RigidTransform, SurfaceArrays};
+use crate::model::{Model, ModelArrays, SurfaceArrays};
 use crate::pieces::FacePieces;
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -109,14 +109,7 @@ fn distance([x, y]: [f64; 2]) -> f64 {
 
 /// The bound of A's whole patch over a cut face, or over its pieces alone.
 pub(super) fn bound(a: &Surfaces, b: &Cut, over_faces: bool, threshold: f64) -> Option<f64> {
-    let target = b.pieces.operand().with_faces(over_faces.then_some(&b.faces));
-    let pair = Pair { a: a.operand(), b: target, transform: RigidTransform::IDENTITY };
-    let nearest = NearestPoint::new(pair.b);
-    let cell = Cell::whole(0);
-    let center = pair.a.patch(0).point([0.5; 2]);
-    let foot = nearest.nearest(center, Foot::start(0, [0.5; 2]), 0.0);
-    let mut context = CellContext::new(&pair, &nearest, cell, &foot);
-    Heights.evaluate(&mut context, threshold)
+    bound_of(a.operand(), b.pieces.operand().with_faces(over_faces.then_some(&b.faces)), threshold)
 }
 
 /// A flat patch at 45° about a point, so long from its centre to its corners.

@@ -140,12 +140,7 @@ fn no_point_is_farther_than_the_bound() {
 }
 
 /// The bound of a whole patch from its nearest foot.
-fn bound_from(
-    a: &Surfaces,
-    nearest: &NearestPoint<'_>,
-    b: crate::certified::Operand<'_>,
-    flat: u32,
-) -> Option<f64> {
+fn bound_from(a: &Surfaces, nearest: &NearestPoint<'_>, b: Operand<'_>, flat: u32) -> Option<f64> {
     let pair = Pair { a: a.operand(), b, transform: RigidTransform::IDENTITY };
     let mut context = CellContext::new(&pair, nearest, Cell::whole(0), &Foot::start(flat, [0.5; 2]));
     Heights.evaluate(&mut context, 1.0).filter(|bound| bound.is_finite())

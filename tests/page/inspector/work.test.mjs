@@ -1,8 +1,8 @@
 // What the page does no more often than it has to: shaders, drawings, measurements and colours.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { drawn } from "./support/drawn.mjs";
-import { open } from "./support/open.mjs";
+import { drawn } from "../support/drawn.mjs";
+import { open } from "../support/open.mjs";
 
 /** Indices of a drawing of a whole model; the arrow has fewer. */
 const WHOLE = 5000;
