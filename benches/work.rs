@@ -1,10 +1,11 @@
 //! The work of method `certified` on whole families of pairs: what a change of
 //! the search is judged by.
 //!
-//! `cargo bench --bench work [-- SET …] [--each] [--fine] [--prepare-only]`, with
+//! `cargo bench --bench work [-- SET …] [--each] [--fine] [--prepare-only] [--audit]`, with
 //! `RAYON_NUM_THREADS=1` for one thread. Prints, for every set, the pairs, the
 //! cells bounded and the seconds of all searches; with `--each` for every pair, too, and with
-//! `--fine` at 1e-8 instead of 1e-6 of the diagonal. Under an instruction counter,
+//! `--fine` at 1e-8 instead of 1e-6 of the diagonal. With `--audit` all upper bounds are audited, and the
+//! numbers of cells by lemma are printed, and what was refuted. Under an instruction counter,
 //! a second run with `--prepare-only` gives what to subtract.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used)]
@@ -13,9 +14,12 @@ mod support;
 
 use glam::DVec3;
 use nurbs_hausdorff::internals::engine::{DistanceOptions, Engine, PreparedModel};
+use nurbs_hausdorff::options::Audit;
+use nurbs_hausdorff::result::Lemma;
 use nurbs_hausdorff::shapes::operations::refit_model;
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{CertifiedOptions, Method, Model, RigidTransform};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 use support::clock::Stopwatch;
 use support::shared;
@@ -74,6 +78,8 @@ type Set = (&'static str, fn() -> Vec<Pair>);
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     let [each, fine] = ["--each", "--fine"].map(|option| arguments.iter().any(|argument| argument == option));
+    let audit =
+        if arguments.iter().any(|argument| argument == "--audit") { Audit::All } else { Audit::Share };
     let prepare_only = arguments.iter().any(|argument| argument == "--prepare-only");
     let chosen = |name: &str| {
         let mut names = arguments.iter().filter(|argument| !argument.starts_with('-')).peekable();
@@ -92,11 +98,12 @@ fn main() {
     for (name, pairs) in sets.into_iter().filter(|(name, _)| chosen(name)) {
         let pairs = pairs();
         let (mut cells, mut seconds, mut ended) = (0, 0.0, 0);
+        let mut audited = BTreeMap::<Lemma, usize>::new();
         for Pair { a, b, transform, name: pair } in &pairs {
             let max_cells = if prepare_only { Some(1) } else { Some(MAX_CELLS) };
             let relative_tolerance = fine.then_some(1e-8);
             let options = DistanceOptions {
-                method: Method::Certified(CertifiedOptions { max_cells, ..Default::default() }),
+                method: Method::Certified(CertifiedOptions { max_cells, audit, ..Default::default() }),
                 transform: *transform,
                 relative_tolerance,
                 ..DistanceOptions::default()
@@ -108,11 +115,22 @@ fn main() {
                 let (stop, spent) = (result.certified().map(|details| details.stop), watch.cpu_seconds());
                 println!("| {pair} | | {of_pair} | {spent:.3} | {stop:?} |");
             }
+            if let Some(details) = result.certified() {
+                for lemma in Lemma::ALL {
+                    *audited.entry(lemma).or_default() += details.audit.cells_of(lemma);
+                }
+                if !details.audit.struck.is_empty() {
+                    println!("REFUTED {pair}: {:?}", result.notice);
+                }
+            }
             cells += of_pair;
             seconds += result.seconds.solve;
             ended += usize::from(!result.converged);
         }
         println!("| {name} | {} | {cells} | {seconds:.3} | {ended} |", pairs.len());
+        let counts = audited.iter().filter(|(_, count)| **count > 0);
+        let counts: Vec<String> = counts.map(|(lemma, count)| format!("{lemma}: {count}")).collect();
+        println!("bounds audited by lemma: {}", counts.join(", "));
     }
 }
 

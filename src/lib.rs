@@ -192,6 +192,7 @@ pub mod trim {
 
 /// The choices within [`DistanceOptions`].
 pub mod options {
+    pub use crate::certified::Audit;
     pub use crate::closest::Projection;
     pub use crate::flatness::Flatness;
     pub use crate::iteration::{Culling, SamplingRule};
@@ -201,8 +202,8 @@ pub mod options {
 pub mod result {
     pub use crate::closest::Status;
     pub use crate::engine::{
-        Bounds, CertifiedDetails, FaceDeviations, HierarchyDetails, IterationDetails, PatchCounts, Processor,
-        Seconds, Stop, WithGaps,
+        AuditReport, Bounds, CertifiedDetails, FaceDeviations, HierarchyDetails, IterationDetails, Lemma,
+        Lemmas, PatchCounts, Processor, Seconds, Stop, WithGaps,
     };
     pub use crate::iteration::StatusCounts;
 }

@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
-#[path = "known_pairs/mod.rs"]
+#[path = "repro/mod.rs"]
 mod pairs;
 
 use glam::DVec3;

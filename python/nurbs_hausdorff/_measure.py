@@ -33,6 +33,7 @@ def distance(
     limit: float | None = None,
     max_seconds: float | None = None,
     max_cells: int | None = None,
+    audit: Literal["share", "all"] | None = None,
     method: Literal["certified", "iteration", "hierarchy"] = "certified",
     deviations: bool = False,
     samples: int | None = None,
@@ -64,6 +65,9 @@ def distance(
         Length that the verdict ``within`` is about, in model units; the search ends with it.
     max_seconds, max_cells : optional
         Budgets of each direction, after which the interval reached is returned.
+    audit : {"share", "all"}, optional
+        Upper bounds that are checked by certified closest points while the search runs: a share
+        of those beyond the simplest, or all.
     method : {"certified", "iteration", "hierarchy"}
         The two others replicate papers. ``samples``, ``sampling``, ``flatness``, ``projection``,
         ``culling``, ``iterations`` and ``step_tolerance`` are for ``iteration``, ``grid`` and
@@ -86,7 +90,7 @@ def distance(
     """
     options = _names.options(
         symmetric=symmetric, tolerance=tolerance, relative_tolerance=relative_tolerance,
-        limit=limit, max_seconds=max_seconds, max_cells=max_cells, method=method,
+        limit=limit, max_seconds=max_seconds, max_cells=max_cells, audit=audit, method=method,
         deviations=deviations, samples=samples, sampling=sampling, flatness=flatness,
         projection=projection, culling=culling, iterations=iterations,
         step_tolerance=step_tolerance, grid=grid, memory_budget=memory_budget, backend=backend,

@@ -1,5 +1,6 @@
 //! Upper bounds for a cell, and what those of one cell share.
 
+use super::audit::{Lemma, Lemmas};
 use super::nearest::{Feet, Foot, NearestPoint, Sample};
 use super::rounding::JetScale;
 use super::{Cell, Pair};
@@ -8,9 +9,32 @@ use std::cell::OnceCell;
 
 /// An upper bound on `max d(a, B)` over the points a of a cell.
 pub(super) trait UpperBound: Sync {
+    /// The lemma that states and proves it.
+    fn lemma(&self) -> Lemma;
+
     /// The bound; `None` where it does not apply or is not expected to reach
     /// the threshold. NaN counts as no bound.
     fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64>;
+}
+
+/// The least of several bounds, with the lemma that it rests on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct LeastBound {
+    pub(super) upper: f64,
+    /// `None` as long as there is no bound.
+    pub(super) lemma: Option<Lemma>,
+}
+
+impl LeastBound {
+    /// No bound yet.
+    pub(super) const NONE: Self = Self { upper: f64::INFINITY, lemma: None };
+
+    /// Takes a bound if it is less. NaN bounds nothing.
+    pub(super) fn take(&mut self, upper: f64, lemma: Lemma) {
+        if upper < self.upper {
+            *self = Self { upper, lemma: Some(lemma) };
+        }
+    }
 }
 
 /// The bound by Taylor's theorem that a foot gives.
@@ -42,6 +66,8 @@ pub(super) struct CellContext<'a> {
     pub(super) radius: f64,
     /// What the rounding of A's derivatives depends on.
     pub(super) jet_scale: JetScale,
+    /// The lemmas whose bounds were refuted and are not tried.
+    pub(super) struck: Lemmas,
     /// The latest Taylor bound.
     pub(super) taylor: Option<TaylorBound>,
     local_bounds: OnceCell<DerivativeBounds>,
@@ -67,6 +93,7 @@ impl<'a> CellContext<'a> {
             farthest: Sample { patch: cell.patch, parameters: cell.center, foot },
             radius: cell.radius(pair.a.patch_bounds(cell.patch).first),
             jet_scale: pair.a.jet_scale(cell.patch),
+            struck: Lemmas::default(),
             taylor: None,
             local_bounds: OnceCell::new(),
         }

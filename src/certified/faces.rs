@@ -1,6 +1,6 @@
 //! The trimmed faces of a model as they are before they are cut: whole surfaces with regions.
 
-use super::sheets::{Chart, Pole, SheetCache, Sheets};
+use super::sheets::{Chart, DomainPart, Pole, SheetCache, Sheets};
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, extract};
 use crate::flatness::Places;
@@ -9,6 +9,9 @@ use crate::model::trim::{Rim, RimSide, Winding};
 use crate::param_box::ParamBox;
 use crate::untrim::ParameterMap;
 use std::sync::{Arc, OnceLock};
+
+/// How far the ends of boxes may be apart by rounding, relative to their sizes in a patch's parameters.
+const END_ROUNDING: f64 = 1e-9;
 
 /// The trimmed faces of a model, with the way to them from the pieces that they are cut into.
 ///
@@ -89,17 +92,33 @@ pub(super) struct FaceRim {
     pub(super) parameters: [[f64; 2]; 2],
 }
 
+impl FaceRim {
+    /// Whether the rim is about a box, up to the rounding of the ends of both: one that is not about the feet of a
+    /// cell says nothing of them.
+    fn contains(&self, box_: [[f64; 2]; 2]) -> bool {
+        let mut ends = self.parameters.into_iter().zip(box_);
+        ends.all(|([low, high], [first, last])| {
+            let margin = END_ROUNDING * (1.0 + low.abs() + high.abs());
+            low - margin <= first && last <= high + margin
+        })
+    }
+}
+
 impl FaceChart<'_> {
     /// Returns rims of the face in boxes of the chart's parameters that contain the one given.
     /// O(arcs of the loops).
-    pub(super) fn rims(&self, [s, t]: [[f64; 2]; 2]) -> Vec<FaceRim> {
-        let [us, vs] = [(Axis::U, s), (Axis::V, t)].map(|(axis, range)| {
-            let mut ranges = self.chart.surface_ranges(axis, range)?;
+    ///
+    /// A box beyond the seam of a closed surface is at the other end of its domain, and the chart's point is moved by
+    /// the same period: rims are relative to the moved point.
+    pub(super) fn rims(&self, box_: [[f64; 2]; 2]) -> Vec<FaceRim> {
+        let [us, vs] = Axis::BOTH.map(|axis| {
+            let mut parts = self.chart.surface_ranges(axis, box_[axis.index()])?;
             // A box that goes on at the other end of the domain is two.
-            ranges.next().filter(|_| ranges.next().is_none())
+            parts.next().filter(|_| parts.next().is_none())
         });
         let (Some(us), Some(vs)) = (us, vs) else { return Vec::new() };
-        let origin = self.chart.surface_parameters();
+        let [u, v] = self.chart.surface_parameters();
+        let origin = [u + us.shift, v + vs.shift];
         let place = self.region.place(origin);
         let scales = Axis::BOTH.map(|axis| self.chart.own_width(axis) * self.region.scale(axis));
         let of_chart = |Rim { sides, region }: Rim| {
@@ -117,7 +136,8 @@ impl FaceChart<'_> {
             });
             FaceRim { sides: sides.collect(), parameters }
         };
-        self.region.rims(&ParamBox::new(us, vs), origin).into_iter().map(of_chart).collect()
+        let rims = self.region.rims(&ParamBox::new(us.range, vs.range), origin);
+        rims.into_iter().map(of_chart).filter(|rim| rim.contains(box_)).collect()
     }
 
     /// Returns true only if all points of the surface around a pole belong to the face, up to this parameter of the
@@ -127,7 +147,7 @@ impl FaceChart<'_> {
         let range = if pole.end == 0 { [0.0, extent] } else { [1.0 - extent, 1.0] };
         let Some(ranges) = pole.chart.surface_ranges(axis, range) else { return false };
         let all = pole.chart.domain(axis.other());
-        ranges.into_iter().all(|range| {
+        ranges.into_iter().all(|DomainPart { range, .. }| {
             let [u, v] = if axis == Axis::U { [range, all] } else { [all, range] };
             self.region.encloses(&ParamBox::new(u, v))
         })
@@ -138,7 +158,7 @@ impl FaceChart<'_> {
     pub(super) fn holds(&self, [s, t]: [[f64; 2]; 2]) -> bool {
         let Some(us) = self.chart.surface_ranges(Axis::U, s) else { return false };
         let Some(vs) = self.chart.surface_ranges(Axis::V, t) else { return false };
-        let vs: Vec<[f64; 2]> = vs.collect();
-        us.into_iter().all(|u| vs.iter().all(|&v| self.region.encloses(&ParamBox::new(u, v))))
+        let vs: Vec<[f64; 2]> = vs.map(|part| part.range).collect();
+        us.into_iter().all(|u| vs.iter().all(|&v| self.region.encloses(&ParamBox::new(u.range, v))))
     }
 }

@@ -14,6 +14,7 @@
 //! it. `docs/method.md` has the proofs.
 
 mod ascent;
+mod audit;
 mod bounds;
 mod cell;
 mod cell_context;
@@ -30,6 +31,7 @@ mod sheets;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod testing;
 
+pub(crate) use audit::{Refutation, audit_whole};
 pub(crate) use cell::{Cell, MAX_ASPECT};
 pub(crate) use faces::TrimmedFaces;
 pub(crate) use generatrix::Generatrix;
@@ -40,6 +42,7 @@ pub(crate) use search::{BatchResult, BranchAndBound, Domain, Gains, Interval, Li
 
 pub(crate) use sheets::{SheetCache, Sheets};
 
+pub use audit::{Audit, AuditReport, Lemma, Lemmas};
 #[cfg(feature = "internals")]
 pub use bounds::Quadratic;
 pub use search::Stop;

@@ -135,7 +135,12 @@ pub(crate) struct Pair<'a> {
     pub(crate) transform: RigidTransform,
 }
 
-impl Pair<'_> {
+impl<'a> Pair<'a> {
+    /// A patch of A, not moved.
+    pub(crate) fn patch_of_a(&self, patch: u32) -> Patch<'a> {
+        self.a.patch(patch)
+    }
+
     /// The moved point of a patch of A.
     pub(super) fn point_of_a(&self, patch: u32, parameters: [f64; 2]) -> DVec3 {
         self.transform.apply(self.a.patch(patch).point(parameters))

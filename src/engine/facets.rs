@@ -7,7 +7,7 @@ use super::prepared::PreparedTarget;
 use super::result::DirectedResult;
 use super::{CertifiedDetails, Details, DistanceOptions, PreparedModel, Processor, Seconds, Stop};
 use crate::bezier::PatchSet;
-use crate::certified::{Gains, Interval, Limit};
+use crate::certified::{AuditReport, Gains, Interval, Limit};
 use crate::error::{Error, Result};
 use crate::facets::{Certified, Domain, End, FacetSearch, Measured, PreparedFacets, Source, Start};
 use crate::flatness::MAX_HALVINGS;
@@ -135,6 +135,7 @@ impl Direction<'_> {
                 levels: work.levels,
                 stop,
                 within,
+                audit: AuditReport::default(),
             }),
             deviations: Vec::new(),
         })

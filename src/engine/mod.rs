@@ -35,8 +35,8 @@ pub use options::{
 };
 pub use prepared::PreparedModel;
 pub use result::{
-    Bounds, CertifiedDetails, Details, DistanceResult, HierarchyDetails, IterationDetails, PatchCounts,
-    Processor, Seconds, Stop, WithGaps, Witness,
+    AuditReport, Bounds, CertifiedDetails, Details, DistanceResult, HierarchyDetails, IterationDetails,
+    Lemma, Lemmas, PatchCounts, Processor, Seconds, Stop, WithGaps, Witness,
 };
 pub use signs::Signs;
 pub use solid::{FreeEdge, Shell, Solid};

@@ -9,7 +9,7 @@
 mod cuts;
 #[path = "../../examples/honesty/fuzzer/mod.rs"]
 mod fuzzer;
-#[path = "../known_pairs/mod.rs"]
+#[path = "../repro/mod.rs"]
 mod pairs;
 #[path = "../../examples/verify/proof/mod.rs"]
 mod proof;

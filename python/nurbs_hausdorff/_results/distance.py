@@ -21,6 +21,17 @@ class WithGaps:
 
 
 @dataclass(frozen=True)
+class Audit:
+    """Numbers of cells and points at which upper bounds were checked, and the sections of the
+    lemmas that were refuted: none, unless the library has a fault. The interval is valid without
+    them."""
+
+    cells: int
+    points: int
+    struck: list[str]
+
+
+@dataclass(frozen=True)
 class DistanceResult:
     """Interval [lower, upper] that contains the distance.
 
@@ -42,6 +53,8 @@ class DistanceResult:
         The interval for the sources of the models.
     gap, gap_proven : float, bool
         Bound on the distance of the models from their sources, and whether it is proven.
+    audit : Audit or None
+        Upper bounds that were checked while the search ran.
     forward, reverse : DistanceResult or None
         Both directions of a symmetric distance.
     deviations : Field or None
@@ -71,6 +84,7 @@ class DistanceResult:
     cells: int | None = None
     cpu_cells: int | None = None
     levels: int | None = None
+    audit: Audit | None = None
     adapter: str | None = None
     notice: str | None = None
     statistics: Statistics | None = None
@@ -100,6 +114,8 @@ def distance_result(data: dict[str, Any], parts: list[dict[str, Any]]) -> Distan
     data["witness"] = witness(data["witness"])
     data["with_gaps"] = WithGaps(**data["with_gaps"])
     data["seconds"] = Seconds(**data["seconds"])
+    if data.get("audit") is not None:
+        data["audit"] = Audit(**data["audit"])
     data["details"] = {name: data.pop(name) for name in _DETAILS if name in data}
     statistics = data.pop("statistics", None)
     data["statistics"] = None if statistics is None else Statistics(**statistics)

@@ -6,6 +6,7 @@ use super::{
     least, same_net, sphere, whole_models, with_any_foot, with_nearest_feet,
 };
 use crate::bezier::{LocalDerivativeBounds, extract};
+use crate::certified::audit::{Lemma, Lemmas};
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::testing::*;
 use crate::certified::{Cell, Operand, Pair};
@@ -189,7 +190,7 @@ fn whole_models_are_bounded_by_all_patches() {
     let b = PatchModel::new(&[square(0.0), square(0.0)]);
     let bound = |heights: &[f64]| {
         let nets: Vec<Net> = heights.iter().map(|&height| square(height)).collect();
-        whole_models(&pair(&PatchModel::new(&nets), &b))
+        whole_models(&pair(&PatchModel::new(&nets), &b), Lemmas::default()).upper
     };
     assert_attained(bound(&[1.0, 2.0]), 2.0, 0.0);
     assert_attained(bound(&[2.0, 1.0]), 2.0, 0.0);
@@ -236,7 +237,7 @@ fn sphere_among_surfaces() {
         let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &Foot::start(0, [0.5; 2]));
         let bound = InSphere.evaluate(&mut context, 0.0).unwrap();
         assert_attained(bound, (distance - 1.0).abs() * radius, 1e-9);
-        assert_attained(whole_models(&pair), (distance - 1.0).abs() * radius, 1e-9);
+        assert_attained(whole_models(&pair, Lemmas::default()).upper, (distance - 1.0).abs() * radius, 1e-9);
     }
 }
 
@@ -246,7 +247,11 @@ fn boxes_are_attained_at_a_corner() {
     let diagonal = || line([0.0, 0.0, 0.0], [1.0, 2.0, 2.0]);
     let origin = || point([0.0; 3]);
     for (a, b) in [(diagonal(), origin()), (origin(), diagonal())] {
-        assert_attained(whole_models(&pair(&PatchModel::new(&[a]), &PatchModel::new(&[b]))), 3.0, 0.0);
+        assert_attained(
+            whole_models(&pair(&PatchModel::new(&[a]), &PatchModel::new(&[b])), Lemmas::default()).upper,
+            3.0,
+            0.0,
+        );
     }
 }
 
@@ -266,6 +271,10 @@ fn bvh_node_of_a_line() {
 struct Fixed(Option<f64>);
 
 impl UpperBound for Fixed {
+    fn lemma(&self) -> Lemma {
+        Lemma::Bilinear
+    }
+
     fn evaluate(&self, _context: &mut CellContext<'_>, _threshold: f64) -> Option<f64> {
         self.0
     }
@@ -288,10 +297,10 @@ fn the_least_bound_of_a_list() {
     ] {
         let fixed: Vec<Fixed> = bounds.iter().map(|&bound| Fixed(bound)).collect();
         let list: Vec<&dyn UpperBound> = fixed.iter().map(|bound| bound as &dyn UpperBound).collect();
-        assert_eq!(least(&list, &mut context, 2.0), expected, "{bounds:?}");
+        assert_eq!(least(&list, &mut context, 2.0).upper, expected, "{bounds:?}");
     }
-    assert_attained(with_any_foot(&mut context, 0.0), 3.0, 0.0);
-    assert_attained(with_nearest_feet(&mut context, 0.0), 3.0, 0.0);
+    assert_attained(with_any_foot(&mut context, 0.0).upper, 3.0, 0.0);
+    assert_attained(with_nearest_feet(&mut context, 0.0).upper, 3.0, 0.0);
 }
 
 /// Two parallel planes, whose difference is constant: the Taylor bound is the distance and J of

@@ -30,7 +30,7 @@ fn over_seams(a: &Surfaces, b: &Surfaces, threshold: f64) -> f64 {
     let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
     let nearest = NearestPoint::new(pair.b);
     let mut context = CellContext::new(&pair, &nearest, Cell::whole(0), &Foot::start(0, [0.5; 2]));
-    least(&[&Taylor, &TaylorAcrossSeams], &mut context, threshold)
+    least(&[&Taylor, &TaylorAcrossSeams], &mut context, threshold).upper
 }
 
 /// The Bernstein or B-spline coefficients of a cubic of parameter x over knots, from its

@@ -13,6 +13,7 @@
 use super::super::nearest::Foot;
 use super::super::rounding::UNIT_ROUNDOFF;
 use crate::bezier::DerivativeBounds;
+use crate::certified::audit::Lemma;
 use crate::certified::cell_context::{CellContext, UpperBound};
 use glam::DVec3;
 
@@ -43,6 +44,10 @@ type Vertex = ([f64; 2], [Foot; 2]);
 pub(super) struct Bilinear;
 
 impl UpperBound for Bilinear {
+    fn lemma(&self) -> Lemma {
+        Lemma::Bilinear
+    }
+
     fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {
         let foot = context.foot();
         if foot.distance() > MAX_DISTANCE_IN_RADII * context.radius {

@@ -1,28 +1,38 @@
 //! Bounds on whole models and on the nodes of A's tree.
 
+use super::super::audit::{Lemma, Lemmas};
+use super::super::cell_context::LeastBound;
 use super::super::nearest::{Foot, NearestPoint, Query, Sample};
 use super::super::{Cell, Pair};
 use super::{same_net, sphere};
-use crate::rounding::upper_max;
 
 /// An upper bound on the directed distance, before anything is searched: by
 /// the models' boxes, or by the bounds on whole patches where they cover A.
 /// O(patches p q), less where the first patch has no such bound.
-pub(in crate::certified) fn whole_models(pair: &Pair<'_>) -> f64 {
-    between_boxes(pair).min(over_whole_patches(pair))
+pub(in crate::certified) fn whole_models(pair: &Pair<'_>, struck: Lemmas) -> LeastBound {
+    let mut least = over_whole_patches(pair, struck);
+    least.take(between_boxes(pair), Lemma::ModelBoxes);
+    least
 }
 
-/// The largest of the bounds on whole patches of A, +∞ once one has none.
-fn over_whole_patches(pair: &Pair<'_>) -> f64 {
-    let mut largest = 0.0_f64;
+/// The largest of the bounds on whole patches of A; none once one has none.
+fn over_whole_patches(pair: &Pair<'_>, struck: Lemmas) -> LeastBound {
+    let sphere = pair.b.sphere.filter(|_| !struck.contains(Lemma::Sphere));
+    let mut largest = LeastBound { upper: 0.0, lemma: None };
     for index in 0..pair.a.patches().len() as u32 {
-        let by_net = same_net::upper_bound(pair, index);
-        let by_sphere = pair.b.sphere.map_or(f64::INFINITY, |sphere| {
-            sphere::upper_bound(&Cell::whole(index), &pair.a.patch(index), &pair.transform, &sphere)
-        });
-        largest = upper_max(largest, by_net.min(by_sphere));
-        if largest == f64::INFINITY {
-            break;
+        let mut least = LeastBound::NONE;
+        if !struck.contains(Lemma::SameNet) {
+            least.take(same_net::upper_bound(pair, index), Lemma::SameNet);
+        }
+        if let Some(sphere) = &sphere {
+            let (cell, patch) = (Cell::whole(index), pair.a.patch(index));
+            least.take(sphere::upper_bound(&cell, &patch, &pair.transform, sphere), Lemma::Sphere);
+        }
+        if least.upper == f64::INFINITY {
+            return LeastBound::NONE;
+        }
+        if largest.lemma.is_none() || least.upper > largest.upper {
+            largest = least;
         }
     }
     largest

@@ -12,6 +12,7 @@
 
 use super::super::maximin::{AffineFunction, linearized_distance_squared, maximin};
 use super::taylor::{Bounds, CellPair, Difference, coefficient_error, max_coefficient};
+use crate::certified::audit::Lemma;
 use crate::certified::cell_context::{CellContext, UpperBound};
 use glam::DVec3;
 
@@ -23,6 +24,10 @@ pub(super) struct ConvexCombination;
 type Term<'a> = ([[f64; 5]; 5], f64, Difference<'a>);
 
 impl UpperBound for ConvexCombination {
+    fn lemma(&self) -> Lemma {
+        Lemma::ConvexCombination
+    }
+
     /// `None` also where one patch alone is best.
     fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {
         let feet = context.feet.all();

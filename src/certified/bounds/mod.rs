@@ -19,12 +19,12 @@ mod sphere;
 mod taylor;
 
 pub(super) use boxes::{bvh_node, whole_models};
-pub(super) use of_blocks::block;
+pub(super) use of_blocks::{BlockBound, block};
 #[cfg(feature = "internals")]
 pub use taylor::Quadratic;
 pub(super) use taylor::halved_sides;
 
-use super::cell_context::{CellContext, UpperBound};
+use super::cell_context::{CellContext, LeastBound, UpperBound};
 use super::near_copies::blocks::{BlockUpperBound, DifferenceByPieces, OneSpline};
 use super::near_copies::difference::{DifferenceOverKnotLines, PolynomialDifference, ProjectiveDifference};
 use bilinear::Bilinear;
@@ -58,24 +58,25 @@ const OF_BLOCKS: [&dyn BlockUpperBound; 2] = [&OneSpline, &DifferenceByPieces];
 
 /// The least of the bounds with the inherited foot, or the first that is at
 /// most the threshold.
-pub(super) fn with_any_foot(context: &mut CellContext<'_>, threshold: f64) -> f64 {
+pub(super) fn with_any_foot(context: &mut CellContext<'_>, threshold: f64) -> LeastBound {
     least(&WITH_ANY_FOOT, context, threshold)
 }
 
 /// The least of the bounds with the nearest feet, or the first that is at most
 /// the threshold.
-pub(super) fn with_nearest_feet(context: &mut CellContext<'_>, threshold: f64) -> f64 {
+pub(super) fn with_nearest_feet(context: &mut CellContext<'_>, threshold: f64) -> LeastBound {
     least(&WITH_NEAREST_FEET, context, threshold)
 }
 
-fn least(bounds: &[&dyn UpperBound], context: &mut CellContext<'_>, threshold: f64) -> f64 {
-    let mut least = f64::INFINITY;
+fn least(bounds: &[&dyn UpperBound], context: &mut CellContext<'_>, threshold: f64) -> LeastBound {
+    let mut least = LeastBound::NONE;
     for bound in bounds {
-        if let Some(upper) = bound.evaluate(context, threshold)
-            && upper < least
-        {
-            least = upper;
-            if least <= threshold {
+        if context.struck.contains(bound.lemma()) {
+            continue;
+        }
+        if let Some(upper) = bound.evaluate(context, threshold) {
+            least.take(upper, bound.lemma());
+            if least.upper <= threshold {
                 break;
             }
         }

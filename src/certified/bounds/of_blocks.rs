@@ -2,6 +2,7 @@
 
 use super::OF_BLOCKS;
 use crate::certified::Pair;
+use crate::certified::audit::{Lemma, Lemmas};
 use crate::certified::near_copies::blocks::{Block, BlockContext};
 use crate::certified::nearest::{Foot, NearestPoint, Query, Sample};
 use crate::certified::sheets::Sheets;
@@ -11,6 +12,8 @@ use crate::rounding::upper_max;
 pub(in crate::certified) struct BlockBound {
     /// An upper bound on the distance of the patches that are decided.
     pub(in crate::certified) decided: f64,
+    /// The bound of each patch that is decided, v fastest, with its lemma.
+    pub(in crate::certified) by_patch: Vec<Option<(f64, Lemma)>>,
     /// The undecided patches of the block, v fastest: no bound of theirs is at most the threshold.
     pub(in crate::certified) undecided: Vec<bool>,
     /// A point in the middle of the block with its foot.
@@ -28,16 +31,21 @@ pub(in crate::certified) fn block(
     block: &Block,
     known: &Foot,
     threshold: f64,
+    struck: Lemmas,
 ) -> BlockBound {
     let sample = sample(pair, sheets, nearest, block, known);
     let [rows, columns] = block.size();
     let mut bounds = vec![None; (rows * columns) as usize];
+    let mut by_patch: Vec<Option<(f64, Lemma)>> = vec![None; bounds.len()];
     let mut farthest = None;
     let is_near = sample.foot.distance() <= threshold;
     if is_near && let Some(context) = BlockContext::new(pair, sheets, block, &sample) {
-        for bound in OF_BLOCKS {
+        for bound in OF_BLOCKS.into_iter().filter(|bound| !struck.contains(bound.lemma())) {
             if bounds.iter().any(Option::is_none) {
                 farthest = bound.evaluate(&context, threshold, &mut bounds).or(farthest);
+            }
+            for (upper, entry) in bounds.iter().zip(&mut by_patch) {
+                *entry = entry.or(upper.map(|upper| (upper, bound.lemma())));
             }
         }
     }
@@ -47,6 +55,7 @@ pub(in crate::certified) fn block(
     });
     BlockBound {
         decided: bounds.iter().flatten().copied().fold(0.0, upper_max),
+        by_patch,
         undecided: bounds.iter().map(Option::is_none).collect(),
         sample,
         farthest,

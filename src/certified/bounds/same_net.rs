@@ -2,6 +2,7 @@
 
 use super::super::Pair;
 use crate::bezier::Patch;
+use crate::certified::audit::Lemma;
 use crate::certified::cell_context::{CellContext, UpperBound};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
@@ -9,6 +10,10 @@ use glam::{DVec3, DVec4, Vec4Swizzles};
 pub(super) struct SameNet;
 
 impl UpperBound for SameNet {
+    fn lemma(&self) -> Lemma {
+        Lemma::SameNet
+    }
+
     fn evaluate(&self, context: &mut CellContext<'_>, _threshold: f64) -> Option<f64> {
         context.cell.is_whole().then(|| upper_bound(context.pair, context.cell.patch))
     }

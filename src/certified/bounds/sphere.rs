@@ -3,6 +3,7 @@
 use super::super::Cell;
 use super::super::rounding::gamma;
 use crate::bezier::Patch;
+use crate::certified::audit::Lemma;
 use crate::certified::cell_context::{CellContext, UpperBound};
 use crate::model::RigidTransform;
 use crate::rounding::upper_max;
@@ -17,6 +18,10 @@ const SHIFT_ROUNDINGS: f64 = 8.0;
 pub(super) struct InSphere;
 
 impl UpperBound for InSphere {
+    fn lemma(&self) -> Lemma {
+        Lemma::Sphere
+    }
+
     fn evaluate(&self, context: &mut CellContext<'_>, _threshold: f64) -> Option<f64> {
         let CellContext { pair, cell, patch, .. } = context;
         let surface = pair.b.patch(context.feet.nearest().patch).surface;

@@ -1,5 +1,7 @@
 //! Nodes that are blocks of A's patches, where A is near B.
 
+use super::super::audit::{CellBound, Lemmas};
+use super::super::bounds::BlockBound;
 use super::super::nearest::{NearestPoint, Sample};
 use super::super::{Block, Cell, Operand, Pair, Sheets};
 use super::{Domain, SearchNode, bounds};
@@ -20,6 +22,8 @@ pub(super) struct Split {
     pub(super) decided: f64,
     /// What is not decided.
     pub(super) children: Vec<Domain>,
+    /// The bounds of the flat patches that are decided.
+    pub(super) by_patch: Vec<CellBound>,
 }
 
 /// The sheets of A if it is to be searched by blocks: if the median size of two of its patches
@@ -45,15 +49,37 @@ pub(super) fn split_block(
     block: &Block,
     node: &SearchNode,
     threshold: f64,
+    struck: Lemmas,
 ) -> (Split, [Sample; 2]) {
     let Some(sheets) = pair.a.sheets else {
         // There are no blocks without sheets; nothing is known of one.
         let sample = Sample { patch: 0, parameters: [0.5; 2], foot: node.foot };
-        return (Split { decided: node.upper, children: Vec::new() }, [sample; 2]);
+        let split = Split { decided: node.upper, children: Vec::new(), by_patch: Vec::new() };
+        return (split, [sample; 2]);
     };
-    let bound = bounds::block(pair, sheets, nearest, block, &node.foot, threshold);
+    let bound = bounds::block(pair, sheets, nearest, block, &node.foot, threshold, struck);
     let children = block.children(&bound.undecided).into_iter().flat_map(|block| domains(sheets, block));
-    (Split { decided: bound.decided, children: children.collect() }, [bound.sample, bound.farthest])
+    let split = Split {
+        decided: bound.decided,
+        children: children.collect(),
+        by_patch: bounds_of_patches(sheets, block, &bound).collect(),
+    };
+    (split, [bound.sample, bound.farthest])
+}
+
+/// The bounds of the flat patches of a block's patches that are decided.
+fn bounds_of_patches<'a>(
+    sheets: Sheets<'a>,
+    block: &'a Block,
+    bound: &'a BlockBound,
+) -> impl Iterator<Item = CellBound> + 'a {
+    let columns = block.size()[1].max(1);
+    let decided = (0_u32..).zip(&bound.by_patch).filter_map(|(place, decided)| Some((place, (*decided)?)));
+    decided.flat_map(move |(place, (upper, lemma))| {
+        let indices = [block.rows[0] + place / columns, block.columns[0] + place % columns];
+        let flat = sheets.flat_patches(sheets.index(block.surface, indices));
+        flat.map(move |patch| CellBound { cell: Cell::whole(patch), upper, lemma, foot: bound.sample.foot })
+    })
 }
 
 /// A block, or the flat patches that a single patch was cut into.

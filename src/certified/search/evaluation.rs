@@ -1,7 +1,8 @@
 //! The bounds of single nodes.
 
+use super::super::audit::{Lemma, Refutation};
 use super::super::bounds;
-use super::super::cell_context::CellContext;
+use super::super::cell_context::{CellContext, LeastBound};
 use super::super::nearest::{Feet, Foot, Query, Sample};
 use super::BranchAndBound;
 use super::blocks::{Split, split_block};
@@ -13,57 +14,72 @@ const FOOT_PART: f64 = 0.25;
 /// An upper bound on one node, its foot and its farthest point evaluated.
 pub(super) struct Evaluation {
     pub(super) upper: f64,
+    /// The lemma of a bound that is less than the inherited one.
+    pub(super) lemma: Option<Lemma>,
     pub(super) foot: Foot,
     pub(super) farthest: Sample,
     /// For a block, what it is split into.
     pub(super) split: Option<Split>,
     /// For a cell that is to be halved, the sides.
     pub(super) halved: Option<[bool; 2]>,
+    /// What the audit of all bounds refuted.
+    pub(super) refutation: Option<Refutation>,
 }
 
 impl BranchAndBound<'_> {
     /// The least upper bound found for a node; the first that is at most the threshold.
     pub(super) fn evaluate(&self, node: &SearchNode, threshold: f64) -> Evaluation {
+        let mut evaluation = self.bound(node, threshold);
+        evaluation.refutation = self.refutation_of(node, &evaluation);
+        evaluation
+    }
+
+    fn bound(&self, node: &SearchNode, threshold: f64) -> Evaluation {
         let (mut split, mut halved) = (None, None);
-        let (upper, foot, farthest) = match &node.domain {
+        let (bound, foot, farthest) = match &node.domain {
             Domain::BvhNode(index) => {
                 let (upper, sample) =
                     bounds::bvh_node(&self.pair, &self.nearest, *index, &node.foot, threshold);
-                (upper, sample.foot, sample)
+                (LeastBound { upper, lemma: Some(Lemma::TreeNode) }, sample.foot, sample)
             }
             Domain::Block(block) => {
                 let (parts, [sample, farthest]) =
-                    split_block(&self.pair, &self.nearest, block, node, threshold);
+                    split_block(&self.pair, &self.nearest, block, node, threshold, self.audit.struck());
                 split = Some(parts);
-                (node.upper, sample.foot, farthest)
+                (LeastBound::NONE, sample.foot, farthest)
             }
             Domain::Cell(cell) => {
                 let mut context = CellContext::new(&self.pair, &self.nearest, *cell, &node.foot);
-                let upper = self.evaluate_cell(&mut context, node, threshold);
-                let is_decided = upper <= threshold;
+                context.struck = self.audit.struck();
+                let bound = self.evaluate_cell(&mut context, node, threshold);
+                let is_decided = bound.upper <= threshold;
                 if !is_decided {
                     halved = Some(bounds::halved_sides(&context));
                 }
-                (upper, context.foot(), context.farthest)
+                (bound, context.foot(), context.farthest)
             }
         };
         // NaN bounds nothing.
+        let is_less = bound.upper < node.upper;
         Evaluation {
-            upper: if upper < node.upper { upper } else { node.upper },
+            upper: if is_less { bound.upper } else { node.upper },
+            lemma: bound.lemma.filter(|_| is_less),
             foot,
             farthest,
             split,
             halved,
+            refutation: None,
         }
     }
 
-    fn evaluate_cell(&self, context: &mut CellContext<'_>, node: &SearchNode, threshold: f64) -> f64 {
-        let mut upper = bounds::with_any_foot(context, threshold);
-        if upper > threshold {
-            self.find_nearest_feet(context, node, threshold);
-            upper = upper.min(bounds::with_nearest_feet(context, threshold));
+    fn evaluate_cell(&self, context: &mut CellContext<'_>, node: &SearchNode, threshold: f64) -> LeastBound {
+        let any = bounds::with_any_foot(context, threshold);
+        if any.upper <= threshold {
+            return any;
         }
-        upper
+        self.find_nearest_feet(context, node, threshold);
+        let nearest = bounds::with_nearest_feet(context, threshold);
+        if nearest.upper < any.upper { nearest } else { any }
     }
 
     /// Replaces the inherited foot of a cell's centre by the nearest ones.

@@ -35,6 +35,11 @@ impl Incumbent {
         self.pruned_upper_bound
     }
 
+    /// Forgets what was pruned; the witness stays, as its distance is certified.
+    pub(super) fn forget_pruned(&mut self) {
+        self.pruned_upper_bound = 0.0;
+    }
+
     /// Takes the witness if its lower bound is the largest.
     pub(super) fn improve(&mut self, witness: Witness) {
         if self.witness.is_none() || witness.closest.lower > self.lower_bound() {

@@ -1,6 +1,7 @@
 //! Branch and bound over A.
 
 mod ascents;
+mod audited;
 mod blocks;
 mod evaluation;
 mod frontier;
@@ -17,15 +18,18 @@ pub(crate) use incumbent::Witness;
 pub(crate) use limit::Limit;
 pub(crate) use node::{Domain, SearchNode};
 
+use super::audit::Lemmas;
 use super::bounds;
 use super::nearest::{Foot, NearestPoint, Sample};
 use super::rounding::{before_rounding_up, closest_point_error, point_error, rounded_up};
 use super::{Block, Pair, Sheets};
 use crate::bezier::Patch;
 use crate::threads::parallel::{is_few, map_short, together};
+use audited::AuditState;
 use blocks::by_blocks;
 use frontier::Frontier;
 use incumbent::Incumbent;
+use web_time::Instant;
 
 /// Nodes bounded between two updates of the incumbent: enough to keep all
 /// threads busy, few enough that a better incumbent prunes soon.
@@ -102,6 +106,11 @@ pub(crate) struct BranchAndBound<'a> {
     /// Whether a cell was too small to branch.
     exhausted: bool,
     work: Work,
+    audit: AuditState,
+    /// The lemmas without which the frontier was made.
+    searched_without: Lemmas,
+    /// When no further node is bounded.
+    deadline: Option<Instant>,
 }
 
 /// The result of a kernel for the cells taken out.
@@ -131,20 +140,34 @@ impl<'a> BranchAndBound<'a> {
         let reserved_width = slack + 2.0 * rounding + closest_point_error(&pair);
         let is_small = reserved_width < MAX_ROUNDING_PART * tolerance;
         let reachable = if is_small { tolerance - reserved_width } else { reserved_width };
-        let root = SearchNode::root(bounds::whole_models(&pair));
+        let root = bounds::whole_models(&pair, Lemmas::default());
         let mut search = Self {
             pair,
             nearest: NearestPoint::new(pair.b),
             goal: Goal { tolerance: reachable, limit, rounding, slack, reserved_width },
-            frontier: Frontier::new(root),
+            frontier: Frontier::new(SearchNode::root(root.upper)),
             incumbent: Incumbent::default(),
             blocks: None,
             exhausted: false,
             work: Work::default(),
+            audit: AuditState::default(),
+            searched_without: Lemmas::default(),
+            deadline: None,
         };
         search.find_first_incumbent();
         search.blocks = by_blocks(&search.pair.a, search.prune_threshold());
+        search.note_root(root);
         search
+    }
+
+    /// Bounds no node from this moment on: [`Self::advance`] returns early.
+    pub(crate) fn stop_at(&mut self, deadline: Instant) {
+        self.deadline = Some(deadline);
+    }
+
+    /// Whether that moment has come.
+    pub(crate) fn is_over(&self) -> bool {
+        self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
     }
 
     /// The interval so far.
@@ -166,7 +189,7 @@ impl<'a> BranchAndBound<'a> {
 
     /// The patches of a witness and of its foot.
     pub(crate) fn witness_patches(&self, witness: &Witness) -> [Patch<'a>; 2] {
-        [self.pair.a.patch(witness.patch), self.pair.b.patch(witness.closest.patch as u32)]
+        [self.pair.patch_of_a(witness.patch), self.pair.b.patch(witness.closest.patch as u32)]
     }
 
     pub(crate) fn pair(&self) -> &Pair<'a> {
@@ -253,23 +276,35 @@ impl<'a> BranchAndBound<'a> {
         together(|| {
             loop {
                 let stop = self.advance_once(last - self.work.cells);
-                if stop.is_some() || self.work.cells >= end {
+                if stop.is_some() || self.work.cells >= end || self.is_over() {
                     return stop;
                 }
             }
         })
     }
 
-    /// Ends the search: the upper bound covers that of the witness.
+    /// Ends the search: its bounds are audited, and the upper bound covers that of the witness. Where a bound is
+    /// refuted, nothing is known of A but what its boxes say.
     pub(crate) fn finish(&mut self) {
+        self.audit_share();
+        self.start_again_if_refuted();
         if let Some(witness) = self.incumbent.witness() {
             let upper = witness.closest.upper - self.goal.rounding;
             self.incumbent.prune(upper);
         }
     }
 
-    /// Bounds the waiting nodes, at most a chunk and at most `max_cells` > 0.
+    /// Bounds the waiting nodes, at most a chunk and at most `max_cells` > 0. Where nothing is left to do, the bounds
+    /// are audited, and the search starts again if one is refuted.
     pub(crate) fn advance_once(&mut self, max_cells: usize) -> Option<Stop> {
+        let stop = self.bound_chunk(max_cells);
+        if stop.is_some() {
+            self.audit_share();
+        }
+        if self.start_again_if_refuted() { None } else { stop }
+    }
+
+    fn bound_chunk(&mut self, max_cells: usize) -> Option<Stop> {
         let lower = self.incumbent.lower_bound();
         if self.goal.limit.is_some_and(|limit| limit.next_level(lower).is_none()) {
             return Some(Stop::Converged);
@@ -288,16 +323,23 @@ impl<'a> BranchAndBound<'a> {
         let threshold = self.prune_threshold();
         let evaluations = map_short(nodes.len(), |index| {
             let node = &nodes[index];
-            (node.upper > threshold).then(|| self.evaluate(node, threshold))
+            let is_left = node.upper > threshold && !self.is_over();
+            is_left.then(|| self.evaluate(node, threshold))
         });
         self.ascend_from_farthest(&evaluations);
         let threshold = self.prune_threshold();
         let mut children = Vec::new();
         for (node, evaluation) in nodes.iter().zip(&evaluations) {
             let Some(evaluation) = evaluation else {
-                self.incumbent.prune(node.upper);
+                // It was pruned, or the deadline has passed.
+                if node.upper <= threshold {
+                    self.incumbent.prune(node.upper);
+                } else {
+                    children.push(*node);
+                }
                 continue;
             };
+            self.note_bounds(node, evaluation, threshold);
             self.work.levels = self.work.levels.max(node.level);
             self.work.cells += 1;
             let node = SearchNode { upper: evaluation.upper, ..*node };

@@ -8,6 +8,14 @@ use std::ops::RangeInclusive;
 /// The rounding of a seam's parameter, in units of the sizes of its terms.
 const LINE_ROUNDINGS: f64 = 16.0;
 
+/// A part of a surface's domain along an axis that a chart's parameters name.
+pub(in crate::certified) struct DomainPart {
+    /// In the surface's parameters.
+    pub(in crate::certified) range: [f64; 2],
+    /// The part less what the chart's parameters are by themselves: 0, or a period of a closed surface.
+    pub(in crate::certified) shift: f64,
+}
+
 impl Chart<'_> {
     /// The lines at the ends of the patches that cover a range of parameters along
     /// an axis, or the part of it in which the surface lies.
@@ -103,11 +111,14 @@ impl Chart<'_> {
 
     /// The parts of the surface's domain along an axis that a range of the chart's parameters names, with
     /// its rounding: two where the range goes on at the other end. `None` for more than the domain.
+    ///
+    /// Each has the multiple of the period by which it is moved into the domain: who takes the part has to move the
+    /// chart's point with it.
     pub(in crate::certified) fn surface_ranges(
         &self,
         axis: Axis,
         range: [f64; 2],
-    ) -> Option<impl Iterator<Item = [f64; 2]>> {
+    ) -> Option<impl Iterator<Item = DomainPart>> {
         let (breaks, own) = (&self.grid.breaks[axis], self.index[axis]);
         let (start, end) = (breaks[0], breaks[breaks.len() - 1]);
         let period = end - start;
@@ -122,7 +133,7 @@ impl Chart<'_> {
         let shifts = [-period, 0.0, period].into_iter().filter(move |shift| *shift == 0.0 || is_closed);
         let part = move |shift: f64| {
             let [low, high] = [(low + shift).max(start), (high + shift).min(end)];
-            (low < high).then_some([low, high])
+            (low < high).then_some(DomainPart { range: [low, high], shift })
         };
         (high - low < period).then(|| shifts.filter_map(part))
     }

@@ -6,6 +6,7 @@ mod pole;
 mod slope;
 
 pub(super) use chart::{Chart, Over, Reach};
+pub(super) use lines::DomainPart;
 pub(super) use pole::Pole;
 
 use super::rounding::JetScale;

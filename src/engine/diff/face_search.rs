@@ -8,6 +8,7 @@ use crate::facets::{Domain, FacetSearch, FacetTarget, Measured, Source};
 use crate::model::RigidTransform;
 use crate::surface_point::SurfacePoint;
 use glam::DVec3;
+use web_time::Instant;
 
 /// The faces of one model, and the other model, as the search between them takes them.
 #[allow(clippy::large_enum_variant, reason = "there is one of each direction")]
@@ -81,6 +82,17 @@ impl FaceSearch<'_> {
         }
     }
 
+    /// Bounds no cell from this moment on.
+    pub(super) fn stop_at(&mut self, deadline: Instant) {
+        if let Self::Patches(search) = self {
+            search.stop_at(deadline);
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        matches!(self, Self::Patches(search) if search.is_over())
+    }
+
     /// The number of cells bounded.
     pub(super) fn cells(&self) -> usize {
         match self {
@@ -98,8 +110,8 @@ impl FaceSearch<'_> {
                 Self::Patches(search) => search.advance_once(left).is_some(),
                 Self::Facets(search, _) => search.advance(left).is_some(),
             };
-            if has_ended {
-                return true;
+            if has_ended || self.is_over() {
+                return has_ended;
             }
         }
         false

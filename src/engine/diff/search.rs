@@ -4,6 +4,7 @@ use super::face_search::{FaceSearch, Faces};
 use super::pair::PairParts;
 use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::certified::{Interval, Limit};
+use crate::engine::certified::deadline;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -225,6 +226,9 @@ async fn exhaust(
     fraction: f64,
     progress: &mut Progress<'_>,
 ) -> Result<()> {
+    if let Some(deadline) = deadline(budget.started, budget.max_seconds) {
+        search.stop_at(deadline);
+    }
     while !budget.is_spent(search) && !search.advance(FIRST_CELLS.min(budget.max_cells)) {
         progress.checkpoint(fraction).await?;
     }

@@ -1,6 +1,7 @@
 //! The methods, each with the options that only it has.
 
 use super::{at_least_one, require};
+use crate::certified::Audit;
 use crate::closest::Projection;
 use crate::error::Result;
 use crate::flatness::Flatness;
@@ -46,13 +47,15 @@ pub enum Method {
     Hierarchy(HierarchyOptions),
 }
 
-/// The budgets of [`Method::Certified`]; none by default.
+/// The budgets of [`Method::Certified`], none by default, and its audit.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct CertifiedOptions {
     /// Seconds a direction after which the interval so far is returned, positive.
     pub max_seconds: Option<f64>,
     /// Cells a direction after which the interval so far is returned, 1 or more.
     pub max_cells: Option<usize>,
+    /// The bounds that are audited while the search runs.
+    pub audit: Audit,
 }
 
 /// Options of [`Method::Iteration`], with the defaults of the 2012 paper. Its samples are those of

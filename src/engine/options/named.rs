@@ -3,6 +3,7 @@
 use super::{
     Backend, CertifiedOptions, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
 };
+use crate::certified::Audit;
 use crate::closest::Projection;
 use crate::error::{Error, Result};
 use crate::flatness::Flatness;
@@ -26,6 +27,7 @@ pub struct NamedOptions {
     pub limit: Option<f64>,
     pub max_seconds: Option<f64>,
     pub max_cells: Option<usize>,
+    pub audit: Option<Audit>,
     pub samples: Option<usize>,
     pub sampling: Option<SamplingRule>,
     pub flatness: Option<Flatness>,
@@ -52,6 +54,7 @@ impl NamedOptions {
         let owned = [
             ("maxSeconds", self.max_seconds.is_some(), certified),
             ("maxCells", self.max_cells.is_some(), certified),
+            ("audit", self.audit.is_some(), certified),
             ("flatness", self.flatness.is_some(), iteration),
             ("projection", self.projection.is_some(), iteration),
             ("culling", self.culling.is_some(), iteration),
@@ -85,6 +88,7 @@ impl NamedOptions {
             MethodName::Certified => Method::Certified(CertifiedOptions {
                 max_seconds: self.max_seconds,
                 max_cells: self.max_cells,
+                audit: self.audit.unwrap_or_default(),
             }),
             MethodName::Iteration => {
                 let default = IterationOptions::default();

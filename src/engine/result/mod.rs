@@ -5,7 +5,7 @@ mod symmetric;
 mod with_gaps;
 
 use super::{FaceDeviations, MethodName, Statistics};
-pub use crate::certified::Stop;
+pub use crate::certified::{AuditReport, Lemma, Lemmas, Stop};
 use crate::iteration::StatusCounts;
 use crate::surface_point::SurfacePoint;
 pub(super) use directed_result::DirectedResult;
@@ -199,6 +199,8 @@ pub struct CertifiedDetails {
     /// search ended before that was known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub within: Option<bool>,
+    /// The bounds that were looked at while the search ran.
+    pub audit: AuditReport,
 }
 
 /// The results that only method `hierarchy` has.

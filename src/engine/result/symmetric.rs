@@ -103,6 +103,7 @@ impl CertifiedDetails {
                 (Some(true), Some(true)) => Some(true),
                 _ => None,
             },
+            audit: forward.audit.combined(&reverse.audit),
         }
     }
 }

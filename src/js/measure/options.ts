@@ -63,6 +63,11 @@ export interface CertifiedOptions extends CommonOptions {
   maxSeconds?: number;
   /** Cells per direction after which the interval reached is the result. */
   maxCells?: number;
+  /**
+   * The upper bounds that are audited while the search runs, by certified closest points that they have
+   * nothing in common with: a share of those beyond the simplest (default), or all of them.
+   */
+  audit?: "share" | "all";
 }
 
 /** Options of `Hausdorff.distance` by the 2012 paper's method, with the defaults of the paper. */

@@ -122,6 +122,19 @@ interface Common {
   deviations?: FaceDeviations[];
 }
 
+/** The work of an audit, and its outcome. */
+export interface AuditReport {
+  /** The number of cells whose bounds were looked at. */
+  cells: number;
+  /** The number of their points. */
+  points: number;
+  /**
+   * The sections of the lemmas that were refuted, without which the interval was computed, and valid; empty
+   * unless the library has a fault, which `notice` then describes.
+   */
+  struck: string[];
+}
+
 /** A distance by method `certified`. */
 export interface CertifiedResult extends Common {
   method: "certified";
@@ -144,6 +157,8 @@ export interface CertifiedResult extends Common {
   stop: "converged" | "cells" | "time" | "precision";
   /** With `limit`: whether the distance is at most the limit, absent if that was not decided. */
   within?: boolean;
+  /** The upper bounds that were audited while the search ran. */
+  audit: AuditReport;
   /** With `symmetric`: from A to B. The result itself is the larger's. */
   forward?: CertifiedResult;
   /** With `symmetric`: from B to A; its witness is still named by a and b. */

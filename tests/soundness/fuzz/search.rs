@@ -4,6 +4,7 @@ use super::support::bytes::Bytes;
 use super::support::results::{assert_numbers, distance};
 use super::support::sampling::Samples;
 use super::support::surfaces::{plane, scaled, tame_arrays};
+use nurbs_hausdorff::options::Audit;
 use nurbs_hausdorff::{CertifiedOptions, DistanceOptions, DistanceResult, Method, Model};
 
 /// Half the width of the plane: every sheet is over its inside.
@@ -43,7 +44,11 @@ pub fn check(bytes: &[u8]) {
     };
     let limit = limited.then_some(bytes.unit() * largest);
     let options = DistanceOptions {
-        method: Method::Certified(CertifiedOptions { max_cells: Some(cells), ..Default::default() }),
+        method: Method::Certified(CertifiedOptions {
+            max_cells: Some(cells),
+            audit: Audit::All,
+            ..Default::default()
+        }),
         relative_tolerance: Some(tolerance),
         limit,
         ..DistanceOptions::default()

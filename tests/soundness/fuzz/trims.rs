@@ -9,6 +9,7 @@ use crate::support::evaluator;
 use nurbs_hausdorff::internals::model::ModelArrays;
 use nurbs_hausdorff::internals::model::trim::{FaceArrays, Trim, TrimCurveArrays};
 use nurbs_hausdorff::internals::untrim::untrim;
+use nurbs_hausdorff::options::Audit;
 use nurbs_hausdorff::{
     Axis, CertifiedOptions, DistanceOptions, Error, Method, Model, NurbsSurface, PreparedModel,
 };
@@ -72,7 +73,11 @@ pub fn check(bytes: &[u8]) {
     assert_eq!(Model::from_json(&text).unwrap().to_json().unwrap(), text);
     let other = Model::from_arrays(None, vec![plane(&mut bytes, 4.0)]).unwrap();
     let options = DistanceOptions {
-        method: Method::Certified(CertifiedOptions { max_cells: Some(MAX_CELLS), ..Default::default() }),
+        method: Method::Certified(CertifiedOptions {
+            max_cells: Some(MAX_CELLS),
+            audit: Audit::All,
+            ..Default::default()
+        }),
         symmetric: true,
         ..DistanceOptions::default()
     };

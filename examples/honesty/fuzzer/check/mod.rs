@@ -1,5 +1,6 @@
 //! The check of one pair: the computation, and both directions of its result.
 
+mod decoy;
 mod direction;
 mod farther_points;
 mod measurement;
@@ -11,8 +12,11 @@ use super::attacks;
 use super::pairs::{Pair, pair, reparametrized_pair};
 use super::trims;
 use fastrand::Rng;
-use nurbs_hausdorff::internals::engine::DistanceOptions;
+use nurbs_hausdorff::internals::engine::{DistanceOptions, DistanceResult};
+use nurbs_hausdorff::options::Audit;
+use nurbs_hausdorff::result::Lemma;
 use nurbs_hausdorff::{CertifiedOptions, HierarchyOptions, Method, MethodName};
+use std::collections::BTreeMap;
 use std::time::Instant;
 
 /// Samples of method `iteration` and cells of method `hierarchy` along each direction.
@@ -34,6 +38,8 @@ pub(crate) struct Outcome {
     pub(crate) violations: Vec<String>,
     /// Directions with points that were neither found within `upper` nor proved farther.
     pub(crate) undecided: usize,
+    /// The numbers of cells whose bounds were audited, by lemma.
+    pub(crate) audited: BTreeMap<Lemma, usize>,
 }
 
 /// Checks the pair of a seed of the ordinary families.
@@ -81,13 +87,31 @@ pub(crate) fn check_trimmed(seed: u64) -> Outcome {
 fn method(pair: &Pair) -> Method {
     match pair.method {
         MethodName::Certified => {
-            Method::Certified(CertifiedOptions { max_cells: Some(pair.max_cells), ..Default::default() })
+            let audit = Audit::All;
+            Method::Certified(CertifiedOptions {
+                max_cells: Some(pair.max_cells),
+                audit,
+                ..Default::default()
+            })
         }
         MethodName::Hierarchy => {
             Method::Hierarchy(HierarchyOptions { grid: GRID_OF_HIERARCHY, ..Default::default() })
         }
         other => other.into(),
     }
+}
+
+/// What the audit of a result refuted.
+fn refuted(result: &DistanceResult) -> Option<String> {
+    let struck = result.certified()?.audit.struck;
+    (!struck.is_empty()).then(|| result.notice.clone().unwrap_or_default())
+}
+
+/// The numbers of cells audited by lemma.
+fn audited(result: &DistanceResult) -> BTreeMap<Lemma, usize> {
+    let Some(details) = result.certified() else { return BTreeMap::new() };
+    let counts = Lemma::ALL.into_iter().map(|lemma| (lemma, details.audit.cells_of(lemma)));
+    counts.filter(|(_, count)| *count > 0).collect()
 }
 
 fn check_pair(seed: u64, pair: &Pair) -> Outcome {
@@ -115,7 +139,8 @@ fn check_pair(seed: u64, pair: &Pair) -> Outcome {
     };
     let seconds = started.elapsed().as_secs_f64();
     let directions = [(Some(&result), false), (result.reverse.as_deref(), true)];
-    let mut violations = Vec::new();
+    let mut violations: Vec<String> =
+        refuted(&result).into_iter().chain(decoy::violation(seed, pair)).collect();
     let mut undecided = 0;
     for (directed, reversed) in directions {
         let Some(directed) = directed else { continue };
@@ -128,6 +153,7 @@ fn check_pair(seed: u64, pair: &Pair) -> Outcome {
         converged: result.converged,
         cells: result.certified().map_or(0, |details| details.cells),
         seconds,
+        audited: audited(&result),
         refusal: None,
         undecided,
         violations: violations

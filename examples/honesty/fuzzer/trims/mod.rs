@@ -4,6 +4,7 @@ mod divided;
 mod levels;
 mod loops;
 mod region;
+mod seams;
 
 pub(crate) use region::{Region, Rim};
 
@@ -22,8 +23,11 @@ use std::f64::consts::TAU;
 /// The numbers of attempts to draw a face whose loops do not cross.
 const ATTEMPTS: usize = 12;
 
-/// Seeds with this remainder are of divided faces; those of the other families stay the same.
-const DIVIDED: [u64; 2] = [3, 7];
+/// Seeds with these remainders by the divisor are of divided faces and of holes over seams; those of the other
+/// families stay the same.
+const DIVISOR: u64 = 7;
+const DIVIDED: u64 = 3;
+const OVER_SEAMS: u64 = 5;
 
 /// A face: its surface, and its loops in fractions of the domain.
 #[derive(Clone)]
@@ -36,8 +40,10 @@ struct DrawnFace {
 pub(crate) fn pair(seed: u64) -> Option<Pair> {
     let rng = &mut Rng::with_seed(seed);
     let weights = weights(rng);
-    let [remainder, divisor] = DIVIDED;
-    let (kind, mut a, mut b, truth) = if seed % divisor == remainder {
+    let (kind, mut a, mut b, truth) = if seed % DIVISOR == OVER_SEAMS {
+        let [strips, rest] = seams::faces(rng);
+        ("strips in holes over seams", strips, rest, None)
+    } else if seed % DIVISOR == DIVIDED {
         let surface = any_surface(rng, weights);
         let [whole, parts] = divided::faces(rng, &surface);
         let (a, b) = if rng.u8(0..4) == 0 { (parts, whole) } else { (whole, parts) };

@@ -9,7 +9,7 @@ use crate::reports::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use motion::{Rotation, Translation};
-use nurbs_hausdorff::options::{Culling, Flatness, Projection, SamplingRule};
+use nurbs_hausdorff::options::{Audit, Culling, Flatness, Projection, SamplingRule};
 use nurbs_hausdorff::{
     Backend, ClearanceOptions, DiffOptions, DistanceOptions, MethodName, NamedOptions, Result,
     RigidTransform, StatisticsOptions,
@@ -99,6 +99,9 @@ pub(crate) struct DistanceArguments {
     /// certified: cells per direction after which the interval reached is the result.
     #[arg(long, value_name = "CELLS")]
     max_cells: Option<usize>,
+    /// certified: the bounds that are audited while the search runs; a share if not given.
+    #[arg(long, value_enum)]
+    audit: Option<AuditName>,
     /// iteration and --deviations: samples along each parameter direction of every surface; 64 if not given.
     #[arg(long)]
     samples: Option<usize>,
@@ -408,6 +411,7 @@ impl DistanceArguments {
             limit: self.limit,
             max_seconds: self.max_seconds,
             max_cells: self.max_cells,
+            audit: self.audit.map(Into::into),
             samples: self.samples,
             sampling: self.sampling.map(Into::into),
             flatness: self.flatness.map(Into::into),
@@ -444,4 +448,5 @@ named!(SamplingName, SamplingRule, Uniform, ArcLength);
 named!(FlatnessName, Flatness, None, Loose, Tight, Curvature);
 named!(ProjectionName, Projection, Newton, TangentPlane);
 named!(CullingName, Culling, Tree, None);
+named!(AuditName, Audit, Share, All);
 named!(BackendName, Backend, Auto, Gpu, Cpu);

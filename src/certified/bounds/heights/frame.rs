@@ -327,7 +327,12 @@ impl<'a> Frame<'a> {
     /// An upper bound on the distance of two points of B that are `steps` apart along the axes of its
     /// parameters, both in a box; `None` where the surface is not followed over all of it, or over many patches.
     pub(super) fn drift(&self, image: &Image, parameters: [[f64; 2]; 2], steps: [f64; 2]) -> Option<f64> {
-        if steps == [0.0; 2] {
+        let is_reached = (0..2).all(|axis| {
+            let ([low, high], [first, last]) = (parameters[axis], image.reach.domain[axis]);
+            let margin = DRIFT_MARGIN * (last - first);
+            first - margin <= low && high <= last + margin
+        });
+        if is_reached && steps == [0.0; 2] {
             return Some(0.0);
         }
         let extent = [0, 1].map(|axis| {
@@ -336,11 +341,6 @@ impl<'a> Frame<'a> {
         });
         // The rounding of the box's ends.
         let extent = extent.map(|extent| extent + gamma(PLACE_ROUNDINGS) * (1.0 + extent));
-        let is_reached = (0..2).all(|axis| {
-            let ([low, high], [first, last]) = (parameters[axis], image.reach.domain[axis]);
-            let margin = DRIFT_MARGIN * (last - first);
-            first - margin <= low && high <= last + margin
-        });
         let [rows, columns] = self.chart.all_touched(extent, &image.reach);
         let is_few = rows.count() * columns.count() <= MAX_PATCHES;
         (is_reached && is_few).then(|| {

@@ -37,6 +37,7 @@ mod several_faces;
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests;
 
+use crate::certified::audit::Lemma;
 use crate::certified::cell_context::{CellContext, UpperBound};
 use crate::certified::faces::FaceChart;
 use crate::certified::nearest::Foot;
@@ -51,6 +52,10 @@ const MAX_DISTANCE: f64 = 0.0625;
 pub(super) struct Heights;
 
 impl UpperBound for Heights {
+    fn lemma(&self) -> Lemma {
+        Lemma::Heights
+    }
+
     fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {
         let (context, foot) = (&*context, context.foot());
         let is_near = foot.distance() <= threshold && foot.distance() <= MAX_DISTANCE * context.radius;

@@ -25,6 +25,7 @@ use super::super::rounding::{JET_ROUNDINGS, MOVED_JET_ROUNDINGS, UNIT_ROUNDOFF};
 use super::super::sheets::{Chart, Over, Reach};
 use crate::axis::Axis;
 use crate::bezier::{DerivativeBounds, Jet};
+use crate::certified::audit::Lemma;
 use crate::param_box::ParamBox;
 use glam::DVec3;
 
@@ -32,6 +33,10 @@ use glam::DVec3;
 pub(super) struct Taylor;
 
 impl UpperBound for Taylor {
+    fn lemma(&self) -> Lemma {
+        Lemma::Taylor
+    }
+
     fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {
         let foot = context.foot();
         if let Some(known) = context.taylor.filter(|known| known.foot == foot) {
@@ -52,6 +57,10 @@ impl UpperBound for Taylor {
 pub(super) struct TaylorAcrossSeams;
 
 impl UpperBound for TaylorAcrossSeams {
+    fn lemma(&self) -> Lemma {
+        Lemma::TaylorAcrossSeams
+    }
+
     fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {
         let known = context.taylor.filter(|known| known.may_cross_seams)?;
         let facing = CellPair::with_jet(context, known.foot, known.jet);

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+use crate::certified::audit::Lemmas;
 use crate::certified::bounds::block;
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::testing::{Surfaces, clamped, closed, whole_block};
@@ -79,7 +80,15 @@ fn check_level(arrays: &SurfaceArrays) {
         let pair = pair(&a, &b);
         let nearest = NearestPoint::new(pair.b);
         let bound = |threshold: f64| {
-            block(&pair, a.sheets(), &nearest, &whole_block(&a), &Foot::start(0, [0.5; 2]), threshold)
+            block(
+                &pair,
+                a.sheets(),
+                &nearest,
+                &whole_block(&a),
+                &Foot::start(0, [0.5; 2]),
+                threshold,
+                Lemmas::default(),
+            )
         };
         let decided = bound(HEIGHT * (1.0 + 1e-9));
         assert!(decided.undecided.iter().all(|undecided| !undecided), "{swapped} {reversed}");
@@ -119,8 +128,15 @@ fn patches_above_the_threshold_are_left() {
         let pair = pair(&a, &b);
         let nearest = NearestPoint::new(pair.b);
         for (threshold, left) in [(2e-5, 1), (1.01e-3, 0)] {
-            let bound =
-                block(&pair, a.sheets(), &nearest, &whole_block(&a), &Foot::start(0, [0.5; 2]), threshold);
+            let bound = block(
+                &pair,
+                a.sheets(),
+                &nearest,
+                &whole_block(&a),
+                &Foot::start(0, [0.5; 2]),
+                threshold,
+                Lemmas::default(),
+            );
             // The corner's basis function is that of the first span alone.
             let undecided: Vec<usize> = bound
                 .undecided
@@ -149,7 +165,15 @@ fn the_farthest_piece_of_a_patch_is_bounded() {
             let pair = pair(&a, &b);
             let nearest = NearestPoint::new(pair.b);
             let patch = Block { surface: 0, rows: [1, 2], columns: [1, 2] };
-            let bound = block(&pair, a.sheets(), &nearest, &patch, &Foot::start(0, [0.5; 2]), 3e-3);
+            let bound = block(
+                &pair,
+                a.sheets(),
+                &nearest,
+                &patch,
+                &Foot::start(0, [0.5; 2]),
+                3e-3,
+                Lemmas::default(),
+            );
             // The patch over [0.2, 0.4] x [0.25, 0.5].
             let highest = 2e-3 + 1e-3 * (0.1 + 0.125);
             assert_eq!(bound.undecided, [false]);
@@ -176,7 +200,15 @@ fn the_highest_patch_gives_the_farthest_sample() {
             let pair = pair(&a, &b);
             let nearest = NearestPoint::new(pair.b);
             let bound = |threshold: f64| {
-                block(&pair, a.sheets(), &nearest, &whole_block(&a), &Foot::start(0, [0.5; 2]), threshold)
+                block(
+                    &pair,
+                    a.sheets(),
+                    &nearest,
+                    &whole_block(&a),
+                    &Foot::start(0, [0.5; 2]),
+                    threshold,
+                    Lemmas::default(),
+                )
             };
             let farthest = bound(2e-5).farthest;
             assert_eq!(farthest.patch, if highest == [0, 0] { 0 } else { 19 });
@@ -216,8 +248,15 @@ fn a_patch_without_parts_is_left() {
         let b = Surfaces::new(vec![plane(false, false)], Flatness::Loose);
         let pair = pair(&a, &b);
         let nearest = NearestPoint::new(pair.b);
-        let bound =
-            block(&pair, a.sheets(), &nearest, &whole_block(&a), &Foot::start(0, [0.5; 2]), 2.0 * HEIGHT);
+        let bound = block(
+            &pair,
+            a.sheets(),
+            &nearest,
+            &whole_block(&a),
+            &Foot::start(0, [0.5; 2]),
+            2.0 * HEIGHT,
+            Lemmas::default(),
+        );
         assert_eq!(bound.undecided, [true, false, true], "{transposed}");
     }
 }
@@ -253,7 +292,15 @@ fn the_bound_holds_on_random_copies() {
         let nearest = NearestPoint::new(pair.b);
         let whole = whole_block(&a);
         let threshold = size * random.f64();
-        let bound = block(&pair, a.sheets(), &nearest, &whole, &Foot::start(0, [0.5; 2]), threshold);
+        let bound = block(
+            &pair,
+            a.sheets(),
+            &nearest,
+            &whole,
+            &Foot::start(0, [0.5; 2]),
+            threshold,
+            Lemmas::default(),
+        );
         assert!(bound.decided <= threshold);
         for (index, is_undecided) in bound.undecided.iter().enumerate() {
             if *is_undecided {

@@ -8,6 +8,7 @@ use super::BlockUpperBound;
 use super::context::BlockContext;
 use super::knot_line_map::parts;
 use crate::axis::Axis;
+use crate::certified::audit::Lemma;
 use crate::certified::nearest::{Foot, Sample};
 use crate::rounding::upper_max;
 
@@ -18,6 +19,10 @@ const MAX_PIECES: usize = 256;
 pub(in crate::certified) struct DifferenceByPieces;
 
 impl BlockUpperBound for DifferenceByPieces {
+    fn lemma(&self) -> Lemma {
+        Lemma::DifferenceByPieces
+    }
+
     fn evaluate(
         &self,
         context: &BlockContext<'_>,

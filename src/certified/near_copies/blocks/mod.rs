@@ -13,10 +13,14 @@ pub(in crate::certified) use by_pieces::DifferenceByPieces;
 pub(in crate::certified) use context::BlockContext;
 pub(in crate::certified) use one_spline::OneSpline;
 
+use super::super::audit::Lemma;
 use super::super::nearest::Sample;
 
 /// Upper bounds on `max d(a, B)` over the points a of each patch of a block.
 pub(in crate::certified) trait BlockUpperBound: Sync {
+    /// The lemma that states and proves it.
+    fn lemma(&self) -> Lemma;
+
     /// Enters a bound at most `threshold` for each patch, v fastest, that has none and that it decides.
     /// Returns about the farthest point of the others that it looked at, if it looked at any.
     fn evaluate(

@@ -4,12 +4,17 @@ use super::super::spline::BlockMap;
 use super::BlockUpperBound;
 use super::context::BlockContext;
 use crate::axis::Axis;
+use crate::certified::audit::Lemma;
 use crate::certified::nearest::Sample;
 
 /// The bound by one affine map of the block. O(patches p q).
 pub(in crate::certified) struct OneSpline;
 
 impl BlockUpperBound for OneSpline {
+    fn lemma(&self) -> Lemma {
+        Lemma::OneSpline
+    }
+
     fn evaluate(
         &self,
         context: &BlockContext<'_>,

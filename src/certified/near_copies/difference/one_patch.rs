@@ -2,6 +2,7 @@
 
 use super::aligned_map::AlignedMap;
 use super::net::{EXTENSION_GROWTH, Net};
+use crate::certified::audit::Lemma;
 use crate::certified::cell_context::{CellContext, UpperBound};
 use glam::Vec4Swizzles;
 
@@ -9,6 +10,10 @@ use glam::Vec4Swizzles;
 pub(in crate::certified) struct PolynomialDifference;
 
 impl UpperBound for PolynomialDifference {
+    fn lemma(&self) -> Lemma {
+        Lemma::PolynomialDifference
+    }
+
     /// `None` where the map does not run along B's parameter lines, or a corner
     /// of the cell shows that the bound exceeds the threshold.
     fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {

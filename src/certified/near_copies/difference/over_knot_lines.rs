@@ -11,6 +11,7 @@ use super::piece::SpanPart;
 use super::strip::{Comparison, RestrictedPart};
 use crate::axis::Axis;
 use crate::bezier::Jet;
+use crate::certified::audit::Lemma;
 use crate::certified::cell_context::{CellContext, UpperBound};
 use crate::certified::nearest::Foot;
 use crate::certified::reparametrization::Reparametrization;
@@ -41,6 +42,10 @@ const MAX_SURFACES_CROSSED: usize = 4;
 pub(in crate::certified) struct DifferenceOverKnotLines;
 
 impl UpperBound for DifferenceOverKnotLines {
+    fn lemma(&self) -> Lemma {
+        Lemma::DifferenceOverKnotLines
+    }
+
     /// `None` where there are no such maps, where one patch of B suffices, or where a point of a piece is
     /// farther from its image than the threshold.
     fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {

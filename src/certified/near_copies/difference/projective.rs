@@ -10,6 +10,7 @@ use super::super::orientation::Orientation;
 use super::net::Net;
 use crate::axis::Axis;
 use crate::bezier::Patch;
+use crate::certified::audit::Lemma;
 use crate::certified::cell_context::{CellContext, UpperBound};
 use crate::certified::reparametrization::Reparametrization;
 use crate::certified::rounding::gamma;
@@ -37,6 +38,10 @@ const WEIGHT_ROUNDINGS: f64 = 64.0;
 pub(in crate::certified) struct ProjectiveDifference;
 
 impl UpperBound for ProjectiveDifference {
+    fn lemma(&self) -> Lemma {
+        Lemma::ProjectiveDifference
+    }
+
     /// `None` where the map does not run along B's parameter lines, or is affine.
     fn evaluate(&self, context: &mut CellContext<'_>, threshold: f64) -> Option<f64> {
         let (foot, pair) = (context.foot(), context.pair);

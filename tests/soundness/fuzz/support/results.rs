@@ -9,7 +9,7 @@ pub fn distance(a: &Model, b: &Model, options: &DistanceOptions) -> Result<Dista
     engine.distance(&a, &b, options).wait()
 }
 
-/// Panics where a number of the result is NaN or the interval is empty.
+/// Panics where a number of the result is NaN, the interval is empty, or the audit refuted a bound.
 pub fn assert_numbers(result: &DistanceResult) {
     let DistanceResult { lower, upper, computed, diagonal, .. } = *result;
     assert!(0.0 <= lower && lower <= upper, "{result:?}");
@@ -20,6 +20,7 @@ pub fn assert_numbers(result: &DistanceResult) {
     }
     if let Some(details) = result.certified() {
         assert!(details.tolerance >= 0.0, "{result:?}");
+        assert!(details.audit.struck.is_empty(), "{result:?}");
     }
     for direction in [&result.forward, &result.reverse].into_iter().flatten() {
         assert_numbers(direction);

@@ -6,8 +6,8 @@ use nurbs_hausdorff::{Model, SurfaceArrays};
 macro_rules! nets {
     ($name:ident) => {
         [
-            include_str!(concat!("nets/", stringify!($name), "_a.json")),
-            include_str!(concat!("nets/", stringify!($name), "_b.json")),
+            include_str!(concat!("../nets/", stringify!($name), "_a.json")),
+            include_str!(concat!("../nets/", stringify!($name), "_b.json")),
         ]
         .map(|text| nurbs_hausdorff::Model::from_json(text).unwrap())
     };
