@@ -35,6 +35,11 @@ impl AuditState {
         self.report.struck
     }
 
+    /// Enters a bound for the audit at the end, whatever its size and the threshold.
+    pub(super) fn enter(&mut self, bound: CellBound) {
+        self.ledger.enter(bound, f64::INFINITY, bound.upper);
+    }
+
     fn refute(&mut self, refutation: Refutation) {
         self.report.strike(refutation.lemma);
         self.refutations.push(refutation);
@@ -96,7 +101,7 @@ impl BranchAndBound<'_> {
         let count = self.pair.a.patches().len();
         for patch in (0..count as u32).step_by(count.div_ceil(PATCHES).max(1)) {
             let bound = CellBound { cell: Cell::whole(patch), upper, lemma, foot: Foot::start(0, [0.5; 2]) };
-            self.audit.ledger.enter(bound, f64::INFINITY, upper);
+            self.audit.enter(bound);
         }
     }
 

@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::bezier::{LocalDerivativeBounds, extract};
+use crate::certified::Cell;
 use crate::certified::Operand;
+use crate::certified::audit::{Audit, Auditor, CellBound, Lemma};
 use crate::closest::Target;
 use crate::model::{Model, RigidTransform, SurfaceArrays};
 use crate::param_box::ParamBox;
@@ -207,4 +209,99 @@ fn children_cover_their_node() {
     node.push_children(nodes.iter().map(|node| node.domain), node.foot, &mut given);
     assert_eq!(given.len(), 2);
     assert!(given.iter().all(|child| child.upper == 3.0 && child.level == 1));
+}
+
+/// Past its deadline a search bounds nothing and loses nothing.
+#[test]
+fn a_deadline_leaves_the_nodes() {
+    with_squares(|pair| {
+        let mut search = BranchAndBound {
+            frontier: Frontier::new(SearchNode::root(2.0)),
+            ..BranchAndBound::new(pair, 1e-3, None, 0.0)
+        };
+        search.stop_at(Instant::now());
+        let before = search.interval();
+        assert_eq!(search.advance(1000), None);
+        assert_eq!((search.work().cells, search.interval(), search.waiting()), (0, before, 1));
+    });
+}
+
+/// A bound of one cell, whose points all are 1 away.
+fn bound_of(upper: f64, lemma: Lemma) -> CellBound {
+    let cell = Cell { patch: 0, center: [0.25, 0.5], half: [0.25, 0.5] };
+    CellBound { cell, upper, lemma, foot: Foot::start(0, [0.5; 2]) }
+}
+
+/// A bound that is attained is not refuted, however little is left, and one that is less by more than the width of
+/// the certificate is.
+#[test]
+fn an_audit_refutes_what_is_less_than_the_distance() {
+    with_squares(|pair| {
+        let search = BranchAndBound::new(pair, 1e-3, None, 0.0);
+        let auditor =
+            Auditor { pair: &search.pair, nearest: &search.nearest, rounding: search.goal.rounding };
+        assert_eq!(auditor.cell(&bound_of(1.0, Lemma::Heights), 8), None);
+        assert_eq!(auditor.cell(&bound_of(1.0 - 0.5 * search.goal.rounding, Lemma::Heights), 8), None);
+        let refutation = auditor.cell(&bound_of(0.99, Lemma::Heights), 8).unwrap();
+        assert_eq!((refutation.lemma, refutation.patch, refutation.upper), (Lemma::Heights, 0, 0.99));
+        assert!(refutation.distance > 0.99 && refutation.distance <= 1.0, "{refutation:?}");
+        // NaN and +∞ claim nothing.
+        assert_eq!(auditor.cell(&bound_of(f64::NAN, Lemma::Heights), 8), None);
+        assert_eq!(auditor.cell(&bound_of(f64::INFINITY, Lemma::Heights), 8), None);
+    });
+}
+
+/// A refuted lemma is struck, and the search without it has a valid interval; the lemmas of others stay.
+#[test]
+fn a_search_goes_on_without_a_refuted_lemma() {
+    with_squares(|pair| {
+        let mut search = BranchAndBound::new(pair, 1e-3, None, 0.0);
+        // As if a cell had been pruned by a bound that lies.
+        search.incumbent.prune(0.25);
+        search.frontier = Frontier::new(SearchNode::root(0.25));
+        search.audit.enter(bound_of(0.25, Lemma::Heights));
+        search.audit.enter(bound_of(2.0, Lemma::Bilinear));
+        assert_eq!(search.advance(1000), None);
+        let report = search.audit_report();
+        assert_eq!(report.struck.iter().collect::<Vec<_>>(), [Lemma::Heights]);
+        assert_eq!((report.cells_of(Lemma::Heights), report.cells_of(Lemma::Bilinear)), (1, 1));
+        assert_eq!(search.refutations().len(), 1);
+        assert_eq!(run(&mut search), Stop::Converged);
+        let Interval { lower, upper } = search.interval();
+        assert!(lower <= 1.0 && 1.0 <= upper && upper < 1.01, "[{lower}, {upper}]");
+    });
+}
+
+/// A search that ends at a budget is audited too: what is left of it is what the boxes say.
+#[test]
+fn an_ended_search_is_audited() {
+    with_squares(|pair| {
+        let mut search = BranchAndBound::new(pair, 1e-3, None, 0.0);
+        search.frontier = Frontier::new(SearchNode::root(0.25));
+        search.audit.enter(bound_of(0.25, Lemma::Heights));
+        search.finish();
+        let Interval { lower, upper } = search.interval();
+        assert!(lower <= 1.0 && 1.0 <= upper, "[{lower}, {upper}]");
+        assert!(search.audit_report().struck.contains(Lemma::Heights));
+    });
+}
+
+/// Where all bounds are audited, so is each of an evaluation.
+#[test]
+fn an_evaluation_is_audited() {
+    with_squares(|pair| {
+        let mut search = BranchAndBound::new(pair, 1e-3, None, 0.0);
+        let node =
+            SearchNode { domain: Domain::Cell(bound_of(0.0, Lemma::Taylor).cell), ..SearchNode::root(2.0) };
+        let of_tree = SearchNode::root(2.0);
+        for node in [node, of_tree] {
+            search.audit(Audit::All);
+            let mut evaluation = search.evaluate(&node, 1.5);
+            assert_eq!(evaluation.refutation, None);
+            (evaluation.upper, evaluation.lemma) = (0.5, Some(Lemma::Taylor));
+            assert_eq!(search.refutation_of(&node, &evaluation).unwrap().lemma, Lemma::Taylor);
+            search.audit(Audit::Share);
+            assert_eq!(search.refutation_of(&node, &evaluation), None);
+        }
+    });
 }

@@ -63,13 +63,13 @@ pub(crate) fn check_clearance(seed: u64, subjects: &Subjects) -> Outcome {
         converged: result.converged,
         cells: result.cells,
         seconds,
-        refusal: None,
         undecided: usize::from(check.undecided),
         violations: check
             .violations
             .into_iter()
             .map(|what| format!("seed {seed} ({}): {what}", posed.name()))
             .collect(),
+        ..Outcome::default()
     }
 }
 

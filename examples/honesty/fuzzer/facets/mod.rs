@@ -66,9 +66,9 @@ pub(crate) fn check_facets(seed: u64) -> Outcome {
         converged: result.converged,
         cells: result.certified().map_or(0, |details| details.cells),
         seconds: started.elapsed().as_secs_f64(),
-        refusal: None,
         undecided: usize::from(check.undecided > 0),
         violations: check.violations.iter().map(|what| format!("seed {seed} ({kind}): {what}")).collect(),
+        ..Outcome::default()
     }
 }
 
