@@ -9,9 +9,11 @@ use nurbs_hausdorff::SurfaceArrays;
 use nurbs_hausdorff::shapes::{lateral, sphere, torus};
 use std::f64::consts::TAU;
 
-/// The decimal exponents of the widths of wedges and of the strips within them, relative to the domain.
-const WEDGES: [f64; 2] = [-3.0, -0.7];
-const STRIPS: [f64; 2] = [-3.0, 0.0];
+/// The decimal exponents of the widths of holes, of the distances of strips from the seam and of their widths,
+/// relative to the domain. The nearest border of the hole is beyond the seam where a strip is near it.
+const HOLES: [f64; 2] = [-3.0, -0.7];
+const DISTANCES: [f64; 2] = [-5.0, -1.5];
+const WIDTHS: [f64; 2] = [-5.0, -2.0];
 
 /// Returns narrow strips of a closed surface, and the surface less holes about the strips.
 pub(super) fn faces(rng: &mut Rng) -> [Faces; 2] {
@@ -19,7 +21,7 @@ pub(super) fn faces(rng: &mut Rng) -> [Faces; 2] {
     let [low, high] = [0.1 + 0.4 * rng.f64(), 0.6 + 0.35 * rng.f64()];
     let is_pole = rng.u8(0..4) == 0;
     // The ends of the hole along u before and after the seam, at its wider end.
-    let [before, after] = [0; 2].map(|_| magnitude(rng, WEDGES[0], WEDGES[1]));
+    let [before, after] = [0; 2].map(|_| magnitude(rng, HOLES[0], HOLES[1]));
     let whole = if is_pole {
         notch(low, before, after)
     } else {
@@ -29,14 +31,14 @@ pub(super) fn faces(rng: &mut Rng) -> [Faces; 2] {
     let top = if is_pole { 1.0 } else { high };
     let strips = (0..rng.usize(1..=2)).map(|_| {
         let is_before = rng.bool();
-        let most = if is_before { before } else { after };
-        let [far, width] = [0; 2].map(|_| most * magnitude(rng, STRIPS[0], STRIPS[1]));
-        let start = low + (top - low) * 0.9 * rng.f64();
+        let near = magnitude(rng, DISTANCES[0], DISTANCES[1]);
+        let far = near + magnitude(rng, WIDTHS[0], WIDTHS[1]);
+        // A strip may begin where the surface is whole.
+        let start = 0.5 * low + (top - 0.5 * low) * 0.9 * rng.f64();
         let end = start + (top - start) * (0.05 + 0.95 * rng.f64());
-        let far = far.min(0.9);
-        let ends = if is_pole { [0.5 + far - width, 0.5 + far] } else { [far - width, far] };
-        let [near, far] = ends.map(|end| if is_before { 1.0 - end } else { end }.clamp(0.0, 1.0));
-        rectangle([near.min(far), near.max(far)], [start, end])
+        let ends = if is_pole { [0.5 + near, 0.5 + far] } else { [near, far] };
+        let ends = ends.map(|end| if is_before { 1.0 - end } else { end });
+        rectangle([ends[0].min(ends[1]), ends[0].max(ends[1])], [start, end])
     });
     let face = |ring: Ring| DrawnFace { surface: surface.clone(), rings: Some(vec![ring]) };
     [strips.map(face).collect(), vec![face(whole)]]
