@@ -1,7 +1,7 @@
 //! Rhino's 3DM, which another program turns into interchange JSON: its reader, rhino3dm, is JavaScript's.
 
 use crate::failure::Failure;
-use nurbs_hausdorff::{Error, Model, ReadReport};
+use nurbs_hausdorff::{Model, ReadReport};
 use serde::Deserialize;
 use std::ffi::OsString;
 use std::io::Write;
@@ -22,6 +22,9 @@ const SIGNATURE: &[u8] = b"3D Geometry File Format";
 pub(super) const KIND: &str = "3dm";
 pub(super) const READER: &str = "rhino3dm";
 
+/// The code of a program that gives no answer.
+const FAILED: &str = "CAD_UNREADABLE";
+
 /// What the program writes.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
@@ -40,11 +43,12 @@ pub(super) fn reader(bytes: &[u8]) -> Option<OsString> {
 /// Reads a 3DM file by the program.
 ///
 /// # Errors
-/// Those that the program states; [`Error::CadUnreadable`] if it fails; those of [`Model::from_json`].
+/// Those that the program states; [`FAILED`] if it fails; those of [`Model::from_json`].
 pub(super) fn read(program: &OsString, path: &Path, bytes: &[u8]) -> Result<(Model, ReadReport), Failure> {
-    let failed = |found: String| Failure::Model {
+    let failed = |found: String| Failure::Reader {
         path: path.to_owned(),
-        error: Error::CadUnreadable { found: format!("its reader failed: {found}") },
+        code: FAILED.to_owned(),
+        message: format!("the reader of 3DM files failed: {found}"),
     };
     let words: Vec<String> = serde_json::from_slice(program.as_encoded_bytes())
         .map_err(|error| failed(format!("{PROGRAM} is no array of words: {error}")))?;
