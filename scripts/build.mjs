@@ -1,4 +1,4 @@
-// npm run build: set up, and build the files of the package.
+// npm run build: set up, and build the files of the package, optimised.
 import { buildPackage } from "./build/index.mjs";
 import { Failure } from "./process.mjs";
 import { setUpForPage } from "./setup/index.mjs";

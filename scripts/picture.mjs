@@ -1,6 +1,6 @@
 // npm run picture: build, and write the README's picture of the page anew.
 // The page's own test takes it, so it shows what the tests have checked.
-import { buildPackage } from "./build/index.mjs";
+import { buildForPage } from "./build/index.mjs";
 import { inRoot } from "./paths.mjs";
 import { environment, Failure, must, which } from "./process.mjs";
 import { setUpForTests } from "./setup/index.mjs";
@@ -10,7 +10,7 @@ const test = ["--test-name-pattern", "two brackets", "tests/page/inspector/first
 
 try {
   await setUpForTests();
-  await buildPackage();
+  await buildForPage();
   await must("vite", ["build", "www"]);
   const env = environment({ CHROMIUM: which("chromium"), PICTURE: picture });
   await must("node", ["--test", "--test-reporter=spec", ...test], { env });

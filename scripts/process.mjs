@@ -41,6 +41,12 @@ export function environment({ path = [], ...variables } = {}) {
   return { ...process.env, ...variables, PATH: searchPath(path) };
 }
 
+/** Variables by which cargo shows how many crates are left, where a person watches; else it prints each. */
+export const cargoProgress = () =>
+  process.stderr.isTTY
+    ? { CARGO_TERM_PROGRESS_WHEN: "always", CARGO_TERM_PROGRESS_WIDTH: "80" }
+    : {};
+
 /** Returns the output of a short program, or undefined if it fails or is missing. */
 export function ask(program, args, options = {}) {
   const done = spawnSync(program, args, {

@@ -1,13 +1,13 @@
 // npm start: set up, build, and serve the page.
 import { spawn } from "node:child_process";
-import { buildPackage } from "./build/index.mjs";
+import { buildForPage } from "./build/index.mjs";
 import { inRoot, root } from "./paths.mjs";
 import { environment, Failure } from "./process.mjs";
 import { setUpForPage } from "./setup/index.mjs";
 
 try {
   await setUpForPage();
-  await buildPackage();
+  await buildForPage();
 } catch (error) {
   if (!(error instanceof Failure)) throw error;
   console.error(error.message);

@@ -68,7 +68,7 @@
 //! `mesh` reads meshes and clouds of points. `cad` reads CAD files: STEP, IGES and the BREP text of OpenCASCADE;
 //! `archives` those that gzip compressed, and FreeCAD documents, as well.
 //! `shapes`, on by default, is the module [`shapes`]. `cli`, on by default, is the command, which needs `archives` and
-//! `mesh`. `wasm`, `wasm-readers`, `wasm-meshes`, `wasm-scans` and `wasm-pictures` are the exports of the five modules
+//! `mesh`. `wasm`, `wasm-readers`, `wasm-meshes` and `wasm-scans` are the exports of the four modules
 //! of the npm package: another crate for the web needs none.
 //!
 //! `internals` shows the remaining modules to the crate's own tests, benchmarks
@@ -105,7 +105,7 @@ mod limits;
 mod mesh_files;
 mod model;
 mod param_box;
-#[cfg(any(not(target_arch = "wasm32"), feature = "wasm-pictures"))]
+#[cfg(not(target_arch = "wasm32"))]
 pub mod pictures;
 mod pieces;
 mod progress;
@@ -126,13 +126,7 @@ mod unpacked;
 mod untrim;
 #[cfg(all(
     target_arch = "wasm32",
-    any(
-        feature = "wasm",
-        feature = "wasm-meshes",
-        feature = "wasm-pictures",
-        feature = "wasm-readers",
-        feature = "wasm-scans"
-    )
+    any(feature = "wasm", feature = "wasm-meshes", feature = "wasm-readers", feature = "wasm-scans")
 ))]
 mod wasm;
 

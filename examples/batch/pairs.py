@@ -24,15 +24,28 @@ def model(path: str) -> nh.Model:
 
 
 def answer(line: str) -> str:
-    """Return the line that answers a pair: its id and the result, or its id and an error."""
-    request = json.loads(line)
-    key = request.pop("id")
+    """Return the line that answers a pair: its id and the result, or its id and an error.
+
+    As of `nurbs-hausdorff batch`, whatever is wrong with a line is its error: the others go on.
+    """
+    key = None
     try:
-        compare = COMMANDS[request.pop("command", "distance")]
-        a, b = (model(request.pop(side)) for side in "ab")
-        motion = request.pop("transform", None)
-        options = {re.sub(r"(?=[A-Z])", "_", name).lower(): value for name, value in request.items()}
-        result = compare(a, b, transform=motion and nh.Transform(**motion), **options)
-        return json.dumps({"id": key, **dataclasses.asdict(result)})
+        request = json.loads(line)
+        key = request.get("id")
+        return json.dumps({"id": key, **dataclasses.asdict(compared(request))})
     except nh.NurbsHausdorffError as error:
-        return json.dumps({"id": key, "error": {"code": error.code, "message": error.message}})
+        code, message = error.code, error.message
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        # No JSON, no object, a key that is missing, an unknown command or option.
+        code, message = "OPTION_INVALID", f"the line is no pair: {type(error).__name__}: {error}"
+    return json.dumps({"id": key, "error": {"code": code, "message": message}})
+
+
+def compared(request: dict):
+    """Return the result of a pair."""
+    request.pop("id")
+    compare = COMMANDS[request.pop("command", "distance")]
+    a, b = (model(request.pop(side)) for side in "ab")
+    motion = request.pop("transform", None)
+    options = {re.sub(r"(?=[A-Z])", "_", name).lower(): value for name, value in request.items()}
+    return compare(a, b, transform=motion and nh.Transform(**motion), **options)

@@ -14,6 +14,12 @@ import ray
 BATCH = 64
 
 
+def absolute(path):
+    """Return a path of this machine as the workers need it, whose folder is another one. An
+    address such as `s3://bucket/folder` stays."""
+    return path if "://" in path else os.path.abspath(path)
+
+
 class Compare:
     """A worker, whose prepared models live as long as it does."""
 
@@ -22,9 +28,12 @@ class Compare:
 
 
 def run(source, target, workers, compare=Compare):
-    """Answer the lines of a file into JSON files in a folder. `workers` is the least and the
+    """Answer the lines of a file into JSON files in a new folder. `workers` is the least and the
     largest number of processes, a core each: fewer than the cluster has, since reading and
     writing need one."""
+    source, target = absolute(source), absolute(target)
+    if os.path.exists(target):
+        raise SystemExit(f"{target} is there already: the answers need a folder of their own")
     answers = ray.data.read_text(source).map_batches(
         compare,
         batch_size=BATCH,

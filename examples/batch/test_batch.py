@@ -199,6 +199,38 @@ def test_lines_have_the_options_of_the_command(tmp_path):
     assert found["state"] == "unchanged"
 
 
+def test_what_is_wrong_with_a_line_is_its_error(tmp_path):
+    import pairs
+
+    (tmp_path / "0.json").write_text(square(0))
+    path = str(tmp_path / "0.json")
+    pair = {"id": 1, "a": path, "b": path}
+    wrong = [
+        {**pair, "symetric": True},
+        {**pair, "command": "measure"},
+        {"id": 1, "a": path},
+        {**pair, "transform": {"angle": 3}},
+    ]
+    for line in wrong:
+        found = json.loads(pairs.answer(json.dumps(line)))
+        assert (found["id"], found["error"]["code"]) == (1, "OPTION_INVALID"), line
+    for text in ["no JSON", "[1, 2]", '{"a": "x", "b": "y"}']:
+        found = json.loads(pairs.answer(text))
+        assert (found["id"], found["error"]["code"]) == (None, "OPTION_INVALID"), text
+
+
+@needs["ray"]
+def test_ray_writes_where_it_is_told(tmp_path, monkeypatch):
+    import ray_pairs
+
+    monkeypatch.chdir(tmp_path)
+    assert ray_pairs.absolute("answers") == str(tmp_path / "answers")
+    assert ray_pairs.absolute("s3://bucket/answers") == "s3://bucket/answers"
+    (tmp_path / "answers").mkdir()
+    with pytest.raises(SystemExit, match="there already"):
+        ray_pairs.run("pairs.jsonl", "answers", (1, 1))
+
+
 def test_the_score_is_one_only_of_what_is_unchanged(tmp_path):
     for height in (0, 0.0005, 0.5):
         (tmp_path / f"{height}.json").write_text(square(height))

@@ -1,5 +1,5 @@
-// The package's TypeScript API, compiled with its types from src/js into dist.
-import { chmodSync, copyFileSync, existsSync, readdirSync, rmSync } from "node:fs";
+// The package's TypeScript API and its command, compiled with their types from src/js into dist.
+import { chmodSync, existsSync, readdirSync, rmSync } from "node:fs";
 import { inRoot } from "../paths.mjs";
 import { must } from "../process.mjs";
 import { digest, stamp, stamped } from "../stamp.mjs";
@@ -10,7 +10,7 @@ export async function buildApi() {
   const sources = digest([
     "src/js",
     "tsconfig.json",
-    "tsconfig.cli.json",
+    "tsconfig.command.json",
     "tsconfig.base.json",
     "package-lock.json",
     "dist/wasm/nurbs_hausdorff.d.ts",
@@ -20,12 +20,9 @@ export async function buildApi() {
     if (name !== "wasm") rmSync(inRoot("dist", name), { recursive: true });
   }
   await must("tsc", ["--project", "tsconfig.json"]);
-  await must("tsc", ["--project", "tsconfig.cli.json"]);
-  for (const file of ["options.json", "reports/report.css"]) {
-    copyFileSync(inRoot(`src/js/cli/${file}`), inRoot(`dist/cli/${file}`));
-  }
+  await must("tsc", ["--project", "tsconfig.command.json"]);
   // npm makes the command executable when it installs the package.
-  chmodSync(inRoot("dist/cli/main.js"), 0o755);
+  chmodSync(inRoot("dist/command/main.js"), 0o755);
   stamp(made, sources);
   return "built";
 }

@@ -6,7 +6,7 @@ import { browser, compiler, debian, firefox, java, missingPackages } from "./deb
 import { driver, lavapipe } from "./lavapipe.mjs";
 import { packages, siteGenerator } from "./packages.mjs";
 import { missingParts, rust } from "./rust.mjs";
-import { tools, toolsFolder } from "./tools.mjs";
+import { missingTools, tools } from "./tools.mjs";
 
 /** Installs programs without which only the tests that need them are skipped. */
 async function optional(needs) {
@@ -36,19 +36,18 @@ const npmPackages = {
   install: packages.install,
 };
 
-const wasmTools = {
+const wasmTools = (...names) => ({
   name: "wasm tools",
-  missing: () =>
-    existsSync(toolsFolder()) ? [] : ["wasm-pack and wasm-bindgen, built from tools/"],
-  install: tools,
-};
+  missing: () => missingTools(names).map((name) => `${name}, built from tools/`),
+  install: () => tools(names),
+});
 
 /** What building and serving the page need. */
 const forPage = [
   systemPackages(compiler),
   rustParts("Rust target", "target"),
   npmPackages,
-  wasmTools,
+  wasmTools("bindgen"),
 ];
 
 /** What the tests need. */
@@ -69,7 +68,7 @@ const forTests = [
       siteGenerator.present() ? [] : ["the packages of tools/site/package-lock.json"],
     install: siteGenerator.install,
   },
-  wasmTools,
+  wasmTools("bindgen", "wasm-bindgen-test-runner"),
 ];
 
 /** What single tests install when they begin, and are skipped without. */

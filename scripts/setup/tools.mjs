@@ -1,21 +1,17 @@
-// wasm-pack, wasm-bindgen and wasm-bindgen-test-runner, built from tools/ into
-// the user's cache. The folder is named after a digest of their sources, so
-// other checkouts, and this one after `git clean`, reuse it.
-import {
-  chmodSync,
-  copyFileSync,
-  existsSync,
-  mkdirSync,
-  readFileSync,
-  renameSync,
-  rmSync,
-} from "node:fs";
+// bindgen and wasm-bindgen-test-runner, built from tools/ into the user's cache. The folder
+// is named after a digest of their sources, so other checkouts, and this one after `git clean`,
+// reuse it.
+import { chmodSync, copyFileSync, existsSync, mkdirSync, readFileSync, renameSync } from "node:fs";
 import { join } from "node:path";
 import { cache, inRoot } from "../paths.mjs";
-import { environment, Failure, must } from "../process.mjs";
+import { cargoProgress, environment, Failure, must } from "../process.mjs";
 import { digest } from "../stamp.mjs";
 
-const programs = ["wasm-pack", "wasm-bindgen", "wasm-bindgen-test-runner"];
+/** The programs, and the arguments by which cargo builds each. */
+const PROGRAMS = {
+  bindgen: ["--bin", "bindgen"],
+  "wasm-bindgen-test-runner": ["--bin", "wasm-bindgen-test-runner", "--features", "runner"],
+};
 
 function bindgenVersion(lockFile) {
   const text = readFileSync(inRoot(lockFile), "utf8");
@@ -35,37 +31,34 @@ export function toolsFolder() {
 export const toolsEnvironment = (variables = {}) =>
   environment({ path: [toolsFolder()], ...variables });
 
-export async function tools() {
+/** Those of these programs that are missing. */
+export const missingTools = (names) =>
+  names.filter((name) => !existsSync(join(toolsFolder(), name)));
+
+/** Builds these programs where they are missing. */
+export async function tools(names) {
   const ours = bindgenVersion("Cargo.lock");
   const theirs = readFileSync(inRoot("tools/Cargo.toml"), "utf8").match(
-    /wasm-bindgen-cli = .*"=([^"]+)"/,
+    /wasm-bindgen-cli-support = "=([^"]+)"/,
   )?.[1];
   if (ours !== theirs) {
     throw new Failure(
       `Cargo.lock has wasm-bindgen ${ours} but tools/Cargo.toml builds ${theirs}: they must be equal`,
     );
   }
+  const missing = missingTools(names);
+  for (const name of missing) await build(name);
+  return missing.length === 0 ? "present" : `built ${missing.join(", ")}`;
+}
 
-  const folder = toolsFolder();
-  if (existsSync(folder)) return "present";
-
-  await must("cargo", [
-    "build",
-    "--locked",
-    "--manifest-path",
-    "tools/Cargo.toml",
-    "--target-dir",
-    "tools/target",
-  ]);
-  const making = `${folder}-${process.pid}`;
-  mkdirSync(making, { recursive: true });
-  for (const name of programs) {
-    copyFileSync(inRoot("tools/target/debug", name), join(making, name));
-    chmodSync(join(making, name), 0o755);
-  }
-  // Another checkout may have built the same programs meanwhile.
-  if (existsSync(folder)) rmSync(making, { recursive: true });
-  else renameSync(making, folder);
-  rmSync(inRoot("tools/target"), { recursive: true, force: true });
-  return `built ${programs.join(", ")}`;
+async function build(name) {
+  const args = ["--manifest-path", "tools/Cargo.toml", "--target-dir", "tools/target"];
+  const env = environment(cargoProgress());
+  await must("cargo", ["build", "--locked", ...args, ...PROGRAMS[name]], { env });
+  mkdirSync(toolsFolder(), { recursive: true });
+  // Under another name first: another checkout may look for it, or build the same meanwhile.
+  const making = join(toolsFolder(), `${name}-${process.pid}`);
+  copyFileSync(inRoot("tools/target/debug", name), making);
+  chmodSync(making, 0o755);
+  renameSync(making, join(toolsFolder(), name));
 }

@@ -1,34 +1,33 @@
 // Checks the sizes of the wasm modules, plain and gzipped, against their budgets.
-import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
-import { modules, wasmFile } from "../build/wasm.mjs";
-import { inRoot } from "../paths.mjs";
+import { moduleIn, modules } from "../build/wasm/modules.mjs";
+import { small } from "../build/wasm/small.mjs";
 import { Failure, say } from "../process.mjs";
 
 /**
- * The largest sizes, in KiB: of the core what is promised, of the others with about 2 % of room. The core has what every use needs: cutting trimmed faces
+ * The largest sizes, in KiB: of the core what is promised, of the others with about 2 % of room. The core
+ * has what every use needs: cutting trimmed faces
  * and the proof of every cut, as interchange JSON has them too; the bounds; sides of points, signs, clearances
  * and gaps of solids; distances, fields and comparisons of meshes and points. The readers of CAD files are
  * fetched when a first one comes, those of meshes, with archives and XML, when a mesh comes, and those
- * of scans when a scan comes. That of pictures is read from the disk by the command line alone.
+ * of scans when a scan comes.
  */
 const budgets = {
   nurbs_hausdorff: { plain: 1800, gzipped: 700 },
   nurbs_hausdorff_readers: { plain: 912, gzipped: 379 },
   nurbs_hausdorff_meshes: { plain: 564, gzipped: 242 },
   nurbs_hausdorff_scans: { plain: 368, gzipped: 148 },
-  nurbs_hausdorff_pictures: { plain: 180, gzipped: 88 },
 };
 
 /** Compares one module with its budget. */
 function check(module) {
   const budget = budgets[module.name];
-  const bytes = readFileSync(inRoot(wasmFile(module)));
+  const bytes = moduleIn(small, module);
   const size = { plain: bytes.length / 1024, gzipped: gzipSync(bytes, { level: 9 }).length / 1024 };
   const parts = Object.keys(budget).map(
     (kind) => `${kind} ${size[kind].toFixed(1)} of ${budget[kind]} KiB`,
   );
-  say(`${wasmFile(module)}: ${parts.join(", ")}`);
+  say(`${module.name}: ${parts.join(", ")}`);
   return Object.keys(budget).every((kind) => size[kind] <= budget[kind]);
 }
 

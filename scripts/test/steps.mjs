@@ -4,7 +4,9 @@
 import { existsSync, readdirSync } from "node:fs";
 import { buildApi } from "../build/api.mjs";
 import { buildSite } from "../build/site.mjs";
-import { buildWasm, modules } from "../build/wasm.mjs";
+import { wasm32 } from "../build/wasm/modules.mjs";
+import { buildQuick } from "../build/wasm/quick.mjs";
+import { buildSmall } from "../build/wasm/small.mjs";
 import { inRoot } from "../paths.mjs";
 import { environment, Failure, must, say, which } from "../process.mjs";
 import { vulkan } from "../setup/lavapipe.mjs";
@@ -13,8 +15,6 @@ import { checkBudget } from "./budget.mjs";
 import { testEngines } from "./engines.mjs";
 import { installPackages, testPython } from "./python.mjs";
 
-// The command line is native only.
-const wasm32 = ["--target", "wasm32-unknown-unknown", "--no-default-features"];
 const denyWarnings = ["--", "-D", "warnings"];
 
 const cargo = (args, env = {}) => must("cargo", args, { env: environment(env) });
@@ -53,14 +53,10 @@ export const steps = [
   },
   {
     name: "clippy-wasm",
-    what: "Rust lints, wasm32: with the tests, and each wasm module as it is built",
-    run: async () => {
-      const clippy = ["clippy", "--release", "--locked", ...wasm32];
-      await cargo([...clippy, "--lib", "--tests", ...denyWarnings]);
-      for (const { feature } of modules) {
-        await cargo([...clippy, "--features", feature, "--lib", ...denyWarnings]);
-      }
-    },
+    // The step `small-wasm` refuses warnings of each module with its own features.
+    what: "Rust lints, wasm32",
+    run: () =>
+      cargo(["clippy", "--release", "--locked", ...wasm32, "--lib", "--tests", ...denyWarnings]),
   },
   {
     name: "dependencies",
@@ -112,11 +108,16 @@ export const steps = [
   },
   {
     name: "wasm",
-    what: "the wasm modules are within their budgets",
+    what: "the wasm modules for the page and the tests",
+    run: async () => say(`wasm modules: ${await buildQuick()}`),
+  },
+  {
+    name: "small-wasm",
+    what: "the wasm modules of the package are within their budgets",
     // Optimising a whole module takes one core for minutes.
     beside: true,
     run: async () => {
-      say(`wasm modules: ${await buildWasm()}`);
+      say(`wasm modules, optimised: ${await buildSmall()}`);
       checkBudget();
     },
   },
@@ -124,17 +125,17 @@ export const steps = [
     name: "wasm-tests",
     tests: true,
     what: "wasm tests in headless Chromium with WebGPU",
+    needs: ["wasm"],
     run: () =>
-      must(
-        "wasm-pack",
-        [
-          ...["test", "--mode", "no-install", "--headless", "--chrome", "--release"],
-          ...["--chromedriver", which("chromedriver")],
-          // Arguments for cargo: the only test binary that is not native.
-          ...["--test", "wasm", "--no-default-features"],
-        ],
-        { env: toolsEnvironment({ WASM_BINDGEN_TEST_TIMEOUT: "240" }) },
-      ),
+      // Compiled with the modules: the only test binary that is not native.
+      must("cargo", ["test", "--release", "--locked", ...wasm32, "--lib", "--test", "wasm"], {
+        env: toolsEnvironment({
+          CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: "wasm-bindgen-test-runner",
+          CHROMEDRIVER: which("chromedriver"),
+          WASM_BINDGEN_TEST_ONLY_WEB: "1",
+          WASM_BINDGEN_TEST_TIMEOUT: "240",
+        }),
+      }),
   },
   {
     name: "types",
@@ -165,7 +166,8 @@ export const steps = [
     name: "package",
     tests: true,
     what: "the packed package in bundlers, a browser, Node and judges of packages",
-    needs: ["wasm", "types"],
+    // The package has the command, which is compiled with the tests of Rust.
+    needs: ["small-wasm", "types", "rust"],
     run: () => nodeTests("tests/package", { CHROMIUM: which("chromium") }),
   },
   {

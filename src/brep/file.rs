@@ -2,6 +2,7 @@
 
 #[cfg(feature = "archives")]
 use super::archive;
+use super::foreign::foreign;
 use super::format;
 use crate::error::{Error, Result};
 use crate::model::Model;
@@ -58,9 +59,6 @@ impl Model {
             let (model, report) = validation::into_model(archive::read_document(&bytes)?)?;
             return Ok((model, report, FileKind::FreeCad));
         }
-        if let Some((found, advice)) = unsupported(&bytes, path) {
-            return Err(Error::FormatUnsupported { found, advice });
-        }
         if format::is_binary_brep(&bytes) {
             return Err(Error::BrepSyntax {
                 line: 1,
@@ -75,24 +73,19 @@ impl Model {
         if format::is_iges(&bytes) {
             return Self::from_iges(&bytes).map(of_kind(FileKind::Iges));
         }
-        let text = String::from_utf8(bytes).map_err(|error| Error::JsonShape { found: error.to_string() })?;
-        if format::is_brep(&text) {
-            return Self::from_brep(&text).map(of_kind(FileKind::Brep));
+        if format::is_brep(&bytes) {
+            return Self::from_brep(&text(bytes)?).map(of_kind(FileKind::Brep));
         }
+        if let Some(error) = foreign(&bytes, path) {
+            return Err(error);
+        }
+        let text = text(bytes)?;
         let model = Self::from_json(&text)?;
         let report = ReadReport::of_exact(&model);
         Ok((model, report, FileKind::Json))
     }
 }
 
-/// Returns the name of a format that is recognised and not read, and the way to a file that is.
-fn unsupported(bytes: &[u8], path: &str) -> Option<(&'static str, String)> {
-    let converted = || format!("`npx nurbs-hausdorff convert {path} model.json` converts it");
-    let archived = || "the feature `archives` of this crate reads it".to_owned();
-    match bytes {
-        _ if format::is_rhino(bytes) => Some(("a Rhino 3DM file", converted())),
-        _ if format::is_gzip(bytes) => Some(("a file compressed by gzip", archived())),
-        _ if format::is_zip(bytes) => Some(("a zip archive, as FreeCAD documents are", archived())),
-        _ => None,
-    }
+fn text(bytes: Vec<u8>) -> Result<String> {
+    String::from_utf8(bytes).map_err(|error| Error::JsonShape { found: error.to_string() })
 }

@@ -9,10 +9,18 @@ const STEP_SIGNATURE: &[u8] = b"ISO-10303-21";
 /// The column, from 0, that names a line's section in IGES.
 const IGES_SECTION_COLUMN: usize = 72;
 
-/// Whether a text is OpenCASCADE's BREP.
-pub(super) fn is_brep(text: &str) -> bool {
-    let text = text.trim_start();
-    text.starts_with("DBRep_DrawableShape") || text.starts_with("CASCADE Topology V")
+/// Whether bytes are OpenCASCADE's BREP text.
+pub(super) fn is_brep(bytes: &[u8]) -> bool {
+    let text = bytes.trim_ascii_start();
+    text.starts_with(b"DBRep_DrawableShape") || text.starts_with(b"CASCADE Topology V")
+}
+
+/// The mark of UTF-8 with which some programs begin a text.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// Whether bytes begin as an object of JSON.
+pub(super) fn is_json(bytes: &[u8]) -> bool {
+    bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes).trim_ascii_start().starts_with(b"{")
 }
 
 /// Whether bytes are a STEP file.

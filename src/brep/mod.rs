@@ -14,6 +14,7 @@ mod digits;
 mod edges;
 mod faces;
 mod file;
+mod foreign;
 mod format;
 mod gap;
 mod iges;

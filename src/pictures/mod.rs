@@ -22,7 +22,6 @@ mod draw;
 mod legend;
 mod map;
 mod mark;
-#[cfg(not(target_arch = "wasm32"))]
 mod models;
 mod numbers;
 mod png;
@@ -31,17 +30,10 @@ mod scale;
 mod views;
 
 use crate::model::RigidTransform;
-#[cfg(target_arch = "wasm32")]
-pub(crate) use draw::{Drawn, draw};
-#[cfg(target_arch = "wasm32")]
-pub(crate) use map::{Map, MapBuilder, Placing, Surface};
-#[cfg(not(target_arch = "wasm32"))]
 pub use models::pictures;
-use serde::Deserialize;
 
 /// What is known of a model that is shown, and shown with it.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Shown {
     /// A known upper bound on the distance of all its points from the other model, or one for each
     /// face: no deviation shown exceeds it.
@@ -51,8 +43,7 @@ pub struct Shown {
 }
 
 /// A point of a model with its nearest point on the other one, both in the coordinates of a result.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
     /// Index of the face that has the point.
     pub face: usize,

@@ -2,11 +2,13 @@
 
 use crate::error::Error;
 use crate::model::Model;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
+use std::cell::RefCell;
+use std::collections::HashSet;
 use std::fmt::{Display, Formatter};
 
 /// The result of reading a CAD file, face by face.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 #[non_exhaustive]
 pub struct ReadReport {
@@ -100,7 +102,7 @@ impl ReadReport {
 }
 
 /// The place of a face in its file.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(untagged)]
 #[non_exhaustive]
 pub enum FaceId {
@@ -161,6 +163,45 @@ pub struct Note {
     pub code: &'static str,
     /// The decision, and the reason for it.
     pub why: String,
+}
+
+/// The account of a face as JSON has it.
+#[derive(Deserialize)]
+struct Account {
+    face: FaceId,
+    entity: Option<u64>,
+    code: String,
+    why: String,
+}
+
+impl<'de> Deserialize<'de> for Skipped {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let Account { face, entity, code, why } = Account::deserialize(from)?;
+        Ok(Self { face, entity, code: interned(code), why })
+    }
+}
+
+impl<'de> Deserialize<'de> for Note {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let Account { face, code, why, .. } = Account::deserialize(from)?;
+        Ok(Self { face, code: interned(code), why })
+    }
+}
+
+/// Returns a code for as long as the program runs. Each distinct one is kept once, and the
+/// readers have some dozens.
+pub(super) fn interned(code: String) -> &'static str {
+    thread_local! {
+        static CODES: RefCell<HashSet<&'static str>> = RefCell::default();
+    }
+    CODES.with_borrow_mut(|codes| match codes.get(code.as_str()) {
+        Some(known) => known,
+        None => {
+            let kept: &'static str = code.leak();
+            codes.insert(kept);
+            kept
+        }
+    })
 }
 
 /// Sorts what was skipped by its faces, about which there are no notes besides.

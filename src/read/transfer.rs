@@ -6,13 +6,11 @@
 )]
 
 use super::assembled::Assembled;
-use super::report::{FaceCounts, FaceId, Note, Skipped};
+use super::report::{FaceCounts, FaceId, Note, Skipped, interned};
 use crate::error::{Error, Result};
 use crate::model::ModelArrays;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
-use std::cell::RefCell;
-use std::collections::HashSet;
 
 /// The version of the crate, which writer and reader have in common.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -90,22 +88,6 @@ impl Assembled {
             ..Self::default()
         })
     }
-}
-
-/// Returns a code for as long as the program runs. Each distinct one is kept once, and the
-/// readers have some dozens.
-fn interned(code: String) -> &'static str {
-    thread_local! {
-        static CODES: RefCell<HashSet<&'static str>> = RefCell::default();
-    }
-    CODES.with_borrow_mut(|codes| match codes.get(code.as_str()) {
-        Some(known) => known,
-        None => {
-            let kept: &'static str = code.leak();
-            codes.insert(kept);
-            kept
-        }
-    })
 }
 
 fn invalid(error: postcard::Error) -> Error {

@@ -1,7 +1,7 @@
-//! The exports of the crate's five wasm modules: the classes of the core, with the feature
+//! The exports of the crate's four wasm modules: the classes of the core, with the feature
 //! `wasm`, the readers of CAD files, with `wasm-readers`, those of meshes, with `wasm-meshes`,
-//! those of scans, with `wasm-scans`, and the pictures of reports, with `wasm-pictures`. The package's own API, in `src/js`, is built on them and hides
-//! them.
+//! and those of scans, with `wasm-scans`. The package's own API, in `src/js`, is built on them and
+//! hides them.
 #![expect(unreachable_pub, reason = "wasm-bindgen exports what is public, and nothing in Rust uses it")]
 
 #[cfg(feature = "wasm")]
@@ -15,8 +15,6 @@ mod failure;
 mod meshes;
 #[cfg(feature = "wasm")]
 mod model;
-#[cfg(feature = "wasm-pictures")]
-mod pictures;
 #[cfg(feature = "wasm")]
 mod progress;
 #[cfg(feature = "wasm-readers")]

@@ -4,7 +4,7 @@ use super::convert;
 use super::failure::to_object;
 use super::surfaces::Surfaces;
 use crate::area::Area;
-use crate::engine::{self, ModelInfo};
+use crate::engine;
 use crate::error::{Error, Result};
 use crate::facets::{Facets, MeshGroup, PointCloud, TriangleMesh};
 use crate::model::Model;
@@ -138,11 +138,6 @@ impl PreparedModel {
     pub fn json_to_json(text: &JsString) -> std::result::Result<JsValue, JsValue> {
         let model = Model::from_json(&checked(text)?)?;
         to_object(&Interchange { json: model.to_json()?, report: ReadReport::of_exact(&model) })
-    }
-
-    /// The numbers of a model of interchange JSON, as the command line prints them.
-    pub fn info(text: &JsString) -> std::result::Result<JsValue, JsValue> {
-        to_object(&ModelInfo::new(&Model::from_json(&checked(text)?)?)?)
     }
 
     /// One of [`shapes`].

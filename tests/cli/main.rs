@@ -13,4 +13,6 @@ mod gaps;
 mod meshes;
 mod pairs;
 mod pictures;
+mod rhino;
 mod trimmed;
+mod verdicts;

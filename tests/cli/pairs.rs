@@ -65,7 +65,7 @@ fn directories_are_compared_by_relative_path() {
     let states: Vec<_> =
         pairs.iter().map(|pair| (pair["path"].as_str().unwrap(), pair["state"].as_str().unwrap())).collect();
     assert_eq!(states, STATES);
-    assert_eq!(pairs[0]["error"]["code"], "JSON_SHAPE");
+    assert_eq!(pairs[0]["error"]["code"], "FORMAT_UNSUPPORTED");
     let moved = &pairs[4]["result"];
     let [lower, upper] = ["lower", "upper"].map(|end| moved["facesOfA"][0][end].as_f64().unwrap());
     assert!(lower <= 3.0 && 3.0 <= upper && upper - lower < 1e-6);
@@ -196,5 +196,5 @@ fn git_shows_differences_by_textconv_and_difftool() {
     let difference = done(&["diff"]);
     assert!(difference.contains("-box") && difference.contains("+box"), "{difference}");
     let compared = done(&["difftool", "--no-prompt", "--tool", "cad"]);
-    assert!(compared.contains("models     changed at a limit of 0.001"), "{compared}");
+    assert!(compared.contains("CHANGED 0.001: 3 ("), "{compared}");
 }

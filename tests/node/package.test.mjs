@@ -29,7 +29,7 @@ test("the error codes are Rust's, then those of JavaScript", () => {
 
 test("the types show nothing of the module's", () => {
   const files = readdirSync(new URL("../../dist", import.meta.url), { recursive: true }).filter(
-    (name) => name.endsWith(".d.ts") && !/^(wasm|cli)\//.test(name),
+    (name) => name.endsWith(".d.ts") && !/^(wasm|command)\//.test(name),
   );
   assert.ok(files.includes("index.d.ts"));
   for (const file of files) {

@@ -12,22 +12,24 @@ import {
 } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { buildCommand, command } from "../../scripts/build/command.mjs";
+import { packCommand, packPackage } from "../../scripts/build/tarballs.mjs";
 import { inRoot } from "../../scripts/paths.mjs";
 import { must } from "../../scripts/process.mjs";
 
 const apps = inRoot("tests", "package", "app");
 
-/** Packs the built package and installs it in a new folder. */
+/** Packs the built package and this platform's command, and installs both in a new folder. */
 export async function install() {
   const folder = mkdtempSync(join(tmpdir(), "nurbs-hausdorff-"));
-  await must("npm", ["pack", "--ignore-scripts", "--silent", "--pack-destination", folder]);
-  const tarball = join(
-    folder,
-    readdirSync(folder).find((name) => name.endsWith(".tgz")),
-  );
+  await buildCommand();
+  const platform = `${process.platform}-${process.arch}`;
+  const tarballs = [await packPackage(folder), await packCommand(platform, command, folder)];
   writeFileSync(join(folder, "package.json"), JSON.stringify({ private: true, type: "module" }));
-  const quiet = ["--ignore-scripts", "--prefer-offline", "--no-audit", "--no-fund", "--silent"];
-  await must("npm", ["install", ...quiet, tarball], { cwd: folder });
+  // Offline: the commands of other platforms are asked of no registry.
+  const quiet = ["--ignore-scripts", "--offline", "--no-audit", "--no-fund", "--silent"];
+  await must("npm", ["install", ...quiet, ...tarballs], { cwd: folder });
+  const [tarball] = tarballs;
   return {
     folder,
     tarball,

@@ -16,6 +16,15 @@ pub(crate) enum Failure {
         /// The error in it.
         error: Error,
     },
+    /// In a model's file, as the program that reads it states it.
+    Reader {
+        /// The path as given.
+        path: PathBuf,
+        /// The program's code.
+        code: String,
+        /// The reason.
+        message: String,
+    },
     /// Standard output could not be written.
     Output(std::io::Error),
     /// A file could not be written.
@@ -31,9 +40,10 @@ pub(crate) enum Failure {
 
 impl Failure {
     /// The library's code, or one that only the command line has.
-    pub(crate) fn code(&self) -> &'static str {
+    pub(crate) fn code(&self) -> &str {
         match self {
             Self::Plain(error) | Self::Model { error, .. } => error.code(),
+            Self::Reader { code, .. } => code,
             Self::Output(_) | Self::File { .. } => "OUTPUT_FAILED",
             Self::Exists(_) => "OUTPUT_EXISTS",
         }
@@ -48,6 +58,7 @@ impl Display for Failure {
                 write!(formatter, "{error}")
             }
             Self::Model { path, error } => write!(formatter, "{}: {error}", path.display()),
+            Self::Reader { path, message, .. } => write!(formatter, "{}: {message}", path.display()),
             Self::Output(error) => write!(formatter, "standard output: {error}"),
             Self::File { path, error } => write!(formatter, "{}: {error}", path.display()),
             Self::Exists(path) => {

@@ -12,9 +12,6 @@ mod output;
 mod pairs;
 mod reports;
 
-/// Exit status of bad arguments, bad input or a failed machine.
-const FAILED: u8 = 2;
-
 fn main() -> std::process::ExitCode {
     use arguments::Command;
     use commands::{clearance, completions, convert, diff, distance, info, statistics};
@@ -34,7 +31,7 @@ fn main() -> std::process::ExitCode {
     };
     let status = done.unwrap_or_else(|failure| {
         eprintln!("error[{}]: {failure}", failure.code());
-        FAILED
+        output::json::print_error(failure.code(), &failure.to_string())
     });
     std::process::ExitCode::from(status)
 }

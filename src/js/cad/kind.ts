@@ -13,7 +13,7 @@ const HEAD_LENGTH = 1024;
 /** The column, from 0, that names a line's section in IGES. */
 const IGES_SECTION_COLUMN = 72;
 
-const BY_MESH = "readMesh reads it, as both commands do by the ending of its name";
+const BY_MESH = "readMesh reads it, as the command does by the ending of its name";
 const TRIANGLES = `it holds triangles: ${BY_MESH}`;
 const POINTS = `it holds points: ${BY_MESH}`;
 

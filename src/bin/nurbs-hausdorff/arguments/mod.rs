@@ -1,8 +1,6 @@
 //! The arguments.
 
 pub(crate) mod motion;
-#[cfg(test)]
-mod table;
 pub(crate) mod usage;
 
 use crate::reports::Format;
@@ -76,7 +74,7 @@ pub(crate) struct DistanceArguments {
     #[command(flatten)]
     pub(crate) pair: Pair,
     /// The method that computes the distance.
-    #[arg(long, value_enum, default_value_t = MethodChoice::Certified)]
+    #[arg(long, hide_short_help = true, value_enum, default_value_t = MethodChoice::Certified)]
     method: MethodChoice,
     /// Permitted width of the interval, in model units.
     #[arg(long, value_name = "LENGTH")]
@@ -97,37 +95,37 @@ pub(crate) struct DistanceArguments {
     #[arg(long, value_name = "SECONDS")]
     max_seconds: Option<f64>,
     /// certified: cells per direction after which the interval reached is the result.
-    #[arg(long, value_name = "CELLS")]
+    #[arg(long, hide_short_help = true, value_name = "CELLS")]
     max_cells: Option<usize>,
     /// certified: the bounds that are audited while the search runs; a share if not given.
     #[arg(long, value_enum)]
     audit: Option<AuditName>,
     /// iteration and --deviations: samples along each parameter direction of every surface; 64 if not given.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     samples: Option<usize>,
     /// iteration and --deviations: the rule by which the samples are spread; uniform if not given.
-    #[arg(long, value_enum)]
+    #[arg(long, hide_short_help = true, value_enum)]
     sampling: Option<SamplingName>,
     /// iteration: the flatness to which the patches of B are cut; loose if not given.
-    #[arg(long, value_enum)]
+    #[arg(long, hide_short_help = true, value_enum)]
     flatness: Option<FlatnessName>,
     /// iteration: the step of the projection, damped Newton (if not given) or the tangent-plane step of the 2012 paper.
-    #[arg(long, value_enum)]
+    #[arg(long, hide_short_help = true, value_enum)]
     projection: Option<ProjectionName>,
     /// iteration: the patches on which a sample is projected, those near enough (if not given) or all as in the paper.
-    #[arg(long, value_enum)]
+    #[arg(long, hide_short_help = true, value_enum)]
     culling: Option<CullingName>,
     /// iteration: largest number of steps on one patch; 5 if not given.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     iterations: Option<u32>,
     /// iteration: change of distance that ends the tangent-plane step, in model units; 0.01 if not given.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     step_tolerance: Option<f64>,
     /// hierarchy: cells along each parameter direction of every surface; 64 if not given.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     grid: Option<usize>,
     /// hierarchy: memory for the pairs of boxes, in MiB; 256 if not given.
-    #[arg(long, value_name = "MIB")]
+    #[arg(long, hide_short_help = true, value_name = "MIB")]
     memory_budget: Option<usize>,
     /// Computes both directions; the distance is the larger one.
     #[arg(long)]
@@ -135,10 +133,10 @@ pub(crate) struct DistanceArguments {
     #[command(flatten)]
     placement: Placement,
     /// Adds statistics of the deviation at a grid of samples; they are estimates.
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     deviations: bool,
     /// The processor for the kernels; auto is the GPU if there is one, except for method certified.
-    #[arg(long, value_enum, default_value_t = BackendName::Auto)]
+    #[arg(long, hide_short_help = true, value_enum, default_value_t = BackendName::Auto)]
     backend: BackendName,
     #[command(flatten)]
     pub(crate) reporting: Reporting,
@@ -163,16 +161,16 @@ pub(crate) struct Reporting {
     #[arg(long, conflicts_with = "format")]
     json: bool,
     /// Of directories, the files whose relative path matches PATTERN, such as *.step or parts/**/*.{brep,iges}; all models if not given.
-    #[arg(long, value_name = "PATTERN")]
+    #[arg(long, hide_short_help = true, value_name = "PATTERN")]
     pub(crate) include: Option<String>,
     /// Keeps answers in FOLDER, and reads those to pairs of the same content and options from it.
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(long, hide_short_help = true, value_name = "FOLDER")]
     pub(crate) reuse: Option<PathBuf>,
     /// The name of the part, which --format html prints.
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, hide_short_help = true, value_name = "NAME")]
     pub(crate) part: Option<String>,
     /// Who compares, which --format html prints.
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, hide_short_help = true, value_name = "NAME")]
     pub(crate) operator: Option<String>,
 }
 
@@ -220,7 +218,7 @@ pub(crate) struct DiffArguments {
     #[arg(long)]
     pub(crate) strict_gaps: bool,
     /// Cells after which a face is given up as undecided.
-    #[arg(long, value_name = "CELLS", default_value_t = 1_000_000)]
+    #[arg(long, hide_short_help = true, value_name = "CELLS", default_value_t = 1_000_000)]
     max_cells: usize,
     /// Seconds after which faces that are not decided are given up as undecided.
     #[arg(long, value_name = "SECONDS")]
@@ -272,7 +270,7 @@ pub(crate) struct ClearanceArguments {
     #[arg(long, value_name = "SECONDS")]
     max_seconds: Option<f64>,
     /// Pairs of cells after which the interval reached is the result.
-    #[arg(long, value_name = "CELLS")]
+    #[arg(long, hide_short_help = true, value_name = "CELLS")]
     max_cells: Option<usize>,
     #[command(flatten)]
     placement: Placement,
@@ -315,13 +313,13 @@ pub(crate) struct StatisticsArguments {
     #[arg(long, value_name = "LIMIT")]
     limit: Option<f64>,
     /// Permitted width of the interval of that part.
-    #[arg(long, value_name = "PART", default_value_t = 1e-3)]
+    #[arg(long, hide_short_help = true, value_name = "PART", default_value_t = 1e-3)]
     part_tolerance: f64,
     /// Seconds after which the intervals reached are the result.
     #[arg(long, value_name = "SECONDS")]
     max_seconds: Option<f64>,
     /// Parts of A after which the intervals reached are the result.
-    #[arg(long, value_name = "CELLS", default_value_t = 1_000_000)]
+    #[arg(long, hide_short_help = true, value_name = "CELLS", default_value_t = 1_000_000)]
     max_cells: usize,
     #[command(flatten)]
     placement: Placement,

@@ -1,7 +1,7 @@
 //! Parses the arguments and prints their errors.
 
-use crate::FAILED;
 use crate::arguments::Arguments;
+use crate::output::json::print_error;
 use clap::Parser;
 use std::process::ExitCode;
 
@@ -24,6 +24,8 @@ pub(crate) fn arguments() -> Result<Arguments, ExitCode> {
             Some(text) => eprint!("error[{CODE}]: {text}"),
             None => eprint!("{text}"),
         }
-        ExitCode::from(FAILED)
+        // What the error itself says stands before the usage.
+        let message = text.strip_prefix("error: ").unwrap_or(&text).split("\n\n").next().unwrap_or_default();
+        ExitCode::from(print_error(CODE, message))
     })
 }

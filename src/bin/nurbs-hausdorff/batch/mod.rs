@@ -8,9 +8,11 @@ mod cache;
 mod request;
 
 use crate::arguments::BatchArguments;
+use crate::commands::distance::of_limit;
 use crate::failure::Failure;
 use crate::input::{Input, STANDARD_STREAM};
-use crate::output::json::{OfFiles, line};
+use crate::output::json::{OfFiles, Reason, line};
+use crate::reports::Verdict;
 use answers::{Answers, key, resumed};
 use cache::Cache;
 use nurbs_hausdorff::{Backend, Engine, Error, MethodName, Monitor};
@@ -138,14 +140,8 @@ struct OfPair<'a, T> {
 
 /// The answer to a pair that failed.
 #[derive(Serialize)]
-struct Failed {
-    error: Reason,
-}
-
-#[derive(Serialize)]
-struct Reason {
-    code: &'static str,
-    message: String,
+struct Failed<'a> {
+    error: Reason<'a>,
 }
 
 impl Batch<'_> {
@@ -196,7 +192,7 @@ impl Batch<'_> {
 
     fn failed(&self, id: &Value, failure: &Failure) -> String {
         self.failures.fetch_add(1, Ordering::Relaxed);
-        let error = Reason { code: failure.code(), message: failure.to_string() };
+        let error = Reason { code: failure.code(), message: &failure.to_string() };
         // An id and two texts are JSON.
         line(&OfPair { id, answer: Failed { error } }).unwrap_or_default()
     }
@@ -208,6 +204,7 @@ impl Batch<'_> {
 
     fn question(&self, id: &Value, a: &Input, b: &Input, question: &Question) -> Result<String, Failure> {
         let models = (&a.prepared, &b.prepared);
+        let is_whole = [a, b].iter().all(|input| input.report.read.skipped.is_empty());
         let monitor = &mut Interrupt([self.interrupted, &self.unread]);
         match question {
             Question::Distance(options) => {
@@ -218,15 +215,19 @@ impl Batch<'_> {
                     _ => self.with_gpu()?,
                 };
                 let result = engine.distance(models.0, models.1, options).monitored(monitor).wait()?;
-                line(&OfPair { id, answer: OfFiles::new(&result, a, b) })
+                let asked = question
+                    .asked(options.limit.map_or(Verdict::Passed, |limit| of_limit(&result, limit)), is_whole);
+                line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
             }
             Question::Diff(options) => {
                 let result = self.cpu.diff(models.0, models.1, options).monitored(monitor).wait()?;
-                line(&OfPair { id, answer: OfFiles::new(&result, a, b) })
+                let asked = question.asked(result.state.into(), is_whole);
+                line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
             }
             Question::Clearance(options) => {
                 let result = self.cpu.clearance(models.0, models.1, options).monitored(monitor).wait()?;
-                line(&OfPair { id, answer: OfFiles::new(&result, a, b) })
+                let asked = question.asked(Verdict::of(result.at_least), is_whole);
+                line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
             }
         }
     }

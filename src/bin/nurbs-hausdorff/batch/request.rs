@@ -1,5 +1,7 @@
 //! One line of the input: two files, a command and its options.
 
+use crate::output::json::Asked;
+use crate::reports::Verdict;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::{
     ClearanceOptions, DiffOptions, DistanceOptions, Error, NamedOptions, Result, RigidTransform,
@@ -21,6 +23,22 @@ pub(super) enum Question {
     Distance(Box<DistanceOptions>),
     Diff(DiffOptions),
     Clearance(ClearanceOptions),
+}
+
+impl Question {
+    /// Returns what is echoed of the question, with the verdict where there is a limit. Of models from
+    /// which faces were left out it is undecided.
+    pub(super) fn asked(&self, verdict: Verdict, is_whole: bool) -> Asked {
+        let (command, limit, symmetric) = match self {
+            Self::Distance(options) => ("distance", options.limit, Some(options.symmetric)),
+            // The result states the limit.
+            Self::Diff(_) => ("diff", None, None),
+            Self::Clearance(options) => ("clearance", options.limit, None),
+        };
+        let is_judged = limit.is_some() || matches!(self, Self::Diff(_));
+        let verdict = if is_whole { verdict } else { Verdict::Undecided };
+        Asked { command, verdict: is_judged.then_some(verdict), limit, symmetric }
+    }
 }
 
 /// The keys of a line that are no options.

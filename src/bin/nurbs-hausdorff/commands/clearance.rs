@@ -2,11 +2,13 @@
 
 use crate::arguments::ClearanceArguments;
 use crate::failure::Failure;
-use crate::input::{is_judged, read};
-use crate::output::json::{OfFiles, print_json};
+use crate::input::{Input, is_judged, read};
+use crate::output::digits::bounded;
+use crate::output::headline::{self, GAPS_DECIDE, place};
+use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
-use crate::output::report::GAPS_DECIDE;
+use crate::reports::Verdict;
 use nurbs_hausdorff::{ClearanceResult, Engine, Overlap, SurfacePoint};
 use std::fmt::{Result, Write};
 
@@ -22,33 +24,41 @@ pub(crate) fn run(arguments: &ClearanceArguments) -> std::result::Result<u8, Fai
     if arguments.limit.is_some() && !is_judged(&a, &b, arguments.allow_skipped) {
         (result.at_least, result.with_gaps.at_least) = (None, None);
     }
+    let at_least = if arguments.strict_gaps { result.with_gaps.at_least } else { result.at_least };
+    let verdict = arguments.limit.map(|_| Verdict::of(at_least));
     if arguments.json {
-        print_json(&OfFiles::new(&result, &a, &b))?;
+        let asked = Asked { command: "clearance", verdict, limit: arguments.limit, symmetric: None };
+        print_json(&OfFiles::new(asked, &result, &a, &b))?;
     } else {
-        let mut text = String::new();
+        let mut text = first(&result, arguments.limit.map(|limit| (limit, at_least)), [&a, &b]);
         // Writing to a string does not fail.
-        let _ = lines(&mut text, &result, arguments.limit);
+        let _ = lines(&mut text, &result);
         print(&text)?;
     }
-    let verdict = if arguments.strict_gaps { result.with_gaps.at_least } else { result.at_least };
-    Ok(match (arguments.limit, verdict) {
-        (None, _) | (_, Some(true)) => 0,
-        (_, Some(false)) => 1,
-        (_, None) => 3,
-    })
+    Ok(verdict.unwrap_or(Verdict::Passed).status())
 }
 
-fn lines(out: &mut String, result: &ClearanceResult, limit: Option<f64>) -> Result {
-    writeln!(out, "clearance  between {:?} and {:?}", result.lower, result.upper)?;
-    if let Some(limit) = limit {
-        let verdict = match result.at_least {
-            Some(true) => "at least",
-            Some(false) => "less than",
-            None => "undecided at",
-        };
-        let doubt = if result.with_gaps.at_least == result.at_least { "" } else { GAPS_DECIDE };
-        writeln!(out, "verdict    {verdict} {limit:?}{doubt}")?;
-    }
+/// Returns the first line: the verdict, the clearance and the places.
+fn first(result: &ClearanceResult, judged: Option<(f64, Option<bool>)>, [a, b]: [&Input; 2]) -> String {
+    let word = |at_least| match at_least {
+        Some(true) => "at least",
+        Some(false) => "less than",
+        None => "undecided",
+    };
+    let verdict = judged.map(|(limit, at_least)| headline::verdict(word(at_least), limit));
+    let doubt = if result.with_gaps.at_least == result.at_least { "" } else { GAPS_DECIDE };
+    let (of_a, of_b) = (
+        place(&result.witness.a, a, " of A", result.diagonal),
+        place(&result.witness.b, b, " of B", result.diagonal),
+    );
+    let found = bounded(result.upper, [result.lower, result.upper]);
+    let verdict = verdict.unwrap_or_else(|| "clearance ".to_owned());
+    format!("{verdict}{found} between {of_a} and {of_b}{doubt}\n")
+}
+
+/// Writes the lines below the first.
+fn lines(out: &mut String, result: &ClearanceResult) -> Result {
+    writeln!(out, "interval   [{:?}, {:?}]", result.lower, result.upper)?;
     let mut point = |name: &str, SurfacePoint { face, u, v, point: [x, y, z], .. }: &SurfacePoint| {
         writeln!(out, "nearest    {name} face {face} at u {u:?} v {v:?}: {x:?} {y:?} {z:?}")
     };

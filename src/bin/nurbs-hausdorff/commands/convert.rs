@@ -16,7 +16,8 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let input = read(&arguments.input)?;
     let json = input.surfaces("a conversion to interchange JSON")?.to_json()?;
     let Input { report, source, .. } = input;
-    let report = if arguments.json { line(&OfFile::new(&report, &source))? } else { text(&report) };
+    let report =
+        if arguments.json { line(&OfFile::new("convert", &report, &source))? } else { text(&report) };
     if arguments.output.as_os_str() == STANDARD_STREAM {
         eprint!("{report}");
         return print(&json);

@@ -3,9 +3,10 @@
 use crate::arguments::DiffArguments;
 use crate::failure::Failure;
 use crate::input::{Input, is_judged};
-use crate::output::json::{OfFiles, raw};
+use crate::output::digits::{bounded, coordinates};
+use crate::output::headline::{self, GAPS_DECIDE};
+use crate::output::json::{Asked, OfFiles, raw};
 use crate::output::progress::Bar;
-use crate::output::report::GAPS_DECIDE;
 use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
 use nurbs_hausdorff::pictures::{PictureOptions, Place, Shown};
@@ -47,20 +48,20 @@ impl Comparison for Diff<'_> {
             (result.state, result.with_gaps) = (FaceState::Undecided, FaceState::Undecided);
         }
         let state = if self.arguments.strict_gaps { result.with_gaps } else { result.state };
+        let verdict = Verdict::from(state);
+        // The result states the limit.
+        let asked = Asked { command: Self::NAME, verdict: Some(verdict), limit: None, symmetric: None };
+        let summary = summary(&result, a, b);
         let answer = Answer {
-            verdict: match state {
-                FaceState::Unchanged => Verdict::Passed,
-                FaceState::Changed => Verdict::Failed,
-                _ => Verdict::Undecided,
-            },
+            verdict,
             limit: Some(result.limit),
             word: word(state).to_owned(),
-            summary: summary(&result),
+            text: format!("{}{summary}\n{}", headline::verdict(word(state), result.limit), text(&result)),
+            summary,
             findings: findings(&result),
-            text: text(&result),
             seconds: result.seconds.prepare + result.seconds.solve,
             repeatable: !is_timed,
-            json: raw(&OfFiles::new(&result, a, b))?,
+            json: raw(&OfFiles::new(asked, &result, a, b))?,
             figures: String::new(),
         };
         Ok((answer, self.shown(&result)))
@@ -112,9 +113,23 @@ fn counts(faces: &[FaceDifference]) -> String {
     format!("{unchanged} unchanged, {changed} changed, {undecided} undecided")
 }
 
-fn summary(result: &DiffResult) -> String {
+/// Returns the largest difference, its place, and the numbers of faces in each state.
+fn summary(result: &DiffResult, a: &Input, b: &Input) -> String {
+    let faces = [(&result.faces_of_a, true), (&result.faces_of_b, false)];
+    let all = faces.into_iter().flat_map(|(faces, is_a)| faces.iter().map(move |face| (face, is_a)));
+    let largest = all.max_by(|(one, _), (other, _)| {
+        one.lower.total_cmp(&other.lower).then(one.upper.total_cmp(&other.upper))
+    });
+    let largest = largest.map_or(String::new(), |(face, is_a)| {
+        let witness = &face.witness;
+        let place = match is_a {
+            true => headline::place(&witness.a, a, " of A", result.diagonal),
+            false => headline::place(&witness.b, b, " of B", result.diagonal),
+        };
+        format!("{} on {place}; ", bounded(face.lower, [face.lower, face.upper]))
+    });
     let [a, b] = [&result.faces_of_a, &result.faces_of_b].map(|faces| counts(faces));
-    format!("faces of A: {a}; of B: {b}; limit {:?}{}", result.limit, doubt(result))
+    format!("{largest}faces of A: {a}; of B: {b}{}", doubt(result))
 }
 
 /// A line for each face that is not unchanged, those that changed first.
@@ -125,14 +140,13 @@ fn findings(result: &DiffResult) -> Vec<String> {
             let faces = &result.faces_in(state)[index];
             for face in faces.iter().take(MAX_LISTED) {
                 let point = if index == 0 { &face.witness.a } else { &face.witness.b };
-                let [x, y, z] = point.point;
+                let at = coordinates(point.point, result.diagonal);
                 let face_name = point.face_name.as_ref().map_or(String::new(), |name| format!(" ({name})"));
                 findings.push(format!(
-                    "{name} face {}{face_name} {}: [{:?}, {:?}] at {x:?} {y:?} {z:?}",
+                    "{name} face {}{face_name} {}: {} at {at}",
                     face.face,
                     word(state),
-                    face.lower,
-                    face.upper
+                    bounded(face.lower, [face.lower, face.upper])
                 ));
             }
             if faces.len() > MAX_LISTED {
@@ -147,11 +161,11 @@ fn findings(result: &DiffResult) -> Vec<String> {
     findings
 }
 
+/// Returns the lines below the first.
 fn text(result: &DiffResult) -> String {
-    let mut out =
-        format!("models     {} at a limit of {:?}{}\n", word(result.state), result.limit, doubt(result));
+    let mut out = String::new();
     for (name, faces) in [("A", &result.faces_of_a), ("B", &result.faces_of_b)] {
-        // Writing to a string does not fail.
+        // Writing to a string does not fail, here and below.
         let _ = writeln!(out, "faces of {name} {}", counts(faces));
     }
     for finding in findings(result) {

@@ -3,7 +3,9 @@
 use crate::arguments::DistanceArguments;
 use crate::failure::Failure;
 use crate::input::{Input, is_judged};
-use crate::output::json::{OfFiles, raw};
+use crate::output::digits::number;
+use crate::output::headline::{self, GAPS_DECIDE};
+use crate::output::json::{Asked, OfFiles, raw};
 use crate::output::progress::Bar;
 use crate::output::report;
 use crate::pairs::{self, Comparison};
@@ -53,22 +55,28 @@ impl Comparison for Distance<'_> {
             (_, within) if self.arguments.strict_gaps => within,
             (Some(limit), _) => within(&result, limit),
         };
-        let gap = if result.gap > 0.0 { format!(", gap {:?}", result.gap) } else { String::new() };
-        let seconds = &result.seconds;
-        let answer = Answer {
-            verdict: match within {
-                Some(true) => Verdict::Passed,
-                Some(false) => Verdict::Failed,
-                None => Verdict::Undecided,
-            },
+        let verdict = Verdict::of(within);
+        let word = word(limit, within);
+        let found = headline::distance(&result, a, b);
+        let gap = if result.gap > 0.0 { format!(", gap {}", number(result.gap)) } else { String::new() };
+        let doubt = doubt(&result, limit.filter(|_| is_judged));
+        let first = limit.map_or("distance ".to_owned(), |limit| headline::verdict(word, limit));
+        let asked = Asked {
+            command: Self::NAME,
+            verdict: limit.map(|_| verdict),
             limit,
-            word: word(limit, within).to_owned(),
-            summary: format!("distance in [{:?}, {:?}]{gap}", result.lower, result.upper),
+            symmetric: Some(self.options.symmetric),
+        };
+        let answer = Answer {
+            verdict,
+            limit,
+            word: word.to_owned(),
+            text: format!("{first}{found}{doubt}\n{}", report::text(&result)),
+            summary: format!("{found}{gap}{doubt}"),
             findings: Vec::new(),
-            text: report::text(&result),
-            seconds: seconds.prepare + seconds.compile + seconds.solve,
+            seconds: result.seconds.prepare + result.seconds.compile + result.seconds.solve,
             repeatable: result.converged || limit.is_some() && within.is_some(),
-            json: raw(&OfFiles::new(&result, a, b))?,
+            json: raw(&OfFiles::new(asked, &result, a, b))?,
             figures: String::new(),
         };
         Ok((answer, self.shown(&result)))
@@ -96,6 +104,12 @@ impl Distance<'_> {
     }
 }
 
+/// Returns the end of a line with a verdict that does not hold for every reading of the files.
+fn doubt(result: &DistanceResult, limit: Option<f64>) -> &'static str {
+    let is_doubtful = limit.is_some_and(|limit| within(result, limit) != result.with_gaps.within);
+    if is_doubtful { GAPS_DECIDE } else { "" }
+}
+
 fn word(limit: Option<f64>, within: Option<bool>) -> &'static str {
     match (limit, within) {
         (None, _) => "computed",
@@ -116,7 +130,11 @@ fn forget_verdict(result: &mut DistanceResult) {
     }
 }
 
-/// The verdict that follows from the interval and the limit, for all methods.
+/// Returns the verdict that follows from the interval and the limit, for all methods.
+pub(crate) fn of_limit(result: &DistanceResult, limit: f64) -> Verdict {
+    Verdict::of(within(result, limit))
+}
+
 fn within(result: &DistanceResult, limit: f64) -> Option<bool> {
     if result.upper <= limit {
         Some(true)

@@ -17,7 +17,7 @@ pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     let Input { report, source, .. } = input;
     if arguments.json {
         let info = Info { info: &info, skipped: &report.read.skipped };
-        return print_json(&OfFile::new(&info, &source));
+        return print_json(&OfFile::new("info", &info, &source));
     }
     let mut text = String::new();
     // Writing to a string does not fail.

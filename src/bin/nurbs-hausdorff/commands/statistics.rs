@@ -3,7 +3,7 @@
 use crate::arguments::StatisticsArguments;
 use crate::failure::Failure;
 use crate::input::read;
-use crate::output::json::{OfFiles, print_json};
+use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
 use nurbs_hausdorff::{Bounded, CertifiedStatistics, Engine, Measure};
@@ -19,7 +19,9 @@ pub(crate) fn run(arguments: &StatisticsArguments) -> std::result::Result<(), Fa
     let result = engine.statistics(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
     drop(bar);
     if arguments.json {
-        return print_json(&OfFiles::new(&result, &a, &b));
+        // The result states the limit, by which nothing is judged.
+        let asked = Asked { command: "statistics", verdict: None, limit: None, symmetric: None };
+        return print_json(&OfFiles::new(asked, &result, &a, &b));
     }
     let mut text = String::new();
     // Writing to a string does not fail.

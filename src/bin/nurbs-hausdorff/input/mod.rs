@@ -1,6 +1,7 @@
 //! Reads models.
 
 mod bytes;
+mod rhino;
 
 use crate::failure::Failure;
 pub(crate) use bytes::{STANDARD_STREAM, Source, hexadecimal};
@@ -44,11 +45,10 @@ impl File {
     /// Reads the model, as [`read`].
     ///
     /// # Errors
-    /// Those of [`Model::from_file`] and [`PreparedModel`], all with the path.
+    /// Those of [`Model::from_file`], [`rhino::read`] and [`PreparedModel`], all with the path.
     pub(crate) fn read(self) -> std::result::Result<Input, Failure> {
         let Self { path, bytes, source } = self;
-        let input = parse(&path, bytes, source);
-        let input = input.map_err(|error| Failure::Model { path: path.clone(), error })?;
+        let input = parse(&path, bytes, source)?;
         print_notes(&path, &input);
         Ok(input)
     }
@@ -90,7 +90,7 @@ pub(crate) fn is_judged(a: &Input, b: &Input, allow_skipped: bool) -> bool {
     is_judged
 }
 
-/// The reader of all files, by the name that the command of the npm package gives it.
+/// The reader of all files but 3DM, as the npm package calls it.
 const READER: &str = "built-in";
 
 /// A report, with the kind of the file and its reader.
@@ -102,12 +102,24 @@ pub(crate) struct CadReport {
     pub(crate) read: ReadReport,
 }
 
-fn parse(path: &Path, bytes: Vec<u8>, source: Source) -> Result<Input> {
-    let path = path.display().to_string();
-    let (bytes, name) = inflated(bytes, &path)?;
+fn parse(path: &Path, bytes: Vec<u8>, source: Source) -> std::result::Result<Input, Failure> {
+    let failed = |error| Failure::Model { path: path.to_owned(), error };
+    let name = path.display().to_string();
+    let (bytes, name) = inflated(bytes, &name).map_err(failed)?;
     if let Some(format) = MeshFormat::of_name(name) {
-        return of_mesh(source, &bytes, format);
+        return of_mesh(source, &bytes, format).map_err(failed);
     }
+    if let Some(program) = rhino::reader(&bytes) {
+        let (model, mut read) = rhino::read(&program, path, &bytes)?;
+        let (model, prepared) = PreparedModel::new_skipping(model, &mut read).map_err(failed)?;
+        let report = CadReport { kind: rhino::KIND, reader: rhino::READER, read };
+        return Ok(Input { model: Some(model), prepared, report, source });
+    }
+    of_file(source, bytes, name).map_err(failed)
+}
+
+/// Prepares the model of a file that the library reads.
+fn of_file(source: Source, bytes: Vec<u8>, name: &str) -> Result<Input> {
     let (model, mut read, kind) = Model::from_file(bytes, name)?;
     let (model, prepared) = match kind {
         FileKind::Json => {

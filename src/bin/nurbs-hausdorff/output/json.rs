@@ -3,9 +3,11 @@
 use super::print;
 use crate::failure::Failure;
 use crate::input::{Input, Source};
+use crate::reports::Verdict;
 use nurbs_hausdorff::{Error, Skipped};
 use serde::Serialize;
 use serde_json::value::{RawValue, to_raw_value};
+use std::ffi::OsString;
 
 /// The version of the names and meanings in the JSON. It rises when one is removed or
 /// changes, not when one is added.
@@ -25,11 +27,27 @@ impl Head {
     }
 }
 
+/// The question that a result answers, and the verdict.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(crate) struct Asked {
+    pub(crate) command: &'static str,
+    /// `None` where nothing was judged.
+    pub(crate) verdict: Option<Verdict>,
+    /// The limit as given, unless the result states it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) limit: Option<f64>,
+    /// Whether both directions were measured, of commands that can measure one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) symmetric: Option<bool>,
+}
+
 /// A result of the files of A and B.
 #[derive(Serialize)]
 pub(crate) struct OfFiles<'a, R> {
     #[serde(flatten)]
     head: Head,
+    #[serde(flatten)]
+    asked: Asked,
     files: Both<&'a Source>,
     #[serde(flatten)]
     result: &'a R,
@@ -45,9 +63,10 @@ struct Both<T> {
 }
 
 impl<'a, R> OfFiles<'a, R> {
-    pub(crate) fn new(result: &'a R, a: &'a Input, b: &'a Input) -> Self {
+    pub(crate) fn new(asked: Asked, result: &'a R, a: &'a Input, b: &'a Input) -> Self {
         Self {
             head: Head::new(),
+            asked,
             files: Both { a: &a.source, b: &b.source },
             result,
             skipped: Both { a: &a.report.read.skipped, b: &b.report.read.skipped },
@@ -60,15 +79,49 @@ impl<'a, R> OfFiles<'a, R> {
 pub(crate) struct OfFile<'a, R> {
     #[serde(flatten)]
     head: Head,
+    command: &'static str,
     file: &'a Source,
     #[serde(flatten)]
     result: &'a R,
 }
 
 impl<'a, R> OfFile<'a, R> {
-    pub(crate) fn new(result: &'a R, source: &'a Source) -> Self {
-        Self { head: Head::new(), file: source, result }
+    pub(crate) fn new(command: &'static str, result: &'a R, source: &'a Source) -> Self {
+        Self { head: Head::new(), command, file: source, result }
     }
+}
+
+/// The reason for which there is no result.
+#[derive(Debug, Serialize)]
+pub(crate) struct Reason<'a> {
+    pub(crate) code: &'a str,
+    pub(crate) message: &'a str,
+}
+
+/// What is printed in place of a result.
+#[derive(Serialize)]
+struct NoResult<'a> {
+    #[serde(flatten)]
+    head: Head,
+    verdict: Verdict,
+    error: Reason<'a>,
+}
+
+/// Prints an error as JSON if the arguments ask for JSON, and returns its exit status.
+pub(crate) fn print_error(code: &str, message: &str) -> u8 {
+    if asks_for_json() {
+        let error = Reason { code, message };
+        // It stands on standard error, too: nothing more can be done if this output fails.
+        let _ = print_json(&NoResult { head: Head::new(), verdict: Verdict::Error, error });
+    }
+    Verdict::Error.status()
+}
+
+/// Returns whether the arguments ask for JSON, also where they cannot be parsed.
+fn asks_for_json() -> bool {
+    let words: Vec<OsString> = std::env::args_os().collect();
+    let of_format = words.windows(2).any(|pair| pair[0] == "--format" && pair[1] == "json");
+    of_format || words.iter().any(|word| word == "--json" || word == "--format=json")
 }
 
 /// Writes one JSON object on one line.

@@ -4,8 +4,8 @@ use nurbs_hausdorff::result::{CertifiedDetails, HierarchyDetails, IterationDetai
 use nurbs_hausdorff::{Details, DistanceResult, SurfacePoint};
 use std::fmt::{Result, Write};
 
-/// Returns some lines, the distance first. Distances, bounds and points are
-/// printed to full precision, so that rounding cannot make an interval untrue.
+/// Returns the lines below the first. Bounds and points are printed to full precision, so that rounding
+/// cannot make an interval untrue.
 pub(crate) fn text(result: &DistanceResult) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
@@ -14,7 +14,6 @@ pub(crate) fn text(result: &DistanceResult) -> String {
 }
 
 fn lines(out: &mut String, result: &DistanceResult) -> Result {
-    writeln!(out, "distance   {:?}", result.computed)?;
     interval(out, result)?;
     if result.gap > 0.0 {
         let origin = if result.gap_proven { "by what the files state" } else { "measured, not proven" };
@@ -33,7 +32,7 @@ fn lines(out: &mut String, result: &DistanceResult) -> Result {
         }
     }
     match &result.details {
-        Details::Certified(details) => certified(out, details, result.with_gaps.within)?,
+        Details::Certified(details) => certified(out, details)?,
         Details::Iteration(details) => iteration(out, details)?,
         Details::Hierarchy(details) => hierarchy(out, details)?,
         _ => {}
@@ -43,9 +42,6 @@ fn lines(out: &mut String, result: &DistanceResult) -> Result {
     writeln!(out, "patches    {} of A, {} of B", result.patches.a, result.patches.b)?;
     machine(out, result)
 }
-
-/// The end of a line with a verdict that does not hold for every reading of the files.
-pub(crate) const GAPS_DECIDE: &str = ", but the gaps of the files could change that";
 
 fn interval(out: &mut String, result: &DistanceResult) -> Result {
     write!(out, "interval   [{:?}, {:?}]", result.lower, result.upper)?;
@@ -69,7 +65,7 @@ fn point(out: &mut String, name: &str, point: &SurfacePoint) -> Result {
     writeln!(out, "{name}       face {face}{face_name} at ({u:?}, {v:?}): {x:?} {y:?} {z:?}")
 }
 
-fn certified(out: &mut String, details: &CertifiedDetails, with_gaps: Option<bool>) -> Result {
+fn certified(out: &mut String, details: &CertifiedDetails) -> Result {
     let stop = match details.stop {
         Stop::Converged => "done",
         Stop::Cells => "ended by the budget of cells",
@@ -86,10 +82,7 @@ fn certified(out: &mut String, details: &CertifiedDetails, with_gaps: Option<boo
             details.min_tolerance
         )?;
     }
-    let Some(within) = details.within else { return Ok(()) };
-    let side = if within { "within" } else { "beyond" };
-    let doubt = if with_gaps == Some(within) { "" } else { GAPS_DECIDE };
-    writeln!(out, "limit      the distance is {side} it{doubt}")
+    Ok(())
 }
 
 fn iteration(out: &mut String, details: &IterationDetails) -> Result {

@@ -5,7 +5,7 @@ mod tree;
 
 use crate::arguments::{Pair, Reporting};
 use crate::failure::Failure;
-use crate::input::{File, Input};
+use crate::input::{File, Input, STANDARD_STREAM};
 use crate::output::{json::print_json, print};
 use crate::reports::{Answer, Format, Outcome, Row, Rows, Verdict, figures, print_report};
 use earlier::Earlier;
@@ -71,6 +71,8 @@ pub(crate) fn run<C: Comparison>(pair: &Pair, reporting: &Reporting, comparison:
             return Ok(answer.verdict.status());
         }
         _ => {
+            present(a)?;
+            present(b)?;
             let found = format!("{} and {} are a directory and a file", a.display(), b.display());
             return Err(Error::OptionInvalid { found }.into());
         }
@@ -78,6 +80,18 @@ pub(crate) fn run<C: Comparison>(pair: &Pair, reporting: &Reporting, comparison:
     let names = [a, b].map(|path| path.display().to_string());
     let fields = [("Part", reporting.part.clone()), ("Operator", reporting.operator.clone())];
     print_report(&Rows::new(C::NAME, names, rows, fields), format)
+}
+
+/// Fails if there is neither a file nor a directory.
+fn present(path: &Path) -> Result<(), Error> {
+    let unreadable = |error: std::io::Error| Error::FileUnreadable {
+        path: path.display().to_string(),
+        found: error.to_string(),
+    };
+    match path.as_os_str() == STANDARD_STREAM {
+        true => Ok(()),
+        false => path.metadata().map(drop).map_err(unreadable),
+    }
 }
 
 struct Comparer<'a, C> {
@@ -93,7 +107,9 @@ impl<C: Comparison> Comparer<'_, C> {
         let outcome = match (a, b) {
             (Some(a), Some(b)) => match self.answer(a, b) {
                 Ok(answer) => Outcome::Answered(Box::new(answer)),
-                Err(failure) => Outcome::Failed { code: failure.code(), message: failure.to_string() },
+                Err(failure) => {
+                    Outcome::Failed { code: failure.code().to_owned(), message: failure.to_string() }
+                }
             },
             (None, _) => Outcome::Added,
             (_, None) => Outcome::Removed,

@@ -9,9 +9,9 @@ use walkdir::WalkDir;
 
 /// The endings of the files compared where no pattern is given, in small letters; each may be followed
 /// by `.gz`.
-const ENDINGS: [&str; 21] = [
+const ENDINGS: [&str; 22] = [
     "brep", "brp", "csv", "e57", "fcstd", "glb", "gltf", "iges", "igs", "json", "las", "laz", "obj", "ply",
-    "pts", "step", "stl", "stp", "txt", "xyz", "3mf",
+    "pts", "step", "stl", "stp", "txt", "xyz", "3dm", "3mf",
 ];
 
 /// A relative path, with `/` between its parts, and the files that it names in A and B.

@@ -1,5 +1,6 @@
 //! The answer to one pair, in words and as JSON.
 
+use nurbs_hausdorff::FaceState;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 
@@ -13,16 +14,38 @@ pub(crate) enum Verdict {
     Failed,
     /// Neither is certain.
     Undecided,
+    /// There is no answer: bad input, bad arguments or a failed machine.
+    Error,
 }
 
 impl Verdict {
+    /// Returns the verdict on what is certainly within a limit, certainly not, or neither.
+    pub(crate) fn of(within: Option<bool>) -> Self {
+        match within {
+            Some(true) => Self::Passed,
+            Some(false) => Self::Failed,
+            None => Self::Undecided,
+        }
+    }
+
     /// The exit status.
     pub(crate) fn status(self) -> u8 {
         match self {
             Self::Passed => 0,
             Self::Failed => 1,
+            Self::Error => 2,
             Self::Undecided => 3,
         }
+    }
+}
+
+impl From<FaceState> for Verdict {
+    fn from(state: FaceState) -> Self {
+        Self::of(match state {
+            FaceState::Unchanged => Some(true),
+            FaceState::Changed => Some(false),
+            _ => None,
+        })
     }
 }
 
@@ -35,7 +58,7 @@ pub(crate) struct Answer {
     pub(crate) limit: Option<f64>,
     /// The verdict in the command's word, such as `unchanged`.
     pub(crate) word: String,
-    /// The answer in one line.
+    /// The answer in one line, without the verdict.
     pub(crate) summary: String,
     /// A line for each place that matters, such as a face that changed.
     pub(crate) findings: Vec<String>,

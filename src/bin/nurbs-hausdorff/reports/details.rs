@@ -52,6 +52,7 @@ fn badge(answer: &Answer) -> &'static str {
         (_, Verdict::Passed) => "PASS",
         (_, Verdict::Failed) => "FAIL",
         (_, Verdict::Undecided) => "UNDECIDED",
+        (_, Verdict::Error) => "ERROR",
     }
 }
 

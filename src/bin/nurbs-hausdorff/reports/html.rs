@@ -6,8 +6,8 @@ use chrono::Utc;
 use quick_xml::escape::escape;
 use std::fmt::Write;
 
-/// The style, which the report of the npm package has as well.
-const STYLE: &str = include_str!("../../../js/cli/reports/report.css");
+/// The style of the page.
+const STYLE: &str = include_str!("report.css");
 
 /// The page up to its style.
 const HEAD: &str = r#"<!doctype html>

@@ -52,5 +52,5 @@ pub(crate) fn print_report(rows: &Rows, format: Format) -> Result<u8, Failure> {
         Format::Markdown => print(&markdown::report(rows))?,
         Format::Html => print(&html::report(rows))?,
     }
-    Ok(rows.status())
+    Ok(rows.verdict.status())
 }

@@ -1,7 +1,7 @@
 //! The rows of a report, a pair of files each.
 
 use super::{Answer, Verdict};
-use crate::output::json::Head;
+use crate::output::json::{Head, Reason};
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
 
@@ -12,6 +12,8 @@ pub(crate) struct Rows {
     head: Head,
     /// The command that compared them.
     pub(crate) command: &'static str,
+    /// That of all pairs.
+    pub(crate) verdict: Verdict,
     /// What was compared, as given.
     pub(crate) a: String,
     /// What it was compared with, as given.
@@ -37,7 +39,7 @@ pub(crate) enum Outcome {
     /// It was answered.
     Answered(Box<Answer>),
     /// It failed.
-    Failed { code: &'static str, message: String },
+    Failed { code: String, message: String },
     /// The file is in B alone.
     Added,
     /// The file is in A alone.
@@ -46,17 +48,12 @@ pub(crate) enum Outcome {
 
 impl Serialize for Row {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Error<'a> {
-            code: &'static str,
-            message: &'a str,
-        }
         let mut row = serializer.serialize_struct("Row", 3)?;
         row.serialize_field("path", &self.path)?;
         row.serialize_field("state", self.word())?;
         match &self.outcome {
             Outcome::Answered(answer) => row.serialize_field("result", &answer.json)?,
-            Outcome::Failed { code, message } => row.serialize_field("error", &Error { code, message })?,
+            Outcome::Failed { code, message } => row.serialize_field("error", &Reason { code, message })?,
             Outcome::Added | Outcome::Removed => {}
         }
         row.end()
@@ -92,13 +89,18 @@ impl Row {
         }
     }
 
+    /// The verdict on this pair alone.
+    pub(crate) fn verdict(&self) -> Verdict {
+        match &self.outcome {
+            Outcome::Answered(answer) => answer.verdict,
+            Outcome::Failed { .. } => Verdict::Error,
+            Outcome::Added | Outcome::Removed => Verdict::Failed,
+        }
+    }
+
     /// The exit status of this pair alone.
     pub(crate) fn status(&self) -> u8 {
-        match &self.outcome {
-            Outcome::Answered(answer) => answer.verdict.status(),
-            Outcome::Failed { .. } => crate::FAILED,
-            Outcome::Added | Outcome::Removed => Verdict::Failed.status(),
-        }
+        self.verdict().status()
     }
 }
 
@@ -110,17 +112,8 @@ impl Rows {
         fields: [(&'static str, Option<String>); 2],
     ) -> Self {
         let fields = fields.into_iter().filter_map(|(term, text)| Some((term, text?))).collect();
-        Self { head: Head::new(), command, a, b, rows, fields }
-    }
-
-    /// The exit status: of a pair that failed, else of one that is beyond the limit, was added or
-    /// removed, else of one that is undecided.
-    pub(crate) fn status(&self) -> u8 {
-        let has = |status: u8| self.rows.iter().any(|row| row.status() == status);
-        [crate::FAILED, Verdict::Failed.status(), Verdict::Undecided.status()]
-            .into_iter()
-            .find(|&status| has(status))
-            .unwrap_or(Verdict::Passed.status())
+        let verdict = of_all(&rows);
+        Self { head: Head::new(), command, verdict, a, b, rows, fields }
     }
 
     /// The words of all rows with their numbers, in the order of their first row: `3 unchanged, 1 added`.
@@ -135,4 +128,11 @@ impl Rows {
         let counts: Vec<String> = counts.iter().map(|(word, count)| format!("{count} {word}")).collect();
         counts.join(", ")
     }
+}
+
+/// Returns the verdict on a pair that has no answer, else on one that is beyond the limit, was added or
+/// removed, else on one that is undecided.
+fn of_all(rows: &[Row]) -> Verdict {
+    let has = |verdict: &Verdict| rows.iter().any(|row| row.verdict() == *verdict);
+    [Verdict::Error, Verdict::Failed, Verdict::Undecided].into_iter().find(has).unwrap_or(Verdict::Passed)
 }
