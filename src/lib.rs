@@ -158,8 +158,8 @@ pub use engine::{
     ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation, Details, DeviationField, DiffOptions,
     DiffResult, DistanceOptions, DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState,
     FieldOptions, FreeEdge, GapOptions, GapsResult, HierarchyOptions, IterationOptions, Measure, Method,
-    MethodName, ModelInfo, NamedOptions, Overlap, Percentile, PreparedModel, Shell, Signs, Solid, Statistics,
-    StatisticsOptions, Witness,
+    MethodName, ModelInfo, NamedOptions, Overlap, OverlapUnknown, Percentile, PreparedModel, Shell, Signs,
+    Solid, Statistics, StatisticsOptions, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

@@ -22,6 +22,7 @@ mod statistics;
 
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
+    OverlapUnknown,
 };
 pub use closest_points::{ClosestPointOptions, ClosestPoints};
 pub use computation::Computation;

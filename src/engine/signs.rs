@@ -1,12 +1,12 @@
 //! The signs of deviations.
 
 use super::PreparedModel;
-use super::prepared::PreparedTarget;
+use super::prepared::{PreparedTarget, Shells};
 use crate::bezier::Jet;
 use crate::closest::Target;
 use crate::facets::{FacetTarget, Nearest};
 use crate::flatness::Flatness;
-use crate::solid::{Boundary, Side, pseudonormal};
+use crate::solid::{Enclosing, Side, pseudonormal};
 use glam::DVec3;
 use serde::Serialize;
 use std::sync::Arc;
@@ -42,14 +42,14 @@ pub enum Signs {
 /// The model from which deviations are measured, with its patches; none of a cloud, nor of a mesh
 /// that is not closed or too large to be joined.
 pub(super) struct SignSource<'a> {
-    source: Option<(&'a Boundary, Arc<PreparedTarget>)>,
+    source: Option<(Shells<'a>, Arc<PreparedTarget>)>,
     tolerance: f64,
 }
 
 /// The same, to be shared by threads.
 #[derive(Clone, Copy)]
 pub(super) struct SignRule<'a> {
-    source: Option<(&'a Boundary, &'a Target)>,
+    source: Option<(Shells<'a>, &'a Target)>,
     /// Distances up to it have the sign 0.
     tolerance: f64,
 }
@@ -72,7 +72,7 @@ impl SignFoot<'_> {
     }
 }
 
-/// The side of the last point, near which the next one may lie.
+/// The shells about the last point, near which the next one may lie.
 #[derive(Default)]
 pub(super) struct Known(Option<Ball>);
 
@@ -80,19 +80,19 @@ pub(super) struct Known(Option<Ball>);
 struct Ball {
     center: DVec3,
     radius: f64,
-    side: Side,
+    enclosing: Enclosing,
 }
 
 impl<'a> SignSource<'a> {
     /// Joins the model's edges at first use. Distances up to `tolerance` have the sign 0.
     pub(super) fn new(model: &'a PreparedModel, tolerance: f64) -> Self {
         let is_needed = model.facets().is_none_or(|mesh| mesh.may_close() && model.boundary().is_closed());
-        let source = is_needed.then(|| (model.boundary(), model.target(Flatness::None)));
+        let source = is_needed.then(|| (model.shells(), model.target(Flatness::None)));
         Self { source, tolerance }
     }
 
     pub(super) fn rule(&self) -> SignRule<'_> {
-        let source = self.source.as_ref().map(|(boundary, target)| (*boundary, &target.target));
+        let source = self.source.as_ref().map(|(shells, target)| (*shells, &target.target));
         SignRule { source, tolerance: self.tolerance }
     }
 }
@@ -100,11 +100,12 @@ impl<'a> SignSource<'a> {
 impl SignRule<'_> {
     /// Returns what the signs stand for.
     pub(super) fn signs(&self) -> Signs {
-        if self.source.is_some_and(|(boundary, _)| boundary.is_closed()) {
-            Signs::Solid
-        } else {
-            Signs::Faces
-        }
+        if self.solid().is_some() { Signs::Solid } else { Signs::Faces }
+    }
+
+    /// Returns the shells of the model with its patches, if it is closed.
+    fn solid(&self) -> Option<(Shells<'_>, &Target)> {
+        self.source.filter(|(shells, _)| shells.boundary.is_closed())
     }
 
     /// Returns the distance of a point with its sign, as [`Signs`] states. `clear` is a lower bound
@@ -114,14 +115,13 @@ impl SignRule<'_> {
         if distance <= self.tolerance {
             return 0.0;
         }
-        let Some((boundary, target)) = self.source.filter(|(boundary, _)| boundary.is_closed()) else {
-            return self.along_normal(point, foot);
-        };
+        let Some((shells, target)) = self.solid() else { return self.along_normal(point, foot) };
+        let boundary = shells.boundary;
         // No ray from the boundary itself decides, whichever way it goes.
         if distance <= boundary.margin_at(point) {
             return 0.0;
         }
-        let side = side(boundary, target, point, boundary.clear_radius(clear), known);
+        let side = side(&shells, target, point, boundary.clear_radius(clear), known);
         with_sign(side, distance, boundary.reach())
     }
 
@@ -132,8 +132,10 @@ impl SignRule<'_> {
         let normal = match *foot {
             SignFoot::Patch(foot) => {
                 let is_along = |normal: &DVec3| offset.cross(*normal).length() <= MAX_SINE * distance;
-                let of_all =
-                    || self.source.and_then(|(all, target)| pseudonormal(target, foot.point, all.reach()));
+                let of_all = || {
+                    let (shells, target) = self.source?;
+                    pseudonormal(target, foot.point, shells.boundary.reach())
+                };
                 foot.normal().filter(is_along).or_else(of_all)
             }
             SignFoot::Facet(facets, place, nearest) => facets.normal(place, nearest),
@@ -156,19 +158,20 @@ fn with_sign(side: Side, distance: f64, reach: f64) -> f64 {
 
 /// Returns the side of a point about which a ball of this radius has no points of the model.
 ///
-/// The side does not change within a set without points of the boundary, so that balls that overlap
-/// have one.
-fn side(boundary: &Boundary, target: &Target, point: DVec3, radius: f64, known: &mut Known) -> Side {
-    let side = match &known.0 {
+/// The shells about a point do not change within a set without points of the boundary, so that balls
+/// that overlap have the same.
+fn side(shells: &Shells<'_>, target: &Target, point: DVec3, radius: f64, known: &mut Known) -> Side {
+    let boundary = shells.boundary;
+    let enclosing = match &known.0 {
         Some(ball) if radius > 0.0 && ball.center.distance(point) < BALL * (ball.radius + radius) => {
-            ball.side
+            Some(ball.enclosing.clone())
         }
-        Some(ball) => boundary.side_beside(target, point, (ball.center, ball.side)),
-        None => boundary.side(target, point, 0.0),
+        Some(ball) => boundary.enclosing_beside(target, point, (ball.center, &ball.enclosing)),
+        None => boundary.enclosing(target, point, 0.0),
     };
-    if side != Side::Undecided {
-        known.0 = Some(Ball { center: point, radius: if radius > 0.0 { radius } else { 0.0 }, side });
-    }
+    let Some(enclosing) = enclosing else { return Side::Undecided };
+    let side = shells.side(&enclosing);
+    known.0 = Some(Ball { center: point, radius: if radius > 0.0 { radius } else { 0.0 }, enclosing });
     side
 }
 

@@ -94,10 +94,12 @@ impl PreparedModel {
 
     /// Returns the side of a point, for a model that [`Self::solid`] states to be closed.
     ///
-    /// Guarantee: [`Side::Inside`] and [`Side::Outside`] are never wrong for the solid that the
-    /// faces bound, whichever way they are oriented: a point from which every ray crosses the
-    /// faces an odd number of times is inside. [`Side::Undecided`] for points on the boundary or
-    /// within its gaps, for coordinates that are not finite, and for models that are not closed.
+    /// Guarantee: [`Side::Inside`] and [`Side::Outside`] are never wrong for the solids that the
+    /// shells bound, whichever way they are oriented. A point is inside a shell if every ray crosses
+    /// its faces an odd number of times; of shells that are apart every second space is inside, as
+    /// voids are, and shells that meet are bodies that overlap, or copies, whose common part is inside.
+    /// [`Side::Undecided`] for points on the boundary or within its gaps, for coordinates that are not
+    /// finite, where shells about the point are of both kinds, and for models that are not closed.
     #[must_use]
     pub fn side(&self, point: [f64; 3]) -> Side {
         self.side_within(DVec3::from_array(point), 0.0)
@@ -108,7 +110,8 @@ impl PreparedModel {
         if !point.is_finite() || !self.boundary().is_closed() {
             return Side::Undecided;
         }
-        self.boundary().side(&self.target(Flatness::None).target, point, error)
+        let enclosing = self.boundary().enclosing(&self.target(Flatness::None).target, point, error);
+        enclosing.map_or(Side::Undecided, |enclosing| self.shells().side(&enclosing))
     }
 
     /// Returns points of the model, one at least of each connected part of its faces.

@@ -96,12 +96,12 @@ impl PreparedFacets {
         !self.target.is_cloud() && self.target.len() <= MAX_JOINED_TRIANGLES
     }
 
-    /// Returns the corners of the triangles in the order of their patches; none if they are too many
-    /// to be joined.
-    pub(crate) fn joined_triangles(&self) -> impl Iterator<Item = [DVec3; 3]> + '_ {
-        let count = if self.may_close() { self.target.len() as u32 } else { 0 };
-        (0..count).filter_map(|place| match self.target.facet(place) {
-            Facet::Triangle(corners) => Some(corners),
+    /// Returns the corners of the triangles in the order of their file, with the places of their
+    /// patches; none if they are too many to be joined.
+    pub(crate) fn joined_triangles(&self) -> impl Iterator<Item = (usize, [DVec3; 3])> + '_ {
+        let places = if self.may_close() { self.target.places() } else { Vec::new() };
+        places.into_iter().filter_map(|place| match self.target.facet(place) {
+            Facet::Triangle(corners) => Some((place as usize, corners)),
             Facet::Point(_) => None,
         })
     }

@@ -16,6 +16,7 @@ export type {
   GapOptions,
   GapsResult,
   Overlap,
+  OverlapUnknown,
 } from "./measure/clearance.js";
 export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./measure/diff.js";

@@ -2,10 +2,11 @@
 
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
-/// The number of parts at whose ends the search for a closest point starts.
-const STARTS: usize = 8;
+/// The number of parts, for each degree, whose ends are compared before the search for a closest point:
+/// a curve turns at most about as often as its degree.
+const PARTS_PER_DEGREE: usize = 4;
 
-/// The largest number of steps of the search for a closest point.
+/// The largest number of steps of the search for a closest point from one start.
 const MAX_STEPS: usize = 16;
 
 /// A rational Bézier curve: `center + (x, y, z) / w` with the Bernstein sum of the controls.
@@ -45,19 +46,27 @@ impl Curve {
     }
 
     /// Returns the parameter of a point near `target`, and their distance: an estimate of the
-    /// closest one.
+    /// closest one. Of a closed curve, points before its end are as good as those after its start.
     pub(super) fn closest(&self, target: DVec3) -> (f64, f64) {
-        let at = |k: usize| k as f64 / STARTS as f64;
-        let distance = |t: f64| self.point(t).distance(target);
-        let nearest = (0..=STARTS).map(|k| (at(k), distance(at(k))));
-        let (mut t, mut best) =
-            nearest.fold((0.0, f64::INFINITY), |least, next| if next.1 < least.1 { next } else { least });
-        let mut step = 0.5 / STARTS as f64;
+        let parts = PARTS_PER_DEGREE * (self.controls.len() - 1).max(1);
+        let at = |k: usize| k as f64 / parts as f64;
+        let distances: Vec<f64> = (0..=parts).map(|k| self.point(at(k)).distance(target)).collect();
+        let is_least = |&k: &usize| {
+            let is_less = |other: Option<&f64>| other.is_some_and(|&other| other < distances[k]);
+            !is_less(distances.get(k + 1)) && !is_less(k.checked_sub(1).map(|before| &distances[before]))
+        };
+        let starts = (0..=parts).filter(is_least);
+        let found = starts.map(|k| self.descended((at(k), distances[k]), target, 0.5 / parts as f64));
+        found.fold((0.0, f64::INFINITY), |least, next| if next.1 < least.1 { next } else { least })
+    }
+
+    /// Returns a parameter at which the distance from `target` is less, from one with its distance.
+    fn descended(&self, (mut t, mut best): (f64, f64), target: DVec3, mut step: f64) -> (f64, f64) {
         for _ in 0..MAX_STEPS {
             let next = self.step(t, target);
             let newton = if next.is_nan() { t } else { next };
             let tries = [newton, t + step, t - step].map(|t| t.clamp(0.0, 1.0));
-            let next = tries.map(|t| (t, distance(t)));
+            let next = tries.map(|t| (t, self.point(t).distance(target)));
             let next =
                 next.into_iter().fold((t, best), |least, next| if next.1 < least.1 { next } else { least });
             if next.0 == t {
@@ -106,4 +115,33 @@ pub(super) fn split(controls: &[DVec4], t: f64) -> [Vec<DVec4>; 2] {
         *end = high[0];
     }
     [low, high]
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    /// A closed curve, y = 0 at both ends, where it is smooth or has a corner; points of it just before
+    /// its end are nearest to its end and to its start among the points compared at first.
+    #[test]
+    fn points_on_both_sides_of_the_seam_of_a_closed_curve_are_found() {
+        let points = [[0.0, 0.0], [3.0, 1.0], [1.0, 5.0], [-4.0, 4.0], [-3.0, -1.0], [0.0, 0.0]];
+        let controls = points.map(|[x, y]| DVec3::new(x, y, 0.0).extend(1.0)).to_vec();
+        let curve = Curve { center: DVec3::ZERO, controls };
+        for t in [1e-4, 3e-3, 0.02, 0.1, 0.37, 0.5, 0.77, 0.9, 0.98, 1.0 - 3e-3, 1.0 - 1e-4] {
+            let (found, distance) = curve.closest(curve.point(t));
+            assert!((found - t).abs() < 1e-9 && distance < 1e-9, "{found} for {t}: {distance:e}");
+        }
+    }
+
+    /// The wave of a curve of degree 14: each of its points is found.
+    #[test]
+    fn points_of_a_curve_of_high_degree_are_found() {
+        let control = |k: usize| DVec4::new(0.1 * k as f64, [3.0, -3.0][k % 2], [2.0, -1.0, 1.0][k % 3], 1.0);
+        let curve = Curve { center: DVec3::ZERO, controls: (0..=14).map(control).collect() };
+        for index in 0..=1000 {
+            let (_, distance) = curve.closest(curve.point(f64::from(index) / 1000.0));
+            assert!(distance < 1e-9, "{index}: {distance:e}");
+        }
+    }
 }

@@ -31,16 +31,21 @@ impl Edges {
         Self { surfaces: model.grids.len(), equal: Vec::new(), single: edges(model) }
     }
 
-    /// Returns the edges of triangles, each a surface. Edges between the same two corners are equal,
-    /// and those without length, which are points, are left out. O(n).
-    pub(crate) fn of_triangles(triangles: impl Iterator<Item = [DVec3; 3]>) -> Self {
+    /// Returns the edges of triangles, each a surface, in the order of their file, with the number of
+    /// the surface. Edges between the same two corners are equal, and those without length, which are
+    /// points, are left out. O(n).
+    ///
+    /// Of more than two equal edges those of triangles that follow each other are paired, and copies of
+    /// triangles after all others: so bodies that follow each other in a file, or a mesh that stands in
+    /// it twice, are shells of their own. No sum of faces depends on the pairs.
+    pub(crate) fn of_triangles(triangles: impl Iterator<Item = (usize, [DVec3; 3])>) -> Self {
         let mut edges = Self::default();
         // By the bits of both ends.
-        let mut open: HashMap<[[u64; 3]; 2], (usize, [DVec3; 2])> = HashMap::new();
-        for (triangle, [a, b, c]) in triangles.enumerate() {
+        let mut open: HashMap<[Bits; 2], (usize, [DVec3; 2])> = HashMap::new();
+        for (triangle, [a, b, c]) in copies_last(triangles) {
             edges.surfaces += 1;
             for (side, ends) in [[a, b], [b, c], [c, a]].into_iter().enumerate() {
-                let [first, second] = ends.map(|end| end.to_array().map(f64::to_bits));
+                let [first, second] = ends.map(bits);
                 if first == second {
                     continue;
                 }
@@ -61,6 +66,29 @@ impl Edges {
         edges.single = single.into_iter().map(edge).collect();
         edges
     }
+}
+
+/// The bits of the coordinates of a corner.
+type Bits = [u64; 3];
+
+fn bits(point: DVec3) -> Bits {
+    point.to_array().map(f64::to_bits)
+}
+
+/// Returns the triangles in their order, but the second one of each three corners after all first
+/// ones, and so on.
+fn copies_last(triangles: impl Iterator<Item = (usize, [DVec3; 3])>) -> Vec<(usize, [DVec3; 3])> {
+    let mut counts: HashMap<[Bits; 3], u32> = HashMap::new();
+    let numbered = triangles.map(|triangle| {
+        let mut corners = triangle.1.map(bits);
+        corners.sort_unstable();
+        let count = counts.entry(corners).or_default();
+        *count += 1;
+        (*count, triangle)
+    });
+    let mut numbered: Vec<_> = numbered.collect();
+    sort_by_number(&mut numbered, |&(copy, _)| f64::from(copy));
+    numbered.into_iter().map(|(_, triangle)| triangle).collect()
 }
 
 /// Returns the edges of the patches that have no neighbour there in their surface.
@@ -127,7 +155,7 @@ mod tests {
     fn edges_of_one_triangle_are_single() {
         let [a, b, c, d] = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
         let counts = |triangles: &[[DVec3; 3]]| {
-            let edges = Edges::of_triangles(triangles.iter().copied());
+            let edges = Edges::of_triangles(triangles.iter().copied().enumerate());
             assert_eq!(edges.surfaces, triangles.len());
             [edges.equal.len(), edges.single.len()]
         };
@@ -135,8 +163,27 @@ mod tests {
         assert_eq!(counts(&faces), [6, 0]);
         assert_eq!(counts(&faces[..3]), [3, 3]);
         assert_eq!(counts(&[[a, b, b]]), [1, 0]);
-        let single = Edges::of_triangles(faces[..1].iter().copied()).single;
+        let single = Edges::of_triangles(faces[..1].iter().copied().enumerate()).single;
         let ends: Vec<[DVec3; 2]> = single.iter().map(|edge| edge.curve.ends()).collect();
         assert_eq!(ends, [[a, b], [b, c], [c, a]]);
+    }
+
+    /// A tetrahedron that stands twice in its file, one after the other or each triangle twice, is two
+    /// shells whose triangles are not paired with each other.
+    #[test]
+    fn copies_of_triangles_are_shells_of_their_own() {
+        let [a, b, c, d] = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+        let faces = [[a, b, c], [a, b, d], [a, c, d], [b, c, d]];
+        let turned = |[a, b, c]: [DVec3; 3]| [b, c, a];
+        let one_after_the_other: Vec<_> = faces.into_iter().chain(faces.map(turned)).collect();
+        let each_twice: Vec<_> = faces.into_iter().flat_map(|face| [face, turned(face)]).collect();
+        for (triangles, is_of_first) in [
+            (one_after_the_other, (|place| place < 4) as fn(u32) -> bool),
+            (each_twice, |place| place % 2 == 0),
+        ] {
+            let edges = Edges::of_triangles(triangles.into_iter().enumerate());
+            assert_eq!([edges.equal.len(), edges.single.len()], [12, 0]);
+            assert!(edges.equal.iter().all(|&[a, b]| is_of_first(a) == is_of_first(b)), "{:?}", edges.equal);
+        }
     }
 }

@@ -4,7 +4,7 @@ use super::clusters::Clusters;
 use super::curve::Curve;
 use super::edges::{Edge, Edges};
 use super::parity::MAX_DEPTH;
-use super::strips::{Covering, Strip};
+use super::strips::{Covering, Strip, StripLimits};
 use crate::bezier::PointError;
 use crate::bvh::{Aabb, Bvh};
 use crate::rounding::{VANISHING_LENGTH, gamma};
@@ -19,6 +19,10 @@ const RELATIVE_REACH: f64 = 1e-5;
 /// The radius of the tubes in which strips are kept, relative to the diagonal: thin enough for most
 /// rays, with few parts of each.
 const RELATIVE_RADIUS: f64 = 1e-4;
+
+/// The distance, relative to the diagonal, up to which partners are as near, so that places in the file
+/// decide: bodies that stand flush differ by rounding alone, faces beside each other in a body by more.
+const RELATIVE_TIE: f64 = 1e-9;
 
 /// The roundings of a coordinate along a ray, relative to the largest length of a control point
 /// (lemma S3 of docs/solids.md).
@@ -69,13 +73,15 @@ impl Boundary {
         let reach = gap.max(RELATIVE_REACH * control_box.diagonal()).max(f64::MIN_POSITIVE);
         let mut shells = Shells::new(edges.surfaces);
         edges.equal.iter().for_each(|&[a, b]| shells.0.join(a, b));
-        let mut joints = Joints::new(edges.single, reach);
+        let mut joints = Joints::new(edges.single, reach, RELATIVE_TIE * control_box.diagonal());
         let arcs = joints.arcs();
         let (mut covering, mut free) = (Covering::default(), Vec::new());
-        let radius = reach.max(RELATIVE_RADIUS * control_box.diagonal());
+        let (radius, width) =
+            (RELATIVE_RADIUS * control_box.diagonal(), RELATIVE_TIE * control_box.diagonal());
+        let limits = StripLimits { radius: reach.max(radius), width };
         for [a, b] in joints.pair(arcs, &mut free) {
             shells.0.join(a.surface as u32, b.surface as u32);
-            covering.add_pair([a.curve, b.curve], radius, 0);
+            covering.add_pair([a.curve, b.curve], limits, 0);
         }
         joints.corners().for_each(|points| covering.add_corner(points));
         let Covering { strips, thickness } = covering;
@@ -144,20 +150,22 @@ impl Shells {
 struct Joints {
     edges: Vec<Edge>,
     reach: f64,
+    /// The difference of distances that does not tell partners apart.
+    tie: f64,
     clusters: Clusters,
     /// The points of each group, by its number.
     members: BTreeMap<u32, Vec<DVec3>>,
 }
 
 impl Joints {
-    fn new(edges: Vec<Edge>, reach: f64) -> Self {
+    fn new(edges: Vec<Edge>, reach: f64, tie: f64) -> Self {
         let points: Vec<DVec3> = edges.iter().flat_map(|edge| edge.curve.ends()).collect();
         let mut clusters = Clusters::new(&points, reach);
         let mut members: BTreeMap<u32, Vec<DVec3>> = BTreeMap::new();
         for (index, &point) in points.iter().enumerate() {
             members.entry(clusters.of(index as u32)).or_default().push(point);
         }
-        Self { edges, reach, clusters, members }
+        Self { edges, reach, tie, clusters, members }
     }
 
     /// Returns the edges divided where an end of another edge lies on them, without those that are
@@ -241,12 +249,15 @@ impl Joints {
         pairs
     }
 
-    /// Returns the index of the arc nearest to the middle of this one, if it is near enough.
+    /// Returns the index of the arc nearest to the middle of this one, if it is near enough; of several
+    /// that are as near, that of the surface nearest in the file, as a body's faces follow each other.
     fn partner(&self, arc: &EdgePart, others: &[EdgePart]) -> Option<usize> {
         let middle = arc.curve.point(0.5);
-        let distances = others.iter().map(|other| other.curve.closest(middle).1).enumerate();
-        let (index, distance) = distances.min_by(|a, b| a.1.total_cmp(&b.1))?;
-        (distance <= self.reach).then_some(index)
+        let distances: Vec<f64> = others.iter().map(|other| other.curve.closest(middle).1).collect();
+        let nearest = distances.iter().copied().fold(f64::INFINITY, f64::min);
+        let farthest = self.reach.min(nearest + self.tie);
+        let near = (0..others.len()).filter(|&index| nearest <= self.reach && distances[index] <= farthest);
+        near.min_by_key(|&index| others[index].surface.abs_diff(arc.surface))
     }
 
     /// Returns the points of the groups.

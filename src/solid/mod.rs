@@ -1,13 +1,14 @@
 //! Solids: models whose faces close, and the side on which a point lies.
 //!
 //! [`Boundary`] joins the edges of the faces in pairs; where each has a partner, the faces and thin
-//! strips between partners are closed. [`side`](Boundary::side) then counts, modulo 2, how often a
-//! ray crosses the faces, along a ray that certainly avoids the strips. A sheet has no sides, but a
-//! [`pseudonormal`] at each point. docs/solids.md has the lemmas. Nothing here knows of files, processors or options.
+//! strips between partners are closed. [`enclosing`](Boundary::enclosing) then counts, modulo 2, how
+//! often a ray crosses the faces of each shell, along a ray that certainly avoids the strips;
+//! [`Enclosing`] has the side that follows. A sheet has no sides, but a [`pseudonormal`] at each point. docs/solids.md has the lemmas. Nothing here knows of files, processors or options.
 
 mod clusters;
 mod curve;
 mod edges;
+mod enclosing;
 mod joints;
 mod parity;
 mod pseudonormal;
@@ -16,6 +17,7 @@ mod side;
 mod strips;
 
 pub(crate) use edges::Edges;
+pub(crate) use enclosing::{Enclosing, Relation};
 pub(crate) use joints::Boundary;
 pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;

@@ -72,14 +72,14 @@ fn normal([_, q]: [usize; 2], controls: &[DVec4]) -> DVec3 {
     (at(last) - at(0)).cross(at(last - q) - at(q)).normalize_or_zero()
 }
 
-/// Returns the axis along which the corners are farther apart.
-fn longer_axis([_, q]: [usize; 2], controls: &[DVec4]) -> Axis {
-    let at = |index: usize| local(&controls[index]);
-    let last = controls.len() - 1;
-    let (start, end) = (at(0), at(last));
-    let (along_v, along_u) = (at(q), at(last - q));
-    let u = start.distance(along_u).max(end.distance(along_v));
-    let v = start.distance(along_v).max(end.distance(along_u));
+/// Returns the axis along which the longest polygon of control points is longer. Corners alone would not
+/// tell: those of a patch that closes in u coincide along u.
+fn longer_axis([p, q]: [usize; 2], controls: &[DVec4]) -> Axis {
+    let columns = q + 1;
+    let step = |from: usize, to: usize| local(&controls[from]).distance(local(&controls[to]));
+    let along_u = |j: usize| (0..p).map(|i| step(i * columns + j, (i + 1) * columns + j)).sum::<f64>();
+    let along_v = |i: usize| (0..q).map(|j| step(i * columns + j, i * columns + j + 1)).sum::<f64>();
+    let [u, v] = [(0..=q).map(along_u).fold(0.0, f64::max), (0..=p).map(along_v).fold(0.0, f64::max)];
     if u >= v { Axis::U } else { Axis::V }
 }
 
@@ -150,6 +150,27 @@ mod tests {
             "the ray meets an edge"
         );
         assert!(parity([0.3, 0.6, 2.5], [0.1, 0.0, 1.0]).is_err(), "the ray starts on the patch");
+    }
+
+    /// A thin tube about the z axis: one patch that closes in u, whose corners coincide along u. A ray
+    /// along its wall's tangent plane from near it, and one along the axis, need halves along u.
+    #[test]
+    fn a_patch_that_closes_is_halved_along_its_longer_axis() {
+        let ring = [[1.0, 0.0], [3.0, 2.0], [-1.0, 4.0], [-5.0, 0.0], [-1.0, -4.0], [3.0, -2.0], [1.0, 0.0]];
+        let point = |[x, y]: [f64; 2], z: f64| DVec4::new(x, y, z, 1.0);
+        let controls: Vec<DVec4> =
+            ring.into_iter().flat_map(|place| [point(place, 0.0), point(place, 0.5)]).collect();
+        assert_eq!(longer_axis([6, 1], &controls), Axis::U);
+        let patch = Patch::whole([6, 1], DVec3::ZERO, &controls);
+        for turn in 0..32 {
+            let (sin, cos) = (0.1 + 0.19 * f64::from(turn)).sin_cos();
+            let across = DVec3::new(cos, sin, 0.01);
+            let from = |x: f64| Ray::new(DVec3::new(x, 0.0, 0.25), across.normalize(), 1e-12);
+            // The tube has (0, 0) inside and (-9, 0) outside: a ray near z = 0.25 meets its wall an odd
+            // number of times from there, and an even one from here.
+            assert_eq!(patch_parity(&patch, &from(0.0)), Ok(true), "{turn}");
+            assert_eq!(patch_parity(&patch, &from(-9.0)), Ok(false), "{turn}");
+        }
     }
 
     /// Heights above a plane through the ray's ends count beyond twice the margin.

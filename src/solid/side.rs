@@ -1,8 +1,8 @@
-//! The side of a solid's boundary on which a point lies.
+//! The shells of a solid's boundary that enclose a point, and its side.
 
-use super::Boundary;
 use super::parity::{Obstacle, patch_parity};
 use super::ray::Ray;
+use super::{Boundary, Enclosing};
 use crate::closest::Target;
 use crate::rounding::gamma;
 use glam::DVec3;
@@ -25,42 +25,46 @@ pub enum Side {
     Inside,
     /// Outside the solid.
     Outside,
-    /// Not decided: on the boundary, in a crack between faces, or so near to an edge that no ray
-    /// avoids it for certain.
+    /// Not decided: on the boundary, in a crack between faces, so near to an edge that no ray avoids
+    /// it for certain, or within shells of which it is not known whether one is a void.
     Undecided,
 }
 
 impl Boundary {
-    /// Returns the side of a point, by the parity of the faces that a ray crosses.
+    /// Returns the shells that enclose a point, by the parity with which a ray crosses each; `None`
+    /// where that is not certain.
     ///
-    /// Guarantee (lemma S2 of docs/solids.md): inside and outside are never wrong for the set that
-    /// the faces and the strips between joined edges bound, by the even-odd rule. `target` has the
-    /// patches of the model that this is the boundary of. It holds for all points within `error` of
-    /// the one given. O(√patches) a ray in general position.
-    pub(crate) fn side(&self, target: &Target, point: DVec3, error: f64) -> Side {
+    /// Guarantee (lemma S2 of docs/solids.md): they are never wrong for the sets that the faces of each
+    /// shell and the strips between its joined edges bound. `target` has the patches of the model that
+    /// this is the boundary of. It holds for all points within `error` of the one given. O(√patches) a
+    /// ray in general position.
+    pub(crate) fn enclosing(&self, target: &Target, point: DVec3, error: f64) -> Option<Enclosing> {
         if !self.is_closed() || !point.is_finite() {
-            return Side::Undecided;
+            return None;
         }
         for direction in (0..MAX_RAYS).map(direction) {
-            match self.parity(target, &Ray::new(point, direction, self.margin_at(point) + error)) {
-                Ok(true) => return Side::Inside,
-                Ok(false) => return Side::Outside,
+            match self.crossed(target, &Ray::new(point, direction, self.margin_at(point) + error)) {
+                Ok(shells) => return Some(shells),
                 Err(Obstacle::OnTheWay) => {}
-                Err(Obstacle::AtTheEnd) => return Side::Undecided,
+                Err(Obstacle::AtTheEnd) => return None,
             }
         }
-        Side::Undecided
+        None
     }
 
-    /// Returns the side of a point as [`Boundary::side`] does, from that of another, which must be
-    /// known: by the faces that the segment between them crosses, or a ray where that may meet an
-    /// edge. Of a segment along a face only a few patches are near.
-    pub(crate) fn side_beside(&self, target: &Target, point: DVec3, (other, side): (DVec3, Side)) -> Side {
+    /// Returns the shells that enclose a point as [`Boundary::enclosing`] does, from those of another
+    /// one: by the faces that the segment between them crosses, or a ray where that may meet an edge.
+    /// Of a segment along a face only a few patches are near.
+    pub(crate) fn enclosing_beside(
+        &self,
+        target: &Target,
+        point: DVec3,
+        (other, shells): (DVec3, &Enclosing),
+    ) -> Option<Enclosing> {
         let margin = self.margin_at(point) + self.margin_at(other);
-        match (side, self.parity(target, &Ray::segment(point, other, margin))) {
-            (Side::Inside, Ok(false)) | (Side::Outside, Ok(true)) => Side::Inside,
-            (Side::Outside, Ok(false)) | (Side::Inside, Ok(true)) => Side::Outside,
-            _ => self.side(target, point, 0.0),
+        match self.crossed(target, &Ray::segment(point, other, margin)) {
+            Ok(crossed) => Some(shells.clone().across(&crossed)),
+            Err(_) => self.enclosing(target, point, 0.0),
         }
     }
 
@@ -69,18 +73,21 @@ impl Boundary {
         self.margin + gamma(COORDINATE_ROUNDINGS) * point.length()
     }
 
-    /// Returns whether the ray crosses the faces an odd number of times, if it certainly meets no strip
+    /// Returns the shells that the ray crosses an odd number of times, if it certainly meets no strip
     /// and no edge of a patch.
-    fn parity(&self, target: &Target, ray: &Ray) -> Result<bool, Obstacle> {
+    fn crossed(&self, target: &Target, ray: &Ray) -> Result<Enclosing, Obstacle> {
         let strips = ray.leaves(&self.strip_tree);
         if !strips.into_iter().all(|strip| self.strips[strip as usize].is_avoided(ray)) {
             return Err(Obstacle::OnTheWay);
         }
-        let mut parity = false;
+        let mut shells = Enclosing::default();
         for patch in ray.leaves(&target.tree) {
-            parity ^= patch_parity(&target.patches.patch(patch as usize), ray)?;
+            let patch = target.patches.patch(patch as usize);
+            if patch_parity(&patch, ray)? {
+                shells.cross(self.shells()[patch.surface]);
+            }
         }
-        Ok(parity)
+        Ok(shells)
     }
 }
 
@@ -103,7 +110,7 @@ mod tests {
     use crate::bezier::extract;
     use crate::model::{Model, SurfaceArrays};
     use crate::rounding::UNIT_ROUNDOFF;
-    use crate::solid::Edges;
+    use crate::solid::{Edges, Relation};
 
     /// The first faces of the cube [-1, 1]³.
     fn cube(faces: usize) -> (Target, Boundary) {
@@ -125,6 +132,12 @@ mod tests {
         (Target::new(bezier.patches), boundary)
     }
 
+    /// The side of a point of a model with one shell.
+    fn side(boundary: &Boundary, target: &Target, point: DVec3, error: f64) -> Side {
+        let shells = boundary.enclosing(target, point, error);
+        shells.map_or(Side::Undecided, |shells| shells.side(|_| Relation::Unknown))
+    }
+
     /// A point that is known up to an error has a side only if all points as near have it. Heights
     /// above a face count beyond twice the margin.
     #[test]
@@ -132,7 +145,7 @@ mod tests {
         let (target, boundary) = cube(6);
         for (x, side) in [(1.001, Side::Outside), (0.999, Side::Inside)] {
             for (error, expected) in [(0.0, side), (0.45e-3, side), (1.1e-3, Side::Undecided)] {
-                let found = boundary.side(&target, DVec3::new(x, 0.2, -0.3), error);
+                let found = side(&boundary, &target, DVec3::new(x, 0.2, -0.3), error);
                 assert_eq!(found, expected, "{x} within {error}");
             }
         }
@@ -142,9 +155,9 @@ mod tests {
     fn a_model_that_is_open_has_no_sides() {
         let (target, boundary) = cube(5);
         assert_eq!(boundary.free_edges().len(), 4);
-        assert_eq!(boundary.side(&target, DVec3::ZERO, 0.0), Side::Undecided);
+        assert_eq!(side(&boundary, &target, DVec3::ZERO, 0.0), Side::Undecided);
         let (target, boundary) = cube(6);
-        assert_eq!(boundary.side(&target, DVec3::ZERO, 0.0), Side::Inside);
+        assert_eq!(side(&boundary, &target, DVec3::ZERO, 0.0), Side::Inside);
     }
 
     /// The last term of m in lemma S3, that of the point's own length.

@@ -2,8 +2,9 @@
 
 use super::curve::Curve;
 use super::ray::Ray;
+use crate::bezier::binomials;
 use crate::bvh::Aabb;
-use crate::rounding::upper_max;
+use crate::rounding::{upper_max, upper_min};
 use glam::DVec3;
 
 /// The largest number of times that a strip is divided: its parts are then shorter than rounding.
@@ -14,7 +15,7 @@ const MAX_DEPTH: u32 = 40;
 pub(super) enum Strip {
     /// The hull of some points about a corner.
     Corner(Vec<DVec3>),
-    /// A strip between two partners, which run in one direction (lemma S1 of docs/solids.md).
+    /// The segments between the points of two partners at one parameter (lemma S1 of docs/solids.md).
     Pair([Curve; 2]),
 }
 
@@ -36,6 +37,15 @@ impl Strip {
     }
 }
 
+/// The sizes at which strips are divided no further.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StripLimits {
+    /// The radius of the tubes in which they are kept.
+    pub(super) radius: f64,
+    /// The width that is thin enough, whatever the distance of the edges.
+    pub(super) width: f64,
+}
+
 /// Strips that cover all, with an upper bound on the distance of their points from the faces.
 #[derive(Debug, Default)]
 pub(super) struct Covering {
@@ -51,24 +61,33 @@ impl Covering {
         self.strips.push(Strip::Corner(points));
     }
 
-    /// Adds the strip between two curves in parts, each in a tube of about this radius, if that
-    /// takes few.
-    pub(super) fn add_pair(&mut self, curves: [Curve; 2], radius: f64, depth: u32) {
-        let found = tube(&curves);
-        if found <= radius || depth == MAX_DIVISIONS {
-            // Lemma S1: a point of the strip is as near to the chord, which is as near to the curve.
-            self.thickness = upper_max(self.thickness, 2.0 * found);
+    /// Adds the strip between two curves in parts, each in a tube of about this radius and about as wide
+    /// as the curves are apart, if that takes few.
+    pub(super) fn add_pair(&mut self, curves: [Curve; 2], limits: StripLimits, depth: u32) {
+        let curves = aligned(curves);
+        let (radius, width) = (tube(&curves), width(&curves));
+        let apart = curves[0].point(0.5).distance(curves[1].point(0.5));
+        let is_narrow = width <= MAX_WIDTH_RATIO * apart + limits.width || depth >= MAX_WIDTH_DIVISIONS;
+        if (radius <= limits.radius && is_narrow) || depth == MAX_DIVISIONS {
+            // Lemma S1: a point of a segment is nearer than half its length to one of its ends.
+            self.thickness = upper_max(self.thickness, upper_min(2.0 * radius, 0.5 * width));
             self.strips.push(Strip::Pair(curves));
             return;
         }
         let [low, high] = halves(&curves);
-        self.add_pair(low, radius, depth + 1);
-        self.add_pair(high, radius, depth + 1);
+        self.add_pair(low, limits, depth + 1);
+        self.add_pair(high, limits, depth + 1);
     }
 }
 
 /// The largest number of times that a strip is divided before any ray meets it.
 const MAX_DIVISIONS: u32 = 8;
+
+/// The same for the width alone, of which each division leaves about an eighth.
+const MAX_WIDTH_DIVISIONS: u32 = 5;
+
+/// The width, relative to the distance of the middles, that is not worth a division.
+const MAX_WIDTH_RATIO: f64 = 2.0;
 
 /// Returns the largest distance of a control point of both curves from the chord of the first.
 fn tube(curves: &[Curve; 2]) -> f64 {
@@ -83,15 +102,46 @@ fn tube(curves: &[Curve; 2]) -> f64 {
     curves.iter().flat_map(Curve::points).map(distance).fold(0.0, upper_max)
 }
 
-/// Returns the two halves of a strip: the first curve is divided in its middle.
+/// Returns an upper bound on the distance of the points of both curves at one parameter.
+///
+/// Guarantee (lemma S1 of docs/solids.md): the difference of the points is a convex combination of the
+/// quotients of two sums of Bernstein polynomials of the sum of both degrees.
+fn width([a, b]: &[Curve; 2]) -> f64 {
+    let [of_a, of_b] = [a, b].map(|curve| curve.points().zip(&curve.controls).collect::<Vec<_>>());
+    let [in_a, in_b] = [&of_a, &of_b].map(|points| binomials(points.len() - 1));
+    let mut sums = vec![(DVec3::ZERO, 0.0); of_a.len() + of_b.len() - 1];
+    for (i, (one, weight)) in of_a.iter().enumerate() {
+        for (j, (other, other_weight)) in of_b.iter().enumerate() {
+            let share = in_a[i] * in_b[j] * weight.w * other_weight.w;
+            sums[i + j].0 += share * (*one - *other);
+            sums[i + j].1 += share;
+        }
+    }
+    sums.into_iter().map(|(difference, shares)| difference.length() / shares).fold(0.0, upper_max)
+}
+
+/// Returns the two curves with the second one in another parameter, in which its middle is near that of
+/// the first one: the weights of a curve times the powers of a positive number are those of the curve in
+/// a parameter that runs the same way.
+fn aligned([a, mut b]: [Curve; 2]) -> [Curve; 2] {
+    let middle = b.partner(a.point(0.5));
+    let ratio = middle / (1.0 - middle);
+    let mut power = 1.0;
+    for control in &mut b.controls {
+        *control *= power;
+        power *= ratio;
+    }
+    [a, b]
+}
+
+/// Returns the two halves of a strip.
 fn halves(curves: &[Curve; 2]) -> [[Curve; 2]; 2] {
-    let [a_low, a_high] = curves[0].split(0.5);
-    let [b_low, b_high] = curves[1].split(curves[1].partner(curves[0].point(0.5)));
+    let [[a_low, a_high], [b_low, b_high]] = [&curves[0], &curves[1]].map(|curve| curve.split(0.5));
     [[a_low, b_low], [a_high, b_high]]
 }
 
-/// Returns true only if the ray avoids a strip between two curves that lies in the hulls of
-/// corresponding parts; any correspondence will do, as long as it is monotone.
+/// Returns true only if the ray avoids the strip between two curves, which lies in the hulls of parts
+/// at the same parameters.
 fn avoids(curves: &[Curve; 2], ray: &Ray, depth: u32) -> bool {
     if ray.avoids(curves.iter().flat_map(Curve::points)) {
         return true;
@@ -102,15 +152,15 @@ fn avoids(curves: &[Curve; 2], ray: &Ray, depth: u32) -> bool {
     halves(curves).iter().all(|half| avoids(half, ray, depth + 1))
 }
 
-/// The range in which a curve is divided: no part is empty.
+/// The range of the partner of a middle: no part is empty.
 const INTERIOR: [f64; 2] = [0.05, 0.95];
 
 /// The number of steps toward the partner of a middle: any place is valid, and nearer ones make
-/// thinner strips.
-const PARTNER_STEPS: u32 = 2;
+/// narrower strips.
+const PARTNER_STEPS: u32 = 3;
 
 impl Curve {
-    /// Returns where to divide the curve for a point near its middle.
+    /// Returns the parameter near the middle whose point is near this one.
     fn partner(&self, point: DVec3) -> f64 {
         (0..PARTNER_STEPS).fold(0.5, |t, _| {
             let next = self.step(t, point);
@@ -164,12 +214,71 @@ mod tests {
         assert_eq!(leaves.len(), 1, "the box has both curves");
     }
 
-    /// The points of a strip are within twice its tube of both curves (lemma S1).
-    #[test]
-    fn a_strip_is_twice_as_thick_as_its_tube() {
+    const LIMITS: StripLimits = StripLimits { radius: 0.5, width: 1e-9 };
+
+    fn thickness(curves: [Curve; 2]) -> f64 {
         let mut covering = Covering::default();
+        covering.add_pair(curves, LIMITS, 0);
+        covering.thickness
+    }
+
+    /// The points between parallel edges are nearer than half their distance to one of them, and those
+    /// in the middle are not nearer (lemma S1).
+    #[test]
+    fn a_strip_is_half_as_thick_as_its_edges_are_apart() {
         let curves = [line([0.0; 3], [1.0, 0.0, 0.0]), line([0.0, 0.25, 0.0], [1.0, 0.25, 0.0])];
-        covering.add_pair(curves, 0.5, 0);
-        assert_eq!(covering.thickness, 0.5);
+        assert_eq!(thickness(curves), 0.125);
+    }
+
+    /// A quarter of a circle about the z axis at this height, as a conic whose weights have this ratio:
+    /// other ratios are other parameters.
+    fn quarter(radius: f64, height: f64, ratio: f64) -> Curve {
+        let controls =
+            [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].iter().zip([1.0, 0.5_f64.sqrt(), 1.0]).enumerate();
+        let control = |(index, (&[x, y], weight)): (usize, (&[f64; 2], f64))| {
+            let weight = weight * ratio.powi(index as i32);
+            (weight * DVec3::new(radius * x, radius * y, height)).extend(weight)
+        };
+        Curve { center: DVec3::ZERO, controls: controls.map(control).collect() }
+    }
+
+    /// Arcs whose points are as far apart everywhere, in whichever parameters: the bound is that distance
+    /// where the difference is one vector, and at most that of the control points, √2 times it, where it
+    /// turns with the arc.
+    #[test]
+    fn the_width_of_a_strip_between_two_arcs_is_about_their_distance() {
+        const TINY: f64 = 1e-9;
+        for ratio in [1.0, 0.3, 4.0] {
+            for (radius, height, distance, most) in [
+                (1.0, 0.0, 0.0, 1.0),
+                (1.0, 1e-6, 1e-6, 1.0),
+                (1.0 + 1e-6, 0.0, 1e-6, std::f64::consts::SQRT_2),
+            ] {
+                let found = thickness([quarter(1.0, 0.0, 1.0), quarter(radius, height, ratio)]);
+                let half = 0.5 * distance;
+                assert!(
+                    half - TINY <= found && found <= most * half + TINY,
+                    "{ratio}: {found:e} for {half:e}"
+                );
+            }
+        }
+    }
+
+    /// A parabola that rises to 0.1 above a straight edge with the same ends: the bound is that of the
+    /// coefficients of degree 3.
+    #[test]
+    fn the_width_of_a_strip_bounds_the_distance_of_its_edges() {
+        let controls = [[0.0, 0.0], [0.5, 0.2], [1.0, 0.0]].map(|[x, y]| DVec3::new(x, y, 0.0).extend(1.0));
+        let bow = Curve { center: DVec3::ZERO, controls: controls.to_vec() };
+        let found = width(&[bow, line([0.0; 3], [1.0, 0.0, 0.0])]);
+        // Both inner ones are two thirds of the middle control point's height.
+        assert!((found - 0.4 / 3.0).abs() < 1e-15 && found > 0.1, "{found}");
+    }
+
+    /// A curve that overflowed has no width.
+    #[test]
+    fn a_strip_with_points_that_overflowed_has_no_bound() {
+        let lost = line([0.0, f64::NAN, 0.0], [1.0, 0.0, 0.0]);
+        assert_eq!(thickness([line([0.0; 3], [1.0, 0.0, 0.0]), lost]), f64::INFINITY);
     }
 }

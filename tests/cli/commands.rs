@@ -282,3 +282,20 @@ fn diff_lists_the_changed_faces_and_its_exit_status_says_whether_there_are_any()
     let refused = run(&["diff", &a, &b, "--limit", "-1"]);
     assert_eq!(status(&refused), 2);
 }
+
+/// A plane has no inside, and the planes are 3 apart: the answers that are not given say why.
+#[test]
+fn a_clearance_says_why_an_overlap_and_a_verdict_are_not_stated() {
+    let [a, b] = planes("unknown-overlap");
+    let found = printed(&run(&["clearance", &a, &b, "--json"]));
+    assert_eq!((&found["overlapUnknown"], found.get("overlap")), (&json!("both-open"), None));
+    let text = |arguments: &[&str]| {
+        let output = run(&[&["clearance", &a, &b], arguments].concat());
+        (status(&output), String::from_utf8(output.stdout).unwrap())
+    };
+    let (_, lines) = text(&[]);
+    assert!(lines.contains("\noverlap    unknown: neither model is closed\n"), "{lines}");
+    let (undecided, lines) = text(&["--limit", "3"]);
+    assert_eq!(undecided, 3);
+    assert!(lines.contains("\nverdict    undecided at 3.0, as "), "{lines}");
+}

@@ -16,6 +16,17 @@ pub fn folder(test: &str) -> Option<PathBuf> {
     None
 }
 
+/// The bytes of a file of `../shared/faults`, if it is there, as [`folder`].
+pub fn fault(test: &str, path: &str) -> Option<Vec<u8>> {
+    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/faults").join(path);
+    if let Ok(bytes) = std::fs::read(file) {
+        return Some(bytes);
+    }
+    let line = format!("\nSKIPPED {test}: there is no ../shared/faults/{path}\n");
+    std::io::stderr().write_all(line.as_bytes()).unwrap();
+    None
+}
+
 /// Every model of the folder with its file's name, in order of name; none if
 /// there is no folder.
 pub fn all(test: &str) -> impl Iterator<Item = (String, Model)> {

@@ -8,6 +8,11 @@ from typing import Any, Literal
 from .common import Point, Seconds, Stop, Witness, place, table, witness
 
 
+OverlapUnknown = Literal[
+    "a-open", "b-open", "both-open", "too-large", "side", "cracks", "limit", "budget", "precision"
+]
+
+
 @dataclass(frozen=True)
 class Overlap:
     """Whether two solids share space.
@@ -15,7 +20,7 @@ class Overlap:
     Attributes
     ----------
     kind : {"none", "touching", "intersecting", "contained"}
-        ``touching`` are boundaries nearer than the tolerance without a common point found;
+        ``touching`` are boundaries nearer than the tolerance without a point inside both found;
         ``contained`` is a shell of one inside the other, the boundaries apart.
     inside_both : tuple of float or None
         A point that is certainly inside both.
@@ -51,7 +56,10 @@ class ClearanceResult:
         With ``limit``, whether the clearance is at least the limit; None if that is undecided.
         Solids that overlap have none.
     overlap : Overlap or None
-        Whether the solids overlap; None where a model is not closed or that is not known.
+        Whether the solids overlap; None where ``overlap_unknown`` says why.
+    overlap_unknown : str or None
+        Reason for which nothing is stated of an overlap: ``a-open``, ``b-open``, ``both-open``,
+        ``too-large``, ``side``, ``cracks``, ``limit``, ``budget`` or ``precision``.
     witness : Witness
         A point of each model, whose distance is ``upper`` up to rounding.
     with_gaps : ClearanceWithGaps
@@ -73,6 +81,7 @@ class ClearanceResult:
     seconds: Seconds
     at_least: bool | None = None
     overlap: Overlap | None = None
+    overlap_unknown: OverlapUnknown | None = None
     unit: float | None = None
 
     def _repr_html_(self) -> str:
@@ -80,7 +89,7 @@ class ClearanceResult:
             ("clearance", f"{self.lower!r} to {self.upper!r}"),
             ("on A", place(self.witness.a)),
             ("on B", place(self.witness.b)),
-            ("overlap", "unknown" if self.overlap is None else self.overlap.kind),
+            ("overlap", f"unknown: {self.overlap_unknown}" if self.overlap is None else self.overlap.kind),
         ]
         return table(rows)
 

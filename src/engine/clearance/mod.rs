@@ -1,5 +1,6 @@
 //! The clearance of two models: the least distance of their points.
 
+mod common_point;
 mod gaps;
 mod options;
 mod overlap;
@@ -7,8 +8,8 @@ mod with_gaps;
 
 pub use gaps::{FaceGap, GapsResult};
 pub use options::{ClearanceOptions, GapOptions};
-pub use overlap::Overlap;
 use overlap::Solids;
+pub use overlap::{Overlap, OverlapUnknown};
 pub use with_gaps::ClearanceWithGaps;
 
 use super::direction::Direction;
@@ -40,9 +41,12 @@ pub struct ClearanceResult {
     /// before that was known. Solids that certainly overlap have no clearance.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at_least: Option<bool>,
-    /// Whether the solids overlap, absent where a model is not closed or that is not known.
+    /// Whether the solids overlap, absent where `overlap_unknown` says why.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub overlap: Option<Overlap>,
+    /// Why nothing is stated of an overlap.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub overlap_unknown: Option<OverlapUnknown>,
     /// The permitted width of the interval, in model units.
     pub tolerance: f64,
     /// The least tolerance, in model units, that the rounding of these coordinates allows; the
@@ -107,7 +111,7 @@ impl Engine {
         let bodies = [targets[0].body(a), targets[1].body(b)];
         let direction = Direction { from: a, to: b, transform: options.transform };
         let diagonal = direction.diagonal();
-        let solids = Solids::new([a, b], options.transform, diagonal);
+        let solids = Solids::new([a, b], options.transform);
         let prepare = started.elapsed().as_secs_f64();
         let goal = Goal { tolerance: options.width(diagonal), limit: options.limit };
         let mut search = Search::new(bodies, options.transform, goal);
@@ -116,8 +120,8 @@ impl Engine {
         progress.finish();
         let nearest = search.nearest().ok_or(Error::EmptyModel)?;
         let interval = search.interval();
-        let overlap = solids.and_then(|solids| solids.overlap(interval, goal.tolerance, &nearest));
-        let overlaps = overlap.is_some_and(|overlap| overlap.is_overlap());
+        let overlap = solids.and_then(|solids| solids.overlap(interval, goal, stop, &nearest));
+        let overlaps = overlap.is_ok_and(|overlap| overlap.is_overlap());
         let at_least = if overlaps { options.limit.map(|_| false) } else { search.at_least() };
         Ok(ClearanceResult {
             lower: interval.lower,
@@ -125,7 +129,8 @@ impl Engine {
             converged: stop == Stop::Converged,
             stop,
             at_least,
-            overlap,
+            overlap: overlap.ok(),
+            overlap_unknown: overlap.err(),
             tolerance: goal.tolerance,
             min_tolerance: search.min_tolerance(),
             witness: witness([a, b], [&targets[0], &targets[1]], &nearest),

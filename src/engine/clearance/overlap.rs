@@ -1,25 +1,13 @@
 //! Whether two solids overlap.
 
-use crate::bezier::Patch;
+use super::common_point::CommonPoint;
 use crate::certified::Interval;
-use crate::clearance::Nearest;
-use crate::engine::PreparedModel;
+use crate::clearance::{Goal, Nearest};
+use crate::engine::{PreparedModel, Stop};
 use crate::model::RigidTransform;
 use crate::solid::Side;
 use glam::DVec3;
 use serde::Serialize;
-
-/// The distances along both parameters of a patch at which its points are tried, from those where
-/// the boundaries meet.
-const STEPS: [f64; 6] = [0.5, 0.2, 5e-2, 1e-2, 1e-3, 1e-4];
-
-/// The directions of the steps.
-const DIRECTIONS: [[f64; 2]; 8] =
-    [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.7, 0.7], [-0.7, 0.7], [0.7, -0.7], [-0.7, -0.7]];
-
-/// The distances from the boundary of one solid, relative to the diagonal, at which points inside
-/// both are tried.
-const DEPTHS: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
 
 /// The way in which two solids share space.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -28,7 +16,9 @@ const DEPTHS: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
 pub enum Overlap {
     /// The boundaries are certainly apart, and each solid is outside the other.
     None,
-    /// The boundaries are nearer than the tolerance, and no common point was found.
+    /// The boundaries are nearer than the tolerance, and no point inside both was found: about the
+    /// place where they are nearest, in the box that both reach into, and behind some hundred patches
+    /// of each.
     Touching,
     /// The solids have common points inside both, and their boundaries may meet.
     Intersecting {
@@ -50,39 +40,91 @@ impl Overlap {
     }
 }
 
+/// Why nothing is stated of an overlap.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum OverlapUnknown {
+    /// A is not closed: [`PreparedModel::solid`] has its free edges.
+    AOpen,
+    /// B is not closed.
+    BOpen,
+    /// Neither model is closed.
+    BothOpen,
+    /// A mesh has more triangles than are joined, 250,000.
+    TooLarge,
+    /// The side of a point, of a shell of one model or between both, is not decided: shells of one model
+    /// lie within each other in a way that does not tell voids from bodies, or no ray avoids the edges.
+    Side,
+    /// The boundaries are nearer to each other than the cracks between their faces are wide, or than
+    /// the error of their points.
+    Cracks,
+    /// The limit was decided before the boundaries were known to meet or to be apart.
+    Limit,
+    /// A budget ended the search before that was known.
+    Budget,
+    /// The rounding of the coordinates ended the search before that was known.
+    Precision,
+}
+
 /// Two solids, the one of A moved.
 pub(super) struct Solids<'a> {
-    a: &'a PreparedModel,
-    b: &'a PreparedModel,
-    transform: RigidTransform,
-    diagonal: f64,
+    pub(super) a: &'a PreparedModel,
+    pub(super) b: &'a PreparedModel,
+    pub(super) transform: RigidTransform,
 }
 
 impl<'a> Solids<'a> {
-    /// Returns `None` unless both models are closed.
+    /// # Errors
+    /// Which of the models is not closed.
     pub(super) fn new(
         [a, b]: [&'a PreparedModel; 2],
         transform: RigidTransform,
-        diagonal: f64,
-    ) -> Option<Self> {
-        let closed = [a, b].iter().all(|model| model.boundary().is_closed());
-        closed.then_some(Self { a, b, transform, diagonal })
+    ) -> Result<Self, OverlapUnknown> {
+        if [a, b].iter().any(|model| model.facets().is_some_and(|mesh| !mesh.may_close())) {
+            return Err(OverlapUnknown::TooLarge);
+        }
+        match [a, b].map(|model| model.boundary().is_closed()) {
+            [true, true] => Ok(Self { a, b, transform }),
+            [false, true] => Err(OverlapUnknown::AOpen),
+            [true, false] => Err(OverlapUnknown::BOpen),
+            [false, false] => Err(OverlapUnknown::BothOpen),
+        }
     }
 
-    /// Returns the overlap, for this interval of the boundaries' distance; `None` if it is not
-    /// known, as after a limit that was decided early.
-    pub(super) fn overlap(&self, interval: Interval, tolerance: f64, nearest: &Nearest) -> Option<Overlap> {
+    /// Returns the overlap, for this interval of the boundaries' distance, which a search with this
+    /// goal found when it ended.
+    ///
+    /// # Errors
+    /// Why it is not known.
+    pub(super) fn overlap(
+        &self,
+        interval: Interval,
+        goal: Goal,
+        stop: Stop,
+        nearest: &Nearest,
+    ) -> Result<Overlap, OverlapUnknown> {
         // The cracks between faces are closed by strips, which must be apart too.
         let strips_apart = [self.a, self.b]
             .iter()
             .fold(interval.lower, |distance, model| model.boundary().clear_radius(distance));
         if strips_apart > self.error() {
-            return self.of_disjoint();
+            return self.of_disjoint().ok_or(OverlapUnknown::Side);
         }
-        if let Some(point) = self.inside_both(nearest) {
-            return Some(Overlap::Intersecting { inside_both: point.to_array() });
+        match self.common_point(nearest) {
+            CommonPoint::Found(point) => return Ok(Overlap::Intersecting { inside_both: point.to_array() }),
+            CommonPoint::NotFound if interval.upper <= goal.tolerance => return Ok(Overlap::Touching),
+            CommonPoint::Undecided if interval.upper <= goal.tolerance => return Err(OverlapUnknown::Side),
+            _ => {}
         }
-        (interval.upper <= tolerance).then_some(Overlap::Touching)
+        let cracks = interval.lower - strips_apart + self.error();
+        Err(match stop {
+            _ if interval.upper <= cracks => OverlapUnknown::Cracks,
+            Stop::Converged if goal.limit.is_some() => OverlapUnknown::Limit,
+            Stop::Converged => OverlapUnknown::Cracks,
+            Stop::Precision => OverlapUnknown::Precision,
+            Stop::Cells | Stop::Time | Stop::Cancelled => OverlapUnknown::Budget,
+        })
     }
 
     /// Returns the overlap of solids whose boundaries are apart: each shell lies on one side of the
@@ -94,37 +136,18 @@ impl<'a> Solids<'a> {
         of_sides(of_a.chain(of_b))
     }
 
-    /// Returns a point inside both solids, looked for about the place where they are nearest.
-    fn inside_both(&self, nearest: &Nearest) -> Option<DVec3> {
-        let patch = |model: &PreparedModel, side: usize| {
-            let target = model.certified_target();
-            let patch = target.target.patches.patch(nearest.patches[side] as usize);
-            around(&patch, nearest.parameters[side])
-        };
-        let moved = |points: Vec<(DVec3, Option<DVec3>)>| {
-            let rotate = |normal: DVec3| self.transform.rotate(normal);
-            points.into_iter().map(move |(point, normal)| (self.transform.apply(point), normal.map(rotate)))
-        };
-        let of_a = moved(patch(self.a, 0)).map(|(point, normal)| (point, normal, true));
-        let of_b = patch(self.b, 1).into_iter().map(|(point, normal)| (point, normal, false));
-        for (point, normal, is_of_a) in of_a.chain(of_b) {
-            let other = if is_of_a { self.b.side_within(point, 0.0) } else { self.side_of_a(point) };
-            let (Side::Inside, Some(normal)) = (other, normal) else { continue };
-            let steps = DEPTHS.iter().flat_map(|depth| [depth * self.diagonal, -depth * self.diagonal]);
-            let mut inner = steps.map(|step| point + step * normal);
-            if let Some(found) = inner.find(|&point| self.is_inside_both(point)) {
-                return Some(found);
-            }
+    /// Returns the side of the common part of both on which a point lies.
+    pub(super) fn common_side(&self, point: DVec3) -> Side {
+        match self.b.side_within(point, 0.0) {
+            Side::Outside => Side::Outside,
+            Side::Inside => self.side_of_a(point),
+            Side::Undecided if self.side_of_a(point) == Side::Outside => Side::Outside,
+            Side::Undecided => Side::Undecided,
         }
-        None
-    }
-
-    fn is_inside_both(&self, point: DVec3) -> bool {
-        self.b.side_within(point, 0.0) == Side::Inside && self.side_of_a(point) == Side::Inside
     }
 
     /// Returns the side of the moved A on which a point lies.
-    fn side_of_a(&self, point: DVec3) -> Side {
+    pub(super) fn side_of_a(&self, point: DVec3) -> Side {
         let error = self.transform.rounding(point.length());
         self.a.side_within(self.transform.apply_inverse(point), error)
     }
@@ -147,13 +170,6 @@ fn of_sides(mut sides: impl Iterator<Item = (Side, DVec3)>) -> Option<Overlap> {
         Some((_, point)) => Some(Overlap::Contained { inside_both: point.to_array() }),
         None => is_known.then_some(Overlap::None),
     }
-}
-
-/// Returns points of a patch about these parameters, with their normals.
-fn around(patch: &Patch<'_>, at: [f64; 2]) -> Vec<(DVec3, Option<DVec3>)> {
-    let steps = STEPS.iter().flat_map(|&step| DIRECTIONS.map(|direction| direction.map(|part| step * part)));
-    let places = steps.map(|step| [0, 1].map(|axis| (at[axis] + step[axis]).clamp(0.0, 1.0)));
-    places.map(|place| patch.jet(place)).map(|jet| (jet.point, jet.normal())).collect()
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -183,7 +199,7 @@ mod tests {
         let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap()).unwrap();
         let offset = 1e8 * DVec3::X;
         let transform = RigidTransform::new(DQuat::IDENTITY, offset).unwrap();
-        let solids = Solids::new([&ball, &ball], transform, 2.0).unwrap();
+        let solids = Solids::new([&ball, &ball], transform).unwrap();
         let side = |radius: f64| solids.side_of_a(offset + radius * DVec3::new(0.48, 0.6, 0.64));
         assert_eq!([0.99, 1.0 - 1e-5].map(side), [Side::Inside; 2]);
         assert_eq!([1.01, 1.0 + 1e-5].map(side), [Side::Outside; 2]);

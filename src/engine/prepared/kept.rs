@@ -1,6 +1,7 @@
 //! What is computed from a model at first use, and kept.
 
 use super::PreparedModel;
+use super::shells::KnownShells;
 use crate::area::Area;
 use crate::bezier::{LocalDerivativeBounds, PatchSet};
 use crate::certified::{Operand, SheetCache, Sheets};
@@ -41,6 +42,7 @@ pub(super) struct Kept {
     pub(super) cells: Mutex<Option<Arc<PreparedCells>>>,
     pub(super) areas: OnceLock<Vec<Area>>,
     pub(super) boundary: OnceLock<Boundary>,
+    pub(super) shells: KnownShells,
 }
 
 /// Flat patches, with their copy on the GPU.

@@ -3,6 +3,7 @@
 mod facts;
 mod kept;
 mod points;
+mod shells;
 mod units;
 
 use crate::bezier::{BezierModel, PatchSet, PointError, extract, without_removable_knots};
@@ -20,6 +21,7 @@ use crate::threads::parallel::Watch;
 use crate::untrim::Untrimmed;
 use kept::Kept;
 pub(crate) use kept::{PreparedCells, PreparedSampling, PreparedTarget};
+pub(in crate::engine) use shells::Shells;
 use std::sync::Arc;
 
 /// A model ready for distance computations: its Bézier patches, and, computed at

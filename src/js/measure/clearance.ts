@@ -32,13 +32,31 @@ export interface GapOptions extends Omit<ClearanceOptions, "limit"> {
 
 /**
  * Whether two solids share space. `none`: the boundaries are apart, and each solid is outside the
- * other. `touching`: they are nearer than the tolerance, and no common point was found.
+ * other. `touching`: they are nearer than the tolerance, and no point inside both was found.
  * `intersecting`: `insideBoth` is certainly inside both. `contained`: the boundaries are apart, and
  * a part of one is inside the other.
  */
 export type Overlap =
   | { kind: "none" | "touching" }
   | { kind: "intersecting" | "contained"; insideBoth: Vector3 };
+
+/**
+ * Why nothing is stated of an overlap. `a-open`, `b-open`, `both-open`: a model is not closed.
+ * `too-large`: a mesh has more than 250,000 triangles, which are not joined. `side`: it is not
+ * decided whether points of one model are inside the other. `cracks`: the boundaries are nearer than the
+ * cracks between faces are wide. `limit`, `budget`, `precision`: the limit was decided, a budget was spent, or rounding ended
+ * the search, before the boundaries were known to meet or to be apart.
+ */
+export type OverlapUnknown =
+  | "a-open"
+  | "b-open"
+  | "both-open"
+  | "too-large"
+  | "side"
+  | "cracks"
+  | "limit"
+  | "budget"
+  | "precision";
 
 /** The clearance of two models. */
 export interface ClearanceResult {
@@ -54,8 +72,10 @@ export interface ClearanceResult {
    * that was known. Solids that certainly overlap have no clearance.
    */
   atLeast?: boolean;
-  /** Absent where a model is not closed, or where that is not known. */
+  /** Absent where `overlapUnknown` says why. */
   overlap?: Overlap;
+  /** Why nothing is stated of an overlap. */
+  overlapUnknown?: OverlapUnknown;
   /** The permitted width of the interval, in model units. */
   tolerance: number;
   /** The least tolerance that the rounding of these coordinates allows. */

@@ -3,6 +3,7 @@
 mod holes;
 mod notes;
 mod poles;
+mod solids;
 mod wires;
 
 use crate::support::brep::{BrepText, Child};

@@ -5,15 +5,15 @@ use super::clearance::{assert_clearance, clearance, pose};
 use super::solids::{cube, together};
 use glam::DVec3;
 use nurbs_hausdorff::shapes::{cylinder, sphere, torus};
-use nurbs_hausdorff::{ClearanceOptions, Model, Overlap, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{ClearanceOptions, Model, Overlap, OverlapUnknown, RigidTransform, SurfaceArrays};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-fn boxed(half: f64) -> Model {
+pub(super) fn boxed(half: f64) -> Model {
     Model::from_arrays(None, cube(half)).unwrap()
 }
 
 /// The same model elsewhere.
-fn moved(model: &Model, transform: &RigidTransform) -> Model {
+pub(super) fn moved(model: &Model, transform: &RigidTransform) -> Model {
     let mut arrays: Vec<_> = model.surfaces().iter().map(|surface| surface.clone().into_arrays()).collect();
     for control in arrays.iter_mut().flat_map(|surface| &mut surface.control_points) {
         let [x, y, z, w] = *control;
@@ -194,7 +194,10 @@ fn solids_nearer_than_both_their_cracks_are_not_apart() {
     };
     let far = clearance(&opposite, &one, &options(20.0 * crack));
     assert_eq!(far.overlap, Some(Overlap::None));
-    // Each body's strips are within 2 cracks of its faces.
-    let near = clearance(&opposite, &one, &options(3.0 * crack));
-    assert!(near.lower > 2.9 * crack && near.overlap.is_none(), "{near:?}");
+    // The strips at corners are within a crack of their faces' points.
+    let apart = clearance(&opposite, &one, &options(2.5 * crack));
+    assert_eq!(apart.overlap, Some(Overlap::None));
+    let near = clearance(&opposite, &one, &options(1.5 * crack));
+    assert!(near.lower > 1.4 * crack && near.overlap.is_none(), "{near:?}");
+    assert_eq!(near.overlap_unknown, Some(OverlapUnknown::Cracks));
 }

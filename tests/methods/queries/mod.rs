@@ -5,6 +5,7 @@ mod closest_points;
 mod diff;
 mod exact_clearances;
 mod field;
+mod overlaps;
 mod sheets;
 mod solids;
 mod update;

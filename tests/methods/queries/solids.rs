@@ -5,14 +5,15 @@ use nurbs_hausdorff::internals::engine::{Engine, PreparedModel};
 use nurbs_hausdorff::shapes::operations::part;
 use nurbs_hausdorff::shapes::{cone, cylinder, sphere, torus};
 use nurbs_hausdorff::{
-    ClosestPointOptions, DeviationField, FieldOptions, Model, NurbsSurface, Side, Signs, SurfaceArrays,
+    ClosestPointOptions, DeviationField, Facets, FieldOptions, Model, NurbsSurface, Side, Signs,
+    SurfaceArrays, TriangleMesh,
 };
 
 /// Numbers in [0, 1) from a seed, by SplitMix64.
-struct Random(u64);
+pub(super) struct Random(pub(super) u64);
 
 impl Random {
-    fn next(&mut self) -> f64 {
+    pub(super) fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut mixed = self.0;
         mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -20,7 +21,7 @@ impl Random {
         ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    fn within(&mut self, half: f64) -> DVec3 {
+    pub(super) fn within(&mut self, half: f64) -> DVec3 {
         DVec3::from_array(std::array::from_fn(|_| half * (2.0 * self.next() - 1.0)))
     }
 }
@@ -140,6 +141,80 @@ fn solids_in_voids_and_beside_each_other() {
         solid.shells.iter().map(|shell| shell.faces.clone()).collect::<Vec<_>>(),
         [[0], [1], [2], [3]]
     );
+}
+
+/// Bodies of one file that overlap, or the same body twice, have their common part inside. A ball within
+/// both is a body, or a void of one of them; of two that overlap within one body one may be a void.
+#[test]
+fn bodies_that_overlap_are_united() {
+    let at = |x: f64, radius: f64| sphere(DVec3::new(x, 0.0, 0.0), radius).unwrap();
+    let (one, other, small) = (at(0.0, 1.0), at(0.8, 1.0), at(0.4, 0.1));
+    let depth = |point: DVec3| (point.length() - 1.0).min(point.distance(DVec3::new(0.8, 0.0, 0.0)) - 1.0);
+    assert_sides("two balls", &together(&[&one, &other]), 1.9, depth);
+    assert_sides("a ball twice", &together(&[&one, &one]), 1.3, |point| point.length() - 1.0);
+    let twice = [cube(1.0), cube(1.0)].concat();
+    assert_sides("a box twice", &Model::from_arrays(None, twice).unwrap(), 1.4, depth_of_cube);
+    let three = prepared(&together(&[&one, &other, &small]));
+    assert_eq!(three.solid().shells.len(), 3);
+    assert_eq!(three.side([0.4, 0.0, 0.0]), Side::Inside);
+    assert_eq!(three.side([0.4, 0.2, 0.0]), Side::Inside);
+    let three = prepared(&together(&[&one, &other, &at(0.4, 3.0)]));
+    assert_eq!(three.side([0.4, 0.0, 0.0]), Side::Undecided);
+    assert_eq!(
+        [-0.8, 0.4, 1.6].map(|x| three.side([x, 0.0, 0.0])),
+        [Side::Outside, Side::Undecided, Side::Outside]
+    );
+}
+
+/// A box in the corner of another one, flush with three of its faces: no void touches its shell.
+#[test]
+fn bodies_that_stand_flush_in_each_other_are_united() {
+    let mut small = cube(0.5);
+    for control in small.iter_mut().flat_map(|face| &mut face.control_points) {
+        (0..3).for_each(|axis| control[axis] += 0.5);
+    }
+    let both = [cube(1.0), small].concat();
+    let model = Model::from_arrays(None, both).unwrap();
+    assert_eq!(prepared(&model).solid().shells.len(), 2);
+    assert_sides("flush boxes", &model, 1.4, depth_of_cube);
+}
+
+/// A mesh that stands twice in its file, and two overlapping boxes of one mesh.
+#[test]
+fn meshes_that_stand_twice_or_overlap_are_united() {
+    let at = |x: f64| -> Vec<[[f64; 3]; 3]> {
+        let faces = cube(1.0).into_iter().flat_map(|face| {
+            let [a, b, c, d] = [0, 1, 2, 3].map(|k| {
+                let [px, y, z, _] = face.control_points[k];
+                [px + x, y, z]
+            });
+            [[a, b, d], [a, d, c]]
+        });
+        faces.collect()
+    };
+    let model = |triangles: &[[[f64; 3]; 3]]| {
+        let vertices = triangles.concat();
+        let indices: Vec<[u32; 3]> =
+            (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+        let mesh = TriangleMesh::new(&vertices, &indices).unwrap();
+        PreparedModel::of_facets(&Facets::Mesh(mesh), None).unwrap()
+    };
+    let each_twice: Vec<_> = at(0.0).into_iter().flat_map(|triangle| [triangle, triangle]).collect();
+    let mut random = Random(5);
+    for (name, triangles, shift) in [
+        ("twice", [at(0.0), at(0.0)].concat(), 0.0),
+        ("each triangle twice", each_twice, 0.0),
+        ("overlapping", [at(0.0), at(0.6)].concat(), 0.6),
+    ] {
+        let model = model(&triangles);
+        assert_eq!(model.solid().shells.len(), 2, "{name}");
+        for _ in 0..1000 {
+            let point = random.within(1.7);
+            let depth = depth_of_cube(point).min(depth_of_cube(point - shift * DVec3::X));
+            let side = if depth < 0.0 { Side::Inside } else { Side::Outside };
+            assert_eq!(model.side(point.to_array()), side, "{name}: {point}");
+        }
+    }
 }
 
 /// Numbers that are not finite are points of no side.

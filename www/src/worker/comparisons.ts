@@ -4,7 +4,6 @@ import type { Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
 import { diffByLimits } from "./diffs.ts";
 import { globalFit } from "./fit/globalFit.ts";
 import { Latest } from "./latest.ts";
-import { withOverlap } from "./overlap.ts";
 import type {
   ClearanceState,
   DiffState,
@@ -55,11 +54,7 @@ export class Comparisons {
   /** Measures how near the models come, and which faces do. */
   clearance({ a, b }: Pair, { below, ...options }: PlainGapOptions): Promise<void> {
     return this.#clearance.run(async (signal) => {
-      const found = await this.#engine.clearance(a, b, { ...options, signal });
-      const { transform = {}, scaleUnits } = options;
-      const scale = scaleUnits === true && a.unit !== null && b.unit !== null ? b.unit / a.unit : 1;
-      const at = { transform, scale, signal };
-      const clearance = await withOverlap(this.#engine, { a, b }, found, at);
+      const clearance = await this.#engine.clearance(a, b, { ...options, signal });
       const near = Math.max(below ?? 0, clearance.tolerance);
       const gaps =
         clearance.lower <= near

@@ -9,11 +9,17 @@ use nurbs_hausdorff::SurfaceArrays;
 use nurbs_hausdorff::shapes::{lateral, sphere, torus};
 use std::f64::consts::TAU;
 
-/// The decimal exponents of the widths of holes, of the distances of strips from the seam and of their widths,
-/// relative to the domain. The nearest border of the hole is beyond the seam where a strip is near it.
-const HOLES: [f64; 2] = [-3.0, -0.7];
-const DISTANCES: [f64; 2] = [-5.0, -1.5];
-const WIDTHS: [f64; 2] = [-5.0, -2.0];
+/// The decimal exponents of the width of a hole on its narrow side of the seam, relative to the domain.
+const NARROW: [f64; 2] = [-3.0, -1.2];
+
+/// Relative to that, those of the width on the other side, and of the distances of strips from the seam and of their
+/// widths. The nearest border of the hole is mostly beyond the seam.
+const WIDE: [f64; 2] = [0.0, 1.5];
+const DISTANCES: [f64; 2] = [-2.0, 0.3];
+const WIDTHS: [f64; 2] = [-2.0, 0.0];
+
+/// The largest width of a hole on one side.
+const MAX_WIDTH: f64 = 0.4;
 
 /// Returns narrow strips of a closed surface, and the surface less holes about the strips.
 pub(super) fn faces(rng: &mut Rng) -> [Faces; 2] {
@@ -21,7 +27,10 @@ pub(super) fn faces(rng: &mut Rng) -> [Faces; 2] {
     let [low, high] = [0.1 + 0.4 * rng.f64(), 0.6 + 0.35 * rng.f64()];
     let is_pole = rng.u8(0..4) == 0;
     // The ends of the hole along u before and after the seam, at its wider end.
-    let [before, after] = [0; 2].map(|_| magnitude(rng, HOLES[0], HOLES[1]));
+    let narrow = magnitude(rng, NARROW[0], NARROW[1]);
+    let wide = (narrow * magnitude(rng, WIDE[0], WIDE[1])).min(MAX_WIDTH);
+    let is_before = rng.bool();
+    let [before, after] = if is_before { [wide, narrow] } else { [narrow, wide] };
     let whole = if is_pole {
         notch(low, before, after)
     } else {
@@ -30,9 +39,8 @@ pub(super) fn faces(rng: &mut Rng) -> [Faces; 2] {
     };
     let top = if is_pole { 1.0 } else { high };
     let strips = (0..rng.usize(1..=2)).map(|_| {
-        let is_before = rng.bool();
-        let near = magnitude(rng, DISTANCES[0], DISTANCES[1]);
-        let far = near + magnitude(rng, WIDTHS[0], WIDTHS[1]);
+        let near = narrow * magnitude(rng, DISTANCES[0], DISTANCES[1]);
+        let far = near + narrow * magnitude(rng, WIDTHS[0], WIDTHS[1]);
         // A strip may begin where the surface is whole.
         let start = 0.5 * low + (top - 0.5 * low) * 0.9 * rng.f64();
         let end = start + (top - start) * (0.05 + 0.95 * rng.f64());

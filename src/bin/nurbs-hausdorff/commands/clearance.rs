@@ -9,7 +9,8 @@ use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
 use crate::reports::Verdict;
-use nurbs_hausdorff::{ClearanceResult, Engine, Overlap, SurfacePoint};
+use nurbs_hausdorff::result::Stop;
+use nurbs_hausdorff::{ClearanceResult, Engine, Overlap, OverlapUnknown, SurfacePoint};
 use std::fmt::{Result, Write};
 
 /// Measures the clearance, prints it and returns the exit status.
@@ -46,7 +47,11 @@ fn first(result: &ClearanceResult, judged: Option<(f64, Option<bool>)>, [a, b]: 
         None => "undecided",
     };
     let verdict = judged.map(|(limit, at_least)| headline::verdict(word(at_least), limit));
-    let doubt = if result.with_gaps.at_least == result.at_least { "" } else { GAPS_DECIDE };
+    let doubt = match (judged, result.at_least) {
+        (Some(_), None) => why_undecided(result.stop),
+        (_, at_least) if result.with_gaps.at_least == at_least => "",
+        _ => GAPS_DECIDE,
+    };
     let (of_a, of_b) = (
         place(&result.witness.a, a, " of A", result.diagonal),
         place(&result.witness.b, b, " of B", result.diagonal),
@@ -54,6 +59,32 @@ fn first(result: &ClearanceResult, judged: Option<(f64, Option<bool>)>, [a, b]: 
     let found = bounded(result.upper, [result.lower, result.upper]);
     let verdict = verdict.unwrap_or_else(|| "clearance ".to_owned());
     format!("{verdict}{found} between {of_a} and {of_b}{doubt}\n")
+}
+
+/// Returns why a limit is not decided by the search, at the end of the verdict's line.
+fn why_undecided(stop: Stop) -> &'static str {
+    match stop {
+        Stop::Cells | Stop::Time | Stop::Cancelled => ", as a budget ended the search",
+        Stop::Precision => ", as the clearance is the limit but for the rounding of the coordinates",
+        // Faces were left out, which is said on standard error.
+        _ => "",
+    }
+}
+
+/// Returns why nothing is stated of an overlap.
+fn reason(unknown: OverlapUnknown) -> &'static str {
+    match unknown {
+        OverlapUnknown::AOpen => "A is not closed",
+        OverlapUnknown::BOpen => "B is not closed",
+        OverlapUnknown::BothOpen => "neither model is closed",
+        OverlapUnknown::TooLarge => "a mesh has more than 250,000 triangles, which are not joined",
+        OverlapUnknown::Side => "it is not decided whether points of one model are inside the other",
+        OverlapUnknown::Cracks => "the boundaries are nearer than their faces' cracks are wide",
+        OverlapUnknown::Limit => "the limit was decided before the boundaries were known to meet",
+        OverlapUnknown::Budget => "a budget ended the search before it was known",
+        OverlapUnknown::Precision => "the rounding of the coordinates does not decide",
+        _ => "",
+    }
 }
 
 /// Writes the lines below the first.
@@ -70,7 +101,7 @@ fn lines(out: &mut String, result: &ClearanceResult) -> Result {
         Some(Overlap::Touching) => "touching".to_owned(),
         Some(Overlap::Intersecting { inside_both }) => format!("intersecting{}", place(inside_both)),
         Some(Overlap::Contained { inside_both }) => format!("contained{}", place(inside_both)),
-        _ => "unknown".to_owned(),
+        _ => format!("unknown: {}", result.overlap_unknown.map_or("", reason)),
     };
     writeln!(out, "overlap    {overlap}")?;
     let stop = if result.converged { "converged" } else { "not converged" };

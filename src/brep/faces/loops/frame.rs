@@ -20,6 +20,10 @@ const RELATIVE_TOLERANCE: f64 = 1e-5;
 /// cut in eight, an arc of it leaves its start by at least a third of its width.
 const PARTS: usize = 8;
 
+/// The length in space of a step by a period at a pole, relative to that of the same step elsewhere on the
+/// loop: one, on a cylinder, however thin that is.
+const POLE_RATIO: f64 = 0.1;
+
 /// Measures of a wire's curves on a surface.
 pub(super) struct Frame<'a> {
     surface: &'a Surface,
@@ -28,6 +32,8 @@ pub(super) struct Frame<'a> {
     pub(super) closures: [Option<f64>; 2],
     /// The diagonal, in space, of the box of the curves' ends.
     size: f64,
+    /// The starts of the curves.
+    starts: Vec<DVec3>,
 }
 
 impl<'a> Frame<'a> {
@@ -51,6 +57,7 @@ impl<'a> Frame<'a> {
             periods: surface.periods(),
             closures: surface.closures(),
             size: size.length(),
+            starts: uses.iter().map(|trim_use| trim_use.curve.start()).collect(),
         }
     }
 
@@ -102,6 +109,17 @@ impl<'a> Frame<'a> {
     pub(super) fn reach(&self, from: DVec3, to: DVec3) -> f64 {
         let at = |part: usize| from.lerp(to, part as f64 / PARTS as f64);
         (1..=PARTS).map(|part| self.distance_in_space(from, at(part))).fold(0.0, nan_max)
+    }
+
+    /// Returns whether a segment across a period may be one point in space: it is shorter there by far than
+    /// the same step from other points of the loop. A cylinder that is thinner than the tolerance has
+    /// none.
+    pub(super) fn may_be_pole(&self, from: DVec3, to: DVec3) -> bool {
+        if self.shift(from, to) == DVec3::ZERO {
+            return true;
+        }
+        let elsewhere = self.starts.iter().map(|&start| self.reach(start, start + to - from));
+        self.reach(from, to) <= POLE_RATIO * elsewhere.fold(0.0, nan_max)
     }
 
     /// Returns the largest distance in space by which the ends of two curves are joined.

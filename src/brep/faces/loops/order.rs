@@ -171,7 +171,10 @@ impl Search<'_> {
     /// at a pole whose edge the file leaves out.
     fn is_point(&self, last: &TrimUse, next: &TrimUse) -> bool {
         let common = last.vertices[1].is_some() && last.vertices[1] == next.vertices[0];
-        common && self.frame.reach(last.curve.end(), next.curve.start()) <= self.frame.allowed([last, next])
+        let (end, start) = (last.curve.end(), next.curve.start());
+        common
+            && self.frame.reach(end, start) <= self.frame.allowed([last, next])
+            && self.frame.may_be_pole(end, start)
     }
 
     /// Returns the curves, each followed by the one that begins nearest to its end, of
@@ -301,7 +304,36 @@ impl Search<'_> {
 mod tests {
     use super::*;
     use crate::brep::nurbs::{Curve, Frame as Placement, Surface};
-    use std::f64::consts::TAU;
+    use std::f64::consts::{FRAC_PI_2, TAU};
+
+    /// A quarter of a cylinder of radius 1e-3 and length 1000 whose one line lies a period off: it is moved
+    /// there, not joined around the cylinder, which is thinner than what files of this size may be off.
+    #[test]
+    fn a_thin_cylinder_is_no_pole() {
+        let placement = Placement { origin: DVec3::ZERO, x: DVec3::X, y: DVec3::Y, z: DVec3::Z };
+        let profile = Curve::Line { point: 1e-3 * DVec3::X, direction: DVec3::Z };
+        let surface = Surface::Revolution { frame: placement, profile, kind: "cylinder" };
+        let corners = [[0.0, 0.0], [FRAC_PI_2, 0.0], [FRAC_PI_2, 1e3], [0.0, 1e3]];
+        let uses: Vec<TrimUse> = (0..4)
+            .map(|index| {
+                let shift = if index == 3 { TAU } else { 0.0 };
+                let at = |corner: usize| {
+                    let [u, v] = corners[corner % 4];
+                    DVec3::new(u + shift, v, 0.0)
+                };
+                let vertices = [Some(index), Some((index + 1) % 4)];
+                TrimUse { edge: Some(index as u32), vertices, ..TrimUse::segment(at(index), at(index + 1)) }
+            })
+            .collect();
+        let frame = Frame::of(&uses, &surface);
+        let found = circuit(uses, &frame).ok().unwrap();
+        let starts: Vec<[f64; 2]> =
+            found.uses.iter().map(|one| [one.curve.start().x, one.curve.start().y]).collect();
+        assert!(!found.is_placed);
+        for (start, corner) in starts.iter().zip(corners) {
+            assert!((start[0] - corner[0]).abs() < 1e-12 && start[1] == corner[1], "{starts:?}");
+        }
+    }
 
     /// A band of a cylinder between two rings and its seam: the seam's sides are where they close the loop,
     /// whichever of both the file gives to which direction.

@@ -1,0 +1,180 @@
+//! The search for a point inside both of two solids.
+
+use super::overlap::Solids;
+use crate::bezier::Patch;
+use crate::bvh::Aabb;
+use crate::clearance::Nearest;
+use crate::engine::PreparedModel;
+use crate::solid::Side;
+use glam::DVec3;
+
+/// The distances along both parameters of a patch at which its points are tried, from those where
+/// the boundaries meet.
+const STEPS: [f64; 6] = [0.5, 0.2, 5e-2, 1e-2, 1e-3, 1e-4];
+
+/// The directions of the steps.
+const DIRECTIONS: [[f64; 2]; 8] =
+    [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.7, 0.7], [-0.7, 0.7], [0.7, -0.7], [-0.7, -0.7]];
+
+/// The distances from the boundary of one solid, relative to the diagonal of the box that both solids
+/// reach into, at which points inside both are tried.
+const DEPTHS: [f64; 5] = [0.1, 1e-2, 1e-3, 1e-4, 1e-6];
+
+/// The largest number of patches of each solid behind which points are tried.
+const MAX_PATCHES: usize = 256;
+
+/// The number of points of each solid's boundary that are tried where it has few patches, and of places
+/// along each parameter of a patch.
+const BOUNDARY_POINTS: usize = 512;
+const MAX_PLACES: usize = 6;
+
+/// The number of points of the box that both solids reach into.
+const BOX_POINTS: usize = 256;
+
+/// A point of one solid's boundary, the one of A moved.
+struct BoundaryPoint {
+    point: DVec3,
+    normal: Option<DVec3>,
+    is_of_a: bool,
+}
+
+/// The outcome of the search for a point inside both solids.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum CommonPoint {
+    /// A point that is certainly inside both.
+    Found(DVec3),
+    /// None of the points tried is; those in the box that both reach into are certainly outside one.
+    NotFound,
+    /// None certainly is, and some of those in the box may be.
+    Undecided,
+}
+
+impl Solids<'_> {
+    /// Looks for a point inside both solids: about the place where they are nearest, in the box that
+    /// both reach into, and behind some hundred patches of both. There may be such points where none is
+    /// found. O(points √patches).
+    pub(super) fn common_point(&self, nearest: &Nearest) -> CommonPoint {
+        let Some(common) = self.common_box() else { return CommonPoint::NotFound };
+        let behind = |points: Vec<BoundaryPoint>| self.behind(points, common.diagonal());
+        if let Some(found) = behind(self.about(nearest)) {
+            return CommonPoint::Found(found);
+        }
+        let mut is_decided = true;
+        for point in points_of(&common) {
+            match self.common_side(point) {
+                Side::Inside => return CommonPoint::Found(point),
+                Side::Outside => {}
+                Side::Undecided => is_decided = false,
+            }
+        }
+        match behind(self.spread(&common)) {
+            Some(found) => CommonPoint::Found(found),
+            None if is_decided => CommonPoint::NotFound,
+            None => CommonPoint::Undecided,
+        }
+    }
+
+    /// Returns the box that has all points inside both; `None` if it has no inside.
+    fn common_box(&self) -> Option<Aabb> {
+        let Aabb { min, max } = self.a.control_box();
+        let corner = |index: u32| {
+            let pick = |axis: usize| if index >> axis & 1 == 0 { min[axis] } else { max[axis] };
+            self.transform.apply(DVec3::from_array([0, 1, 2].map(pick)))
+        };
+        let of_a = (0..8).map(corner).fold(Aabb::EMPTY, Aabb::with);
+        let of_b = self.b.control_box();
+        let common = Aabb { min: of_a.min.max(of_b.min), max: of_a.max.min(of_b.max) };
+        common.min.cmplt(common.max).all().then_some(common)
+    }
+
+    /// Returns a point inside both solids behind one of these points, or before it: normals may point
+    /// either way.
+    fn behind(&self, points: Vec<BoundaryPoint>, scale: f64) -> Option<DVec3> {
+        for BoundaryPoint { point, normal, is_of_a } in points {
+            let other = if is_of_a { self.b.side_within(point, 0.0) } else { self.side_of_a(point) };
+            let Some(normal) = normal.filter(|_| other != Side::Outside) else { continue };
+            let steps = DEPTHS.iter().flat_map(|depth| [depth * scale, -depth * scale]);
+            let mut inner = steps.map(|step| point + step * normal);
+            if let Some(found) = inner.find(|&point| self.common_side(point) == Side::Inside) {
+                return Some(found);
+            }
+        }
+        None
+    }
+
+    /// Returns points of both boundaries about the two nearest ones.
+    fn about(&self, nearest: &Nearest) -> Vec<BoundaryPoint> {
+        let steps =
+            || STEPS.iter().flat_map(|&step| DIRECTIONS.map(|direction| direction.map(|part| step * part)));
+        let of_side = |(side, model): (usize, &PreparedModel)| {
+            let target = model.certified_target();
+            let patch = target.target.patches.patch(nearest.patches[side] as usize);
+            let at = nearest.parameters[side];
+            let places = steps().map(|step| [0, 1].map(|axis| (at[axis] + step[axis]).clamp(0.0, 1.0)));
+            places.map(|place| self.boundary_point(&patch, place, side == 0)).collect::<Vec<_>>()
+        };
+        [self.a, self.b].into_iter().enumerate().flat_map(of_side).collect()
+    }
+
+    /// Returns points of both boundaries, of patches spread evenly over those that reach into a box.
+    fn spread(&self, common: &Aabb) -> Vec<BoundaryPoint> {
+        let of_side = |(side, model): (usize, &PreparedModel)| {
+            let is_of_a = side == 0;
+            let patches = &model.bezier().patches;
+            let reaches = |index: &usize| {
+                let aabb = patches.patch(*index).bounding_box();
+                let center = if is_of_a { self.transform.apply(aabb.center()) } else { aabb.center() };
+                common.min_distance_squared(center) <= 0.25 * aabb.extent().length_squared()
+            };
+            let near: Vec<usize> = (0..patches.len()).filter(reaches).collect();
+            let chosen = near.len().min(MAX_PATCHES);
+            let places = (BOUNDARY_POINTS / chosen.max(1)).isqrt().clamp(1, MAX_PLACES);
+            let mut points = Vec::with_capacity(chosen * places * places);
+            for patch in (0..chosen).map(|index| patches.patch(near[index * near.len() / chosen])) {
+                for place in 0..places * places {
+                    let at = [place / places, place % places].map(|k| (k as f64 + 0.5) / places as f64);
+                    points.push(self.boundary_point(&patch, at, is_of_a));
+                }
+            }
+            points
+        };
+        [self.a, self.b].into_iter().enumerate().flat_map(of_side).collect()
+    }
+
+    fn boundary_point(&self, patch: &Patch<'_>, at: [f64; 2], is_of_a: bool) -> BoundaryPoint {
+        let jet = patch.jet(at);
+        let (point, normal) = (jet.point, jet.normal());
+        if is_of_a {
+            let normal = normal.map(|normal| self.transform.rotate(normal));
+            return BoundaryPoint { point: self.transform.apply(point), normal, is_of_a };
+        }
+        BoundaryPoint { point, normal, is_of_a }
+    }
+}
+
+/// Returns points that fill a box evenly.
+fn points_of(aabb: &Aabb) -> impl Iterator<Item = DVec3> + '_ {
+    // The multiples of these irrational numbers fill the unit cube evenly: the powers of the root of
+    // x⁴ = x + 1.
+    const STEPS: DVec3 =
+        DVec3::new(0.819_172_513_396_164_4, 0.671_043_606_703_789_2, 0.549_700_477_901_970_3);
+    (1..=BOX_POINTS).map(|index| aabb.min + (0.5 + index as f64 * STEPS).fract() * aabb.extent())
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    /// Every eighth of a box has some of its points, and no point is outside.
+    #[test]
+    fn points_fill_a_box() {
+        let aabb = Aabb { min: DVec3::new(-1.0, 2.0, 5.0), max: DVec3::new(1.0, 2.5, 9.0) };
+        let mut counts = [0; 8];
+        for point in points_of(&aabb) {
+            assert!(aabb.min_distance_squared(point) == 0.0, "{point}");
+            let high = point.cmpgt(aabb.center());
+            counts[high.bitmask() as usize] += 1;
+        }
+        assert!(counts.iter().all(|&count| count >= BOX_POINTS / 16), "{counts:?}");
+    }
+}

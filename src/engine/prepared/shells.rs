@@ -1,0 +1,105 @@
+//! The shells of a model: how they lie to each other, and the sides of the points that they enclose.
+
+use super::PreparedModel;
+use crate::bezier::{BezierModel, PatchSet};
+use crate::bvh::Aabb;
+use crate::certified::Interval;
+use crate::clearance::{Body, Goal, Search};
+use crate::closest::Target;
+use crate::model::RigidTransform;
+use crate::solid::{Boundary, Enclosing, Relation, Side};
+use crate::threads::locked;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex};
+
+/// The largest number of pairs of cells after which it is not known how two shells lie: about 0.1 s.
+const MAX_PAIRS: usize = 50_000;
+
+/// What is known of a model's shells.
+#[derive(Debug, Default)]
+pub(super) struct KnownShells {
+    /// The patches of shells, by their numbers.
+    targets: Mutex<HashMap<u32, Arc<Target>>>,
+    relations: Mutex<HashMap<[u32; 2], Relation>>,
+}
+
+/// The shells of a model, to be shared by threads.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::engine) struct Shells<'a> {
+    pub(in crate::engine) boundary: &'a Boundary,
+    bezier: &'a BezierModel,
+    control_box: Aabb,
+    known: &'a KnownShells,
+}
+
+impl PreparedModel {
+    /// Returns the shells that joined edges connect.
+    pub(in crate::engine) fn shells(&self) -> Shells<'_> {
+        let (boundary, bezier) = (self.boundary(), self.bezier());
+        Shells { boundary, bezier, control_box: self.control_box, known: &self.kept.shells }
+    }
+}
+
+impl Shells<'_> {
+    /// Returns the side of the points that these shells of the model enclose, by the rule of
+    /// docs/solids.md, section 2. Shells are compared at first use.
+    pub(in crate::engine) fn side(&self, enclosing: &Enclosing) -> Side {
+        enclosing.side(|pair| {
+            if let Some(&known) = locked(&self.known.relations).get(&pair) {
+                return known;
+            }
+            let found = self.compared(pair);
+            *locked(&self.known.relations).entry(pair).or_insert(found)
+        })
+    }
+
+    /// Returns how two shells lie, by the least distance of their points. They are apart only if their
+    /// strips are too.
+    fn compared(&self, pair: [u32; 2]) -> Relation {
+        let targets = pair.map(|shell| self.target(shell));
+        let point_error = self.bezier.point_error.after(0);
+        let body = |target| Body { target, control_box: self.control_box, point_error };
+        let bodies = [body(&*targets[0]), body(&*targets[1])];
+        let goal = Goal { tolerance: 0.0, limit: None };
+        let mut search = Search::new(bodies, RigidTransform::IDENTITY, goal);
+        loop {
+            let stop = search.advance(usize::MAX);
+            let Interval { lower, upper } = search.interval();
+            if self.boundary.clear_radius(self.boundary.clear_radius(lower)) > 0.0 {
+                return self.nested(pair, &targets);
+            }
+            if upper <= search.min_tolerance() {
+                return Relation::Meeting;
+            }
+            if stop.is_some() || search.pairs() >= MAX_PAIRS {
+                return Relation::Unknown;
+            }
+        }
+    }
+
+    /// Returns which of two shells that are apart lies within the other, by a point of the first one.
+    fn nested(&self, [_, other]: [u32; 2], targets: &[Arc<Target>; 2]) -> Relation {
+        let point = targets[0].patches.patch(0).point([0.5; 2]);
+        let is_within = |around: &Enclosing| around.has(other);
+        let error = self.boundary.margin_at(point);
+        match self.boundary.enclosing(&targets[1], point, error).as_ref().map(is_within) {
+            Some(true) => Relation::Within,
+            // Both enclose a point, so that one lies within the other.
+            Some(false) => Relation::About,
+            None => Relation::Unknown,
+        }
+    }
+
+    /// Returns the patches of a shell, in a tree of their own. O(n log n) at first use.
+    fn target(&self, shell: u32) -> Arc<Target> {
+        if let Some(known) = locked(&self.known.targets).get(&shell) {
+            return Arc::clone(known);
+        }
+        let shells = self.boundary.shells();
+        let mut patches = PatchSet::default();
+        let of_shell = self.bezier.patches.iter().filter(|patch| shells[patch.surface] == shell);
+        of_shell.for_each(|patch| patches.push(patch));
+        let target = Arc::new(Target::new(patches));
+        Arc::clone(locked(&self.known.targets).entry(shell).or_insert(target))
+    }
+}
