@@ -5,7 +5,7 @@ mod bytes;
 use crate::failure::Failure;
 pub(crate) use bytes::{STANDARD_STREAM, Source, hexadecimal};
 use nurbs_hausdorff::{
-    Error, FaceId, FileKind, MeshFile, MeshFormat, Model, PreparedModel, ReadReport, Result, inflated,
+    Beside, Error, FaceId, FileKind, MeshFile, MeshFormat, Model, PreparedModel, ReadReport, Result, inflated,
 };
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -22,18 +22,21 @@ pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
 pub(crate) struct File {
     path: PathBuf,
     bytes: Vec<u8>,
+    beside: Beside,
     source: Source,
 }
 
 impl File {
-    /// Reads the bytes.
+    /// Reads the bytes, with those of the files beside it that it consists of.
     ///
     /// # Errors
-    /// Those of [`bytes::bytes`], with the path.
+    /// Those of [`bytes::bytes`] and [`bytes::beside`], with the path.
     pub(crate) fn open(path: &Path) -> std::result::Result<Self, Failure> {
-        let bytes = bytes::bytes(path).map_err(|error| Failure::Model { path: path.to_owned(), error })?;
-        let source = Source::new(path, &bytes);
-        Ok(Self { path: path.to_owned(), bytes, source })
+        let failure = |error| Failure::Model { path: path.to_owned(), error };
+        let bytes = bytes::bytes(path).map_err(failure)?;
+        let beside = bytes::beside(path, &bytes).map_err(failure)?;
+        let source = Source::new(path, &bytes, &beside);
+        Ok(Self { path: path.to_owned(), bytes, beside, source })
     }
 
     /// The path and the hash.
@@ -46,8 +49,8 @@ impl File {
     /// # Errors
     /// Those of [`Model::from_file`] and [`PreparedModel`], all with the path.
     pub(crate) fn read(self) -> std::result::Result<Input, Failure> {
-        let Self { path, bytes, source } = self;
-        let input = parse(&path, bytes, source);
+        let Self { path, bytes, beside, source } = self;
+        let input = parse(&path, bytes, &beside, source);
         let input = input.map_err(|error| Failure::Model { path: path.clone(), error })?;
         print_notes(&path, &input);
         Ok(input)
@@ -102,11 +105,11 @@ pub(crate) struct CadReport {
     pub(crate) read: ReadReport,
 }
 
-fn parse(path: &Path, bytes: Vec<u8>, source: Source) -> Result<Input> {
+fn parse(path: &Path, bytes: Vec<u8>, beside: &Beside, source: Source) -> Result<Input> {
     let path = path.display().to_string();
     let (bytes, name) = inflated(bytes, &path)?;
-    if let Some(format) = MeshFormat::of_name(name) {
-        return of_mesh(source, &bytes, format);
+    if let Some(format) = MeshFormat::of_file(&bytes, name)? {
+        return of_mesh(source, MeshFile::read_with(&bytes, format, beside)?);
     }
     let (model, mut read, kind) = Model::from_file(bytes, name)?;
     let (model, prepared) = match kind {
@@ -122,10 +125,9 @@ fn parse(path: &Path, bytes: Vec<u8>, source: Source) -> Result<Input> {
 }
 
 /// Prepares a mesh or a cloud of points.
-fn of_mesh(source: Source, bytes: &[u8], format: MeshFormat) -> Result<Input> {
-    let MeshFile { facets, unit, .. } = MeshFile::read(bytes, format)?;
-    let prepared = PreparedModel::of_facets(&facets, unit)?;
-    let read = ReadReport::of_facets(unit);
+fn of_mesh(source: Source, file: MeshFile) -> Result<Input> {
+    let prepared = PreparedModel::of_facets(&file.facets, file.unit)?;
+    let read = file.report();
     Ok(Input { model: None, prepared, report: CadReport { kind: "mesh", reader: READER, read }, source })
 }
 

@@ -1,7 +1,14 @@
 //! One tetrahedron in every format, and damage.
 
+mod faults;
+mod polygons;
+mod recognition;
+mod scenes;
+mod small;
+
 use super::*;
-use crate::facets::Facets;
+use crate::facets::MeshGroup;
+use glam::DVec3;
 use std::io::Write;
 
 const VERTICES: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 0.625]];
@@ -15,10 +22,18 @@ fn corners(mesh: &TriangleMesh) -> Vec<[[f64; 3]; 3]> {
 }
 
 fn read_mesh(bytes: &[u8], format: MeshFormat) -> (Vec<[[f64; 3]; 3]>, Option<f64>) {
-    let MeshFile { facets, unit } = MeshFile::read(bytes, format).unwrap();
+    let MeshFile { facets, unit, .. } = MeshFile::read(bytes, format).unwrap();
     let Facets::Mesh(mesh) = facets else { panic!("a mesh") };
     assert_eq!(mesh.vertices().len(), 4, "equal vertices are joined");
     (corners(&mesh), unit)
+}
+
+/// The numbers of triangles of the groups.
+fn groups_of(file: &MeshFile) -> Vec<usize> {
+    match &file.facets {
+        Facets::Mesh(mesh) => mesh.groups().iter().map(|group| group.triangles).collect(),
+        Facets::Cloud(_) => panic!("a mesh"),
+    }
 }
 
 fn tetrahedron() -> Vec<[[f64; 3]; 3]> {
@@ -140,17 +155,25 @@ fn glb() -> Vec<u8> {
 
 /// The tetrahedron moved by (0, 0, -1) in an object, which a component moves back by half and an
 /// item by the rest.
-fn three_mf() -> Vec<u8> {
+fn three_mf_xml() -> String {
     let vertices: String =
         VERTICES.map(|[x, y, z]| format!(r#"<vertex x="{x}" y="{y}" z="{}"/>"#, z - 1.0)).concat();
     let triangles: String =
         TRIANGLES.map(|[a, b, c]| format!(r#"<triangle v1="{a}" v2="{b}" v3="{c}" pid="7"/>"#)).concat();
-    let xml = format!(
+    format!(
         r#"<?xml version="1.0" encoding="UTF-8"?><model unit="inch" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
         <resources><object id="1" type="model" name="part"><mesh><vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh></object>
         <object id="2"><components><component objectid="1" transform="1 0 0 0 1 0 0 0 1 0 0 0.5"/></components></object></resources>
         <build><item objectid="2" transform="1 0 0 0 1 0 0 0 1 0 0 0.5"/></build></model>"#
-    );
+    )
+}
+
+fn three_mf() -> Vec<u8> {
+    zipped(&three_mf_xml())
+}
+
+/// An archive of this model.
+fn zipped(xml: &str) -> Vec<u8> {
     let mut writer = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
     writer.start_file("3D/3dmodel.model", zip::write::SimpleFileOptions::default()).unwrap();
     writer.write_all(xml.as_bytes()).unwrap();
@@ -214,7 +237,7 @@ fn points_are_read_as_a_cloud() {
 }
 
 #[test]
-fn polygons_are_cut_from_their_first_corner() {
+fn convex_polygons_are_cut_from_their_first_corner() {
     let obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
     let MeshFile { facets: Facets::Mesh(mesh), .. } =
         MeshFile::read(obj.as_bytes(), MeshFormat::Obj).unwrap()
@@ -227,7 +250,7 @@ fn polygons_are_cut_from_their_first_corner() {
 /// A file of `benches/trimmed/scan_samples.py`, with a byte before it.
 macro_rules! sample {
     ($name:literal) => {
-        &include_bytes!(concat!("../../tests/soundness/fuzz/seeds/mesh_file/scans/", $name))[1..]
+        &include_bytes!(concat!("../../../tests/soundness/fuzz/seeds/mesh_file/scans/", $name))[1..]
     };
 }
 
@@ -235,7 +258,7 @@ macro_rules! sample {
 /// of it is invalid.
 #[test]
 fn scans_are_placed_by_their_poses() {
-    let MeshFile { facets: Facets::Cloud(cloud), unit } =
+    let MeshFile { facets: Facets::Cloud(cloud), unit, .. } =
         MeshFile::read(sample!("scans-e57"), MeshFormat::E57).unwrap()
     else {
         panic!("a cloud")
