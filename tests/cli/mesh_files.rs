@@ -77,7 +77,10 @@ fn buffers_beside_a_gltf_are_read() {
         )
     };
     let buffer = |height: f32| -> Vec<u8> {
-        [0.0, 0.0, height, 1.0, 0.0, height, 0.0, 1.0, height].iter().flat_map(|number| number.to_le_bytes()).collect()
+        [0.0, 0.0, height, 1.0, 0.0, height, 0.0, 1.0, height]
+            .iter()
+            .flat_map(|number| number.to_le_bytes())
+            .collect()
     };
     let model = file("beside.gltf", &gltf("beside%20it.bin"));
     let beside = PathBuf::from(&model).with_file_name("beside it.bin");

@@ -5,6 +5,7 @@ mod polygons;
 mod recognition;
 mod scenes;
 mod small;
+mod vtp;
 
 use super::*;
 use crate::facets::MeshGroup;
@@ -247,10 +248,11 @@ fn convex_polygons_are_cut_from_their_first_corner() {
     assert_eq!(mesh.triangles(), [[0, 1, 2], [0, 2, 3]]);
 }
 
-/// A file of `benches/trimmed/scan_samples.py`, with a byte before it.
-macro_rules! sample {
+/// A seed of the fuzzing, without the byte before it that names the format. The scans are of
+/// `benches/trimmed/scan_samples.py`.
+macro_rules! seed {
     ($name:literal) => {
-        &include_bytes!(concat!("../../../tests/soundness/fuzz/seeds/mesh_file/scans/", $name))[1..]
+        &include_bytes!(concat!("../../../tests/soundness/fuzz/seeds/mesh_file/", $name))[1..]
     };
 }
 
@@ -259,7 +261,7 @@ macro_rules! sample {
 #[test]
 fn scans_are_placed_by_their_poses() {
     let MeshFile { facets: Facets::Cloud(cloud), unit, .. } =
-        MeshFile::read(sample!("scans-e57"), MeshFormat::E57).unwrap()
+        MeshFile::read(seed!("scans/scans-e57"), MeshFormat::E57).unwrap()
     else {
         panic!("a cloud")
     };
@@ -272,7 +274,7 @@ fn scans_are_placed_by_their_poses() {
 /// The bytes of an E57 file with parts of its XML replaced by others and blanks, and with checksums
 /// (CRC-32C of RFC 3720) that fit.
 fn e57_with(replaced: &[(&str, &str)]) -> Vec<u8> {
-    let pages = sample!("scans-e57").chunks(1024);
+    let pages = seed!("scans/scans-e57").chunks(1024);
     let mut content: Vec<u8> = pages.flat_map(|page| &page[..1020]).copied().collect();
     for (part, other) in replaced {
         let place = content.windows(part.len()).position(|found| found == part.as_bytes()).unwrap();
@@ -293,7 +295,7 @@ fn e57_with(replaced: &[(&str, &str)]) -> Vec<u8> {
 fn scans_of_endless_sizes_are_refused() {
     let refusal = |bytes: &[u8]| MeshFile::read(bytes, MeshFormat::E57).unwrap_err().to_string();
     assert!(MeshFile::read(&e57_with(&[]), MeshFormat::E57).is_ok());
-    let mut long_xml = sample!("scans-e57").to_vec();
+    let mut long_xml = seed!("scans/scans-e57").to_vec();
     long_xml[32..40].copy_from_slice(&(1_u64 << 20).to_le_bytes());
     assert!(refusal(&long_xml).contains("bytes of XML"), "{}", refusal(&long_xml));
     let no_bits = r#"type="Integer" minimum="0" maximum="0""#;
@@ -316,10 +318,17 @@ fn damaged_files_are_refused_or_valid() {
     let random = &mut fastrand::Rng::with_seed(5);
     let mut refused = 0;
     let scans = [
-        (sample!("points-las").to_vec(), MeshFormat::Las, None),
-        (sample!("points-laz").to_vec(), MeshFormat::Las, None),
-        (sample!("layers-laz").to_vec(), MeshFormat::Las, None),
-        (sample!("scans-e57").to_vec(), MeshFormat::E57, None),
+        (seed!("scans/points-las").to_vec(), MeshFormat::Las, None),
+        (seed!("scans/points-laz").to_vec(), MeshFormat::Las, None),
+        (seed!("scans/layers-laz").to_vec(), MeshFormat::Las, None),
+        (seed!("scans/scans-e57").to_vec(), MeshFormat::E57, None),
+        (seed!("written/off").to_vec(), MeshFormat::Off, None),
+        (seed!("written/vtk").to_vec(), MeshFormat::Vtk, None),
+        (seed!("written/vtp").to_vec(), MeshFormat::Vtk, None),
+        (seed!("written/pcd").to_vec(), MeshFormat::Pcd, None),
+        (seed!("written/ptx").to_vec(), MeshFormat::Ptx, None),
+        (seed!("written/csv").to_vec(), MeshFormat::Text, None),
+        (seed!("written/l-obj").to_vec(), MeshFormat::Obj, None),
     ];
     for (bytes, format, _) in files().into_iter().chain(scans) {
         for _ in 0..1000 {
@@ -339,6 +348,7 @@ fn damaged_files_are_refused_or_valid() {
                     damaged[place] = random.u8(..);
                 }),
             }
+            let _ = MeshFormat::of_file(&damaged, "file");
             match MeshFile::read(&damaged, format) {
                 Ok(MeshFile { facets: Facets::Mesh(mesh), .. }) => {
                     assert!(mesh.vertices().iter().all(|vertex| vertex.is_finite()));
