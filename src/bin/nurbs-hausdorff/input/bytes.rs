@@ -68,12 +68,16 @@ pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
 }
 
 /// Returns the files beside one, of which it consists: those with the buffers of a glTF. They are in its folder
-/// or below; others are left out, as a file that comes from elsewhere must not choose what is read.
+/// or below; others are left out, as a file that comes from elsewhere must not choose what is read. Standard input
+/// has none.
 ///
 /// # Errors
 /// Those of [`bytes`]; [`Error::FileTooLarge`] for more than that all together.
 pub(super) fn beside(path: &Path, content: &[u8]) -> Result<Beside> {
     let mut files = Beside::new();
+    if path.as_os_str() == STANDARD_STREAM {
+        return Ok(files);
+    }
     let Ok(Some(format)) = MeshFormat::of_file(content, &path.to_string_lossy()) else { return Ok(files) };
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut length = 0;
