@@ -166,7 +166,7 @@ pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};
 /// The vectors and rotations of points, models and transforms.
 pub use glam::{DQuat, DVec2, DVec3};
 #[cfg(feature = "mesh")]
-pub use mesh_files::{MeshFile, MeshFormat};
+pub use mesh_files::{Beside, MeshFile, MeshFormat};
 pub use model::{
     Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays, face_path,
 };

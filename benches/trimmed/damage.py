@@ -32,7 +32,9 @@ KIBIBYTES_A_MEBIBYTE = 1024
 # In STEP; in other texts, whole numbers, which references are among.
 REFERENCE = re.compile(rb"#\d+")
 WHOLE_NUMBER = re.compile(rb"(?<![\d.])\d+(?![\d.])")
-MESHES = {".stl", ".ply", ".obj", ".gltf", ".glb", ".3mf", ".xyz", ".pts", ".csv", ".las", ".laz", ".e57"}
+MESHES = frozenset(
+    ".stl .ply .obj .off .vtk .vtp .gltf .glb .3mf .xyz .pts .csv .txt .pcd .ptx .las .laz .e57".split()
+)
 # The pages of E57 and the checksum at the end of each, CRC-32C.
 PAGE, CHECKED = 1024, 1020
 CASTAGNOLI = 0x82F63B78

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Literal
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _names, _native, _transform
-from ._errors import NurbsHausdorffError
+from ._arrays import rows
 from ._progress import Event, ProgressBar, reporter
 from ._results.clearance import ClearanceResult, GapsResult, clearance_result, gaps_result
 from ._results.closest import ClosestPoints
@@ -394,16 +393,12 @@ def closest_points(
     NurbsHausdorffError
         With the code of what was refused; ``CANCELLED`` if ``cancel`` was set.
     """
-    given = np.asarray(points, dtype=np.float64)
-    if given.ndim != 2 or given.shape[1] != 3:
-        raise NurbsHausdorffError(
-            "ARGUMENT_INVALID", f"points have shape {given.shape}, expected (n, 3)"
-        )
+    given = rows("points", points)
     options = _names.options(
         tolerance=tolerance, relative_tolerance=relative_tolerance, sign_tolerance=sign_tolerance
     )
     found = _native.closest_points(
-        model(part)._native, np.ascontiguousarray(given).reshape(-1), options,
+        model(part)._native, given.reshape(-1), options,
         _transform.native(transform), reporter(progress, cancel),
     )  # fmt: skip
     found["feet"] = found["feet"].reshape(-1, 3)

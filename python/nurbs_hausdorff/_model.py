@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _names, _native
+from ._arrays import rows
 from ._errors import NurbsHausdorffError
 
 
@@ -142,9 +143,14 @@ class Model:
     or by its arrays.
     """
 
-    __slots__ = ("_source", "_native", "_path", "__weakref__")
+    __slots__ = ("_source", "_native", "_path", "_beside", "__weakref__")
 
-    def __init__(self, source: bytes | Facets, path: str = "model") -> None:
+    def __init__(
+        self,
+        source: bytes | Facets,
+        path: str = "model",
+        beside: dict[str, bytes] | None = None,
+    ) -> None:
         try:
             if isinstance(source, Facets):
                 self._native = _native.Model.of_facets(
@@ -153,15 +159,18 @@ class Model:
                     source.unit,
                 )
             else:
-                self._native = _native.Model(source, path)
+                self._native = _native.Model(source, path, beside or {})
         except NurbsHausdorffError as error:
             message = error.message if path in error.message else f"{path}: {error.message}"
             raise NurbsHausdorffError(error.code, message) from None
         self._source = source
         self._path = path
+        self._beside = beside
 
-    def __reduce__(self) -> tuple[type[Model], tuple[bytes | Facets, str]]:
-        return Model, (self._source, self._path)
+    def __reduce__(
+        self,
+    ) -> tuple[type[Model], tuple[bytes | Facets, str, dict[str, bytes] | None]]:
+        return Model, (self._source, self._path, self._beside)
 
     def __repr__(self) -> str:
         return f"<Model {self.name or self._path!r}: {self._size()}>"
@@ -262,12 +271,7 @@ class Model:
     def sides(self, points: ArrayLike) -> NDArray[np.int8]:
         """Return the sides of points of shape (n, 3): -1 inside, 1 outside, 0 where neither is
         certain: within the gaps of the boundary, and everywhere if the model is not closed."""
-        found = np.ascontiguousarray(points, np.float64)
-        if found.ndim != 2 or found.shape[1] != 3:
-            raise NurbsHausdorffError(
-                "ARGUMENT_INVALID", f"points have shape {found.shape}, expected (n, 3)"
-            )
-        return self._native.sides(found.reshape(-1))
+        return self._native.sides(rows("points", points).reshape(-1))
 
     def info(self) -> dict[str, Any]:
         """Return faces, patches and areas, with the names of the command `info --json` in snake

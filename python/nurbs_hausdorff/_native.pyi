@@ -4,14 +4,14 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Model", "clearance", "closest_points", "diff", "distance", "field", "gaps", "statistics"]
+__all__ = ["Model", "clearance", "closest_points", "diff", "distance", "field", "gaps", "names_beside", "statistics"]
 
 _Report = Callable[[float, tuple[float, float] | None], bool]
 _Motion = tuple[tuple[float, float, float, float], tuple[float, float, float]]
 
 @final
 class Model:
-    def __new__(cls, file: bytes, path: str) -> Model: ...
+    def __new__(cls, file: bytes, path: str, beside: dict[str, bytes]) -> Model: ...
     @staticmethod
     def of_facets(
         vertices: NDArray[np.float64],
@@ -69,3 +69,5 @@ def closest_points(
     motion: _Motion,
     report: _Report | None,
 ) -> dict[str, Any]: ...
+
+def names_beside(file: bytes, path: str) -> list[str]: ...

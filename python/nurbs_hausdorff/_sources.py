@@ -9,10 +9,11 @@ from collections.abc import Iterable, Mapping
 from typing import Any, BinaryIO
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ._errors import NurbsHausdorffError
-from ._model import Facets, Model
+from ._facets import facets
+from ._model import Model
+from ._native import names_beside
 
 
 def read(
@@ -24,11 +25,12 @@ def read(
     ----------
     source : path, bytes or binary file object
         The file. STEP, IGES, OpenCASCADE's BREP text, FreeCAD documents and interchange JSON are
-        known by their content, also where gzip compressed them; STL, PLY, OBJ, glTF, 3MF, points as text, LAS, LAZ and E57
-        by the ending of the name.
+        known by their content, also where gzip compressed them, as are STL, PLY, OFF, VTK's surfaces,
+        glTF, 3MF, PCD, PTX, LAS, LAZ and E57; OBJ and points as text by the ending of the name where
+        there is one. A glTF at a path has its buffers beside it.
     format : str, optional
-        Ending that tells a mesh where there is no name: ``"stl"``, ``"ply"``, ``"obj"``,
-        ``"gltf"``, ``"3mf"``, ``"xyz"``, ``"las"``, ``"e57"``.
+        Ending that tells a mesh where neither content nor name does: ``"stl"``, ``"obj"``,
+        ``"xyz"``, …
 
     Raises
     ------
@@ -43,9 +45,19 @@ def read(
         data = found.encode() if isinstance(found, str) else bytes(found)
         return Model(data, f"{getattr(source, 'name', 'model')}{ending}")
     path = os.fspath(source)
+    content, name = _bytes(path), f"{path}{ending}"
+    beside: dict[str, bytes] = {}
+    for other in names_beside(content, name):
+        # A file that comes from elsewhere must not choose what is read.
+        if not os.path.isabs(other) and ".." not in other.replace("\\", "/").split("/"):
+            beside[other] = _bytes(os.path.join(os.path.dirname(path), other))
+    return Model(content, name, beside)
+
+
+def _bytes(path: str) -> bytes:
     try:
         with open(path, "rb") as file:
-            return Model(file.read(), f"{path}{ending}")
+            return file.read()
     except OSError as error:
         raise NurbsHausdorffError("FILE_UNREADABLE", f"{path}: {error.strerror}") from error
 
@@ -58,8 +70,11 @@ def model(part: Any) -> Model:
     part : Model, path, bytes, file object, shape, mapping, iterable of mappings, mesh or array
         A shape of build123d, CadQuery or OCP; interchange JSON as a mapping, or its surfaces:
         ``degree`` (2,), ``knots_u``, ``knots_v``, and ``ctrl`` of shape (m, n, 4) with weights
-        that are not multiplied in, or (m, n, 3); the arrays may be NumPy's. A mesh of trimesh or
-        pyvista, or a pair of vertices (n, 3) and triangles (m, 3); points (n, 3).
+        that are not multiplied in, or (m, n, 3); the arrays may be NumPy's. A mesh or a scene of
+        trimesh, a mesh of meshio, a mesh, grid or blocks of pyvista, or a pair of vertices (n, 3)
+        and triangles (m, 3); points (n, 3) as an array, a list, a table of pandas with columns x, y
+        and z, or anything that has ``__array__``. Polygons are cut in their plane, and their distance
+        from it is the model's `gap`; of a grid the surface is measured.
 
     Raises
     ------
@@ -68,7 +83,7 @@ def model(part: Any) -> Model:
     """
     if isinstance(part, Model):
         return part
-    if isinstance(part, (str, os.PathLike, bytes)) or hasattr(part, "read"):
+    if isinstance(part, (str, os.PathLike, bytes)):
         return read(part)
     if isinstance(part, Mapping):
         document = part if "surfaces" in part else {"surfaces": [part]}
@@ -76,10 +91,12 @@ def model(part: Any) -> Model:
     shape = _ocp_shape(part)
     if shape is not None:
         return Model(_brep_text(shape), type(part).__name__)
-    facets = _facets(part)
-    if facets is not None:
-        return Model(facets, type(part).__name__)
-    if isinstance(part, Iterable) and not hasattr(part, "dtype"):
+    found = facets(part)
+    if found is not None:
+        return Model(found, type(part).__name__)
+    if hasattr(part, "read"):
+        return read(part)
+    if isinstance(part, Iterable):
         surfaces = list(part)
         if surfaces and all(isinstance(surface, Mapping) for surface in surfaces):
             return _of_arrays({"surfaces": surfaces})
@@ -88,52 +105,6 @@ def model(part: Any) -> Model:
         f"found {type(part).__name__}, expected a path, bytes, a file object, a shape of "
         "build123d, CadQuery or OCP, surfaces as mappings, a mesh, or points of shape (n, 3)",
     )
-
-
-def _facets(part: Any) -> Facets | None:
-    """Return the triangles or points of a part, or None."""
-    if hasattr(part, "vertices") and hasattr(part, "faces"):
-        # trimesh.Trimesh
-        return _of_indices(part.vertices, part.faces)
-    if hasattr(part, "regular_faces") and hasattr(part, "points"):
-        # pyvista.PolyData
-        if part.n_cells == part.n_verts:
-            return Facets(_rows("points", part.points))
-        triangles = part if part.is_all_triangles else part.triangulate()
-        return _of_indices(triangles.points, triangles.regular_faces)
-    if hasattr(part, "vertices") and not callable(part.vertices):
-        # trimesh.PointCloud
-        return Facets(_rows("points", part.vertices))
-    if isinstance(part, tuple) and len(part) == 2:
-        return _of_indices(*part)
-    if isinstance(part, np.ndarray):
-        return Facets(_rows("points", part))
-    return None
-
-
-def _of_indices(vertices: ArrayLike, triangles: ArrayLike) -> Facets:
-    indices = np.asarray(triangles)
-    if indices.ndim != 2 or indices.shape[1] != 3 or indices.dtype.kind not in "iu":
-        raise NurbsHausdorffError(
-            "ARGUMENT_INVALID",
-            f"triangles are {indices.dtype} of shape {indices.shape}, expected integers of "
-            "shape (m, 3)",
-        )
-    if indices.size and (indices.min() < 0 or indices.max() > np.iinfo(np.uint32).max):
-        raise NurbsHausdorffError(
-            "TRIANGLE_INDEX", f"triangles have indices from {indices.min()} to {indices.max()}"
-        )
-    rows = np.ascontiguousarray(indices, dtype=np.uint32)
-    return Facets(_rows("vertices", vertices), rows)
-
-
-def _rows(name: str, values: ArrayLike) -> Any:
-    rows = np.ascontiguousarray(values, dtype=np.float64)
-    if rows.ndim != 2 or rows.shape[1] != 3:
-        raise NurbsHausdorffError(
-            "ARGUMENT_INVALID", f"{name} have shape {rows.shape}, expected (n, 3)"
-        )
-    return rows
 
 
 #: Keys of a surface in the interchange JSON.

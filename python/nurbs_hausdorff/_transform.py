@@ -9,8 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._errors import NurbsHausdorffError
 
-#: Largest difference of a matrix from that of its motion: the rounding of single precision.
-MATRIX_TOLERANCE = 1e-5
+#: Largest difference of a matrix from that of its motion: the rounding of products of rotations. A
+#: matrix that is farther off is another map, whose distances would be false.
+MATRIX_ROUNDING = 1e-13
 
 
 @dataclass(frozen=True)
@@ -29,25 +30,41 @@ class Transform:
     translation: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     @staticmethod
-    def from_matrix(matrix: ArrayLike) -> Transform:
+    def from_matrix(matrix: ArrayLike, *, tolerance: float = MATRIX_ROUNDING) -> Transform:
         """Make the motion of a matrix of shape (4, 4), last row (0, 0, 0, 1).
+
+        Parameters
+        ----------
+        matrix : array of shape (4, 4)
+            A rotation and a translation.
+        tolerance : float, optional
+            Largest difference of an entry from the motion's. Above the default, 1e-13, the nearest
+            motion stands for a matrix that is another map: ``tolerance=1e-6`` takes matrices in
+            single precision. Distances are then those of the motion.
 
         Raises
         ------
         NurbsHausdorffError
-            ``TRANSFORM_NOT_RIGID`` for a matrix that is none of a rotation and a translation.
+            ``TRANSFORM_NOT_RIGID`` for a matrix that is none of a rotation and a translation, with
+            the difference; ``ARGUMENT_INVALID`` for one that is not real or of another shape.
         """
-        given = np.asarray(matrix, dtype=np.float64)
-        if given.shape != (4, 4):
+        plain = np.asarray(matrix)
+        if plain.shape != (4, 4) or plain.dtype.kind not in "iuf" or np.ma.is_masked(matrix):
             raise NurbsHausdorffError(
-                "ARGUMENT_INVALID", f"transform has shape {given.shape}, expected (4, 4)"
+                "ARGUMENT_INVALID",
+                f"transform is {plain.dtype} of shape {plain.shape}, expected real numbers, none "
+                "masked, of shape (4, 4)",
             )
+        given = plain.astype(np.float64)
         x, y, z, w = _quaternion(given[:3, :3])
         a, b, c = given[:3, 3].tolist()
         motion = Transform((x, y, z, w), (a, b, c))
-        if not np.allclose(motion.matrix(), given, rtol=0.0, atol=MATRIX_TOLERANCE):
+        difference = float(np.max(np.abs(motion.matrix() - given)))
+        if not difference <= tolerance:
             raise NurbsHausdorffError(
-                "TRANSFORM_NOT_RIGID", f"the matrix is no rotation and translation: {given.tolist()}"
+                "TRANSFORM_NOT_RIGID",
+                f"the matrix {given.tolist()} is off a rotation and translation by {difference:.3g}, "
+                f"expected at most {tolerance:.3g}; Transform.from_matrix has a tolerance",
             )
         return motion
 

@@ -18,5 +18,5 @@ mod _native {
     #[pymodule_export]
     use crate::measure::{clearance, closest_points, diff, distance, field, gaps, statistics};
     #[pymodule_export]
-    use crate::model::Model;
+    use crate::model::{Model, names_beside};
 }

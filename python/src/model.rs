@@ -7,11 +7,12 @@ use glam::DVec3;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use nurbs_hausdorff::tessellate::{TessellationOptions, tessellate};
 use nurbs_hausdorff::{
-    Error, Facets, MeshFile, MeshFormat, MeshReport, ModelInfo, PointCloud, PreparedModel, ReadReport, Side,
+    Beside, Error, Facets, MeshFile, MeshFormat, MeshReport, ModelInfo, PointCloud, PreparedModel, ReadReport, Side,
     TriangleMesh, face_path,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
+use std::collections::HashMap;
 
 /// A model that was read and prepared, with the report on reading it.
 #[pyclass(frozen, module = "nurbs_hausdorff._native")]
@@ -45,11 +46,18 @@ impl Model {
 
 #[pymethods]
 impl Model {
-    /// Reads and prepares a file; `path` names it in errors, and its ending distinguishes meshes.
+    /// Reads and prepares a file with those of [`names_beside`]; `path` names it in errors, and its ending
+    /// distinguishes meshes.
     #[new]
-    fn new(py: Python<'_>, file: &Bound<'_, PyBytes>, path: &str) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        file: &Bound<'_, PyBytes>,
+        path: &str,
+        beside: HashMap<String, Vec<u8>>,
+    ) -> PyResult<Self> {
         let bytes = file.as_bytes();
-        let read = py.detach(|| on_live_threads(|| read(bytes, path)))?;
+        let beside = beside.into_iter().collect();
+        let read = py.detach(|| on_live_threads(|| read(bytes, path, &beside)))?;
         read.map_err(|error| failure::of_error(py, &error))
     }
 
@@ -201,12 +209,23 @@ impl Model {
     }
 }
 
+/// Returns the paths of the files of which a mesh's file consists, as those with the buffers of a glTF, from its
+/// folder on.
+#[pyfunction]
+pub(crate) fn names_beside(file: &Bound<'_, PyBytes>, path: &str) -> Vec<String> {
+    let bytes = file.as_bytes();
+    match MeshFormat::of_file(bytes, path) {
+        Ok(Some(format)) => MeshFile::names_beside(bytes, format),
+        _ => Vec::new(),
+    }
+}
+
 /// Faces of a CAD file that cannot be cut into patches are left out, and reported.
-fn read(bytes: &[u8], path: &str) -> nurbs_hausdorff::Result<Model> {
+fn read(bytes: &[u8], path: &str, beside: &Beside) -> nurbs_hausdorff::Result<Model> {
     let (bytes, name) = nurbs_hausdorff::inflated(bytes.to_vec(), path)?;
-    if let Some(format) = MeshFormat::of_name(name) {
-        let MeshFile { facets, unit, .. } = MeshFile::read(&bytes, format)?;
-        return prepared(&facets, unit);
+    if let Some(format) = MeshFormat::of_file(&bytes, name)? {
+        let file = MeshFile::read_with(&bytes, format, beside)?;
+        return prepared(&file.facets, file.unit, file.report());
     }
     let (model, mut report, kind) = nurbs_hausdorff::Model::from_file(bytes, name)?;
     let (model, prepared) = match kind {
@@ -229,10 +248,10 @@ fn of_facets(
         Some(triangles) => Facets::Mesh(TriangleMesh::new(&vertices, triangles.as_chunks::<3>().0)?),
         None => Facets::Cloud(PointCloud::new(vertices)?),
     };
-    prepared(&facets, unit)
+    prepared(&facets, unit, ReadReport::of_facets(unit))
 }
 
-fn prepared(facets: &Facets, unit: Option<f64>) -> nurbs_hausdorff::Result<Model> {
+fn prepared(facets: &Facets, unit: Option<f64>, report: ReadReport) -> nurbs_hausdorff::Result<Model> {
     let prepared = PreparedModel::of_facets(facets, unit)?;
     let (kind, count, mesh) = match facets {
         Facets::Mesh(mesh) => ("mesh", mesh.triangles().len(), Some(mesh.report())),
@@ -240,5 +259,5 @@ fn prepared(facets: &Facets, unit: Option<f64>) -> nurbs_hausdorff::Result<Model
         _ => return Err(Error::FacetsUnsupported { found: "a model of another kind" }),
     };
     let content = Content::Facets { count, mesh, unit };
-    Ok(Model { content, prepared, report: ReadReport::of_facets(unit), kind })
+    Ok(Model { content, prepared, report, kind })
 }

@@ -133,3 +133,110 @@ def test_statistics_are_intervals():
     points = np.array([[0, 0, 1], [0.5, 0.5, 2], [1, 1, 6]], float)
     counted = nh.statistics(points, flat(0.0))
     assert counted.over == "count" and holds(counted.mean, 3.0) and counted.beyond is None
+
+
+def refused(part):
+    with pytest.raises(nh.NurbsHausdorffError) as raised:
+        nh.model(part)
+    return raised.value
+
+
+def test_arrays_that_would_lose_something_are_refused():
+    points = np.zeros((2, 3))
+    for part, found in [
+        (points + 1j, "complex128"),
+        ((CORNERS + 1j, TRIANGLES), "complex128"),
+        (np.ma.masked_array(points, mask=[[True, False, False], [False] * 3]), "1 masked"),
+        (np.array([["1", "2", "3"]]), "real numbers"),
+        (np.array([[2**53 + 1, 0, 0]]), "2**53"),
+        ([[0, 0, 0], [1, 0]], "points"),
+    ]:
+        error = refused(part)
+        assert error.code == "ARGUMENT_INVALID" and found in str(error), (part, str(error))
+    assert nh.model(np.ma.masked_array(points)).facet_count == 2
+
+
+def test_points_are_taken_of_anything_with_rows():
+    class Rows:
+        def __array__(self, dtype=None, copy=None):
+            return np.array([[0, 0, 5], [3, 0, 0]])
+
+    for part in (Rows(), [[0, 0, 5], [3, 0, 0]], ((0, 0, 5), (3, 0, 0)), np.array([[0, 0, 5], [3, 0, 0]])):
+        model = nh.model(part)
+        assert model.kind == "points" and contains(nh.distance(model, flat(1.0)), 4.0)
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame({"id": [1, 2], "X": [0, 3], "Z": [5.0, 0.0], "Y": [0, 0]})
+    assert contains(nh.distance(nh.model(frame), flat(1.0)), 4.0)
+    assert "(2, 2)" in str(refused(frame[["X", "Y"]]))
+
+
+def test_scenes_and_paths_of_trimesh():
+    trimesh = pytest.importorskip("trimesh")
+    ball = trimesh.creation.icosphere(subdivisions=1)
+    scene = trimesh.Scene()
+    for height in (0.0, 7.0):
+        scene.add_geometry(ball, transform=trimesh.transformations.translation_matrix([0, 0, height]))
+    model = nh.model(scene)
+    assert model.facet_count == 2 * len(ball.faces)
+    assert model.bounding_box[1, 2] == pytest.approx(8.0)
+    path = trimesh.path.Path3D([trimesh.path.entities.Line([0, 1])], vertices=CORNERS)
+    assert "no surface" in str(refused(path))
+
+
+def test_meshes_of_meshio():
+    meshio = pytest.importorskip("meshio")
+    square = [("quad", np.array([[0, 1, 2, 3]])), ("triangle", np.array([[0, 1, 2]]))]
+    model = nh.model(meshio.Mesh(CORNERS, square))
+    assert (model.kind, model.facet_count, model.gap) == ("mesh", 3, 0.0)
+    assert contains(nh.distance(model, flat(3.0)), 3.0)
+    raised = meshio.Mesh(CORNERS + [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0.4]], square[:1])
+    assert nh.model(raised).gap == pytest.approx(0.1, rel=0.05)
+    with pytest.warns(UserWarning, match="1 lines"):
+        assert nh.model(meshio.Mesh(CORNERS, [*square, ("line", np.array([[0, 1]]))])).facet_count == 3
+    assert nh.model(meshio.Mesh(CORNERS, [])).kind == "points"
+    tetrahedron = meshio.Mesh(np.vstack([CORNERS[:3], [[0, 0, 1]]]), [("tetra", np.array([[0, 1, 2, 3]]))])
+    assert "'tetra'" in str(refused(tetrahedron))
+
+
+def test_grids_and_blocks_of_pyvista():
+    pyvista = pytest.importorskip("pyvista")
+    plane = pyvista.Plane(i_size=2, j_size=2)
+    assert nh.model(plane.cast_to_unstructured_grid()).facet_count == nh.model(plane).facet_count
+    blocks = pyvista.MultiBlock([plane.triangulate(), plane.triangulate().translate((0, 0, 1))])
+    assert nh.model(blocks).facet_count == 2 * plane.triangulate().n_cells
+
+
+def test_matrices_off_a_motion_are_refused():
+    scaled = np.diag([1 + 9e-6] * 3 + [1.0])
+    for matrix, code in [
+        (scaled, "TRANSFORM_NOT_RIGID"),
+        (np.eye(4) + 0j, "ARGUMENT_INVALID"),
+        (np.full((4, 4), np.nan), "TRANSFORM_NOT_RIGID"),
+    ]:
+        with pytest.raises(nh.NurbsHausdorffError) as raised:
+            nh.Transform.from_matrix(matrix)
+        assert raised.value.code == code
+    assert nh.Transform.from_matrix(scaled, tolerance=1e-5).rotation == pytest.approx((0, 0, 0, 1))
+    turn = np.eye(4)
+    turn[:2, :2] = [[np.cos(0.3), -np.sin(0.3)], [np.sin(0.3), np.cos(0.3)]]
+    chain = np.linalg.matrix_power(turn, 50)
+    assert np.allclose(nh.Transform.from_matrix(chain).matrix(), chain, rtol=0, atol=1e-13)
+
+
+def test_buffers_beside_a_gltf_are_read(tmp_path):
+    positions = np.array(CORNERS[:3], dtype=np.float32)
+    (tmp_path / "a b.bin").write_bytes(positions.tobytes())
+    path = tmp_path / "triangle.gltf"
+    path.write_text(
+        '{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],'
+        '"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],'
+        '"bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "a%20b.bin"}]}'
+    )
+    model = nh.read(path)
+    assert (model.facet_count, model.unit) == (1, 1.0)
+    assert pickle.loads(pickle.dumps(model)).facet_count == 1
+    (tmp_path / "a b.bin").unlink()
+    with pytest.raises(nh.NurbsHausdorffError) as raised:
+        nh.read(path)
+    assert raised.value.code == "FILE_UNREADABLE"
+    assert nh.read(b"OFF\n1 0 0\n1 2 3\n").kind == "points", "known by its content"

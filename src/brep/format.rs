@@ -58,3 +58,10 @@ pub(super) fn is_iges(bytes: &[u8]) -> bool {
             && mark[7].is_ascii_digit()
     })
 }
+
+/// Whether bytes are a CAD model of a format that is recognised.
+#[cfg(feature = "mesh")]
+pub(crate) fn is_cad(bytes: &[u8]) -> bool {
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(HEAD_LENGTH)]);
+    is_step(bytes) || is_iges(bytes) || is_rhino(bytes) || is_binary_brep(bytes) || is_brep(&head)
+}

@@ -34,6 +34,8 @@ use crate::read::{Assembled, ReadReport, validation};
 pub use archive::inflated;
 pub(crate) use assembly::OnFace;
 pub use file::FileKind;
+#[cfg(feature = "mesh")]
+pub(crate) use format::is_cad;
 
 impl Model {
     /// Reads the text of a BREP file of OpenCASCADE, versions 1 to 3, with every face

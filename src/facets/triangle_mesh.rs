@@ -15,6 +15,7 @@ pub struct TriangleMesh {
     vertices: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     groups: Vec<MeshGroup>,
+    gap: f64,
     report: MeshReport,
 }
 
@@ -78,7 +79,7 @@ impl TriangleMesh {
         report.unused_vertices = places.iter().filter(|place| place.is_none()).count();
         report.joined_vertices = places.len() - report.unused_vertices - vertices.len();
         let groups = vec![MeshGroup { name: None, triangles: kept.len() }];
-        let mut mesh = Self { vertices, triangles: kept, groups, report };
+        let mut mesh = Self { vertices, triangles: kept, groups, gap: 0.0, report };
         mesh.report_degenerate_triangles();
         Ok(mesh)
     }
@@ -109,6 +110,24 @@ impl TriangleMesh {
             return Err(Error::MeshGroups { found, expected });
         }
         Ok(Self { groups, ..self })
+    }
+
+    /// Returns the mesh as one that stands for a surface at a Hausdorff distance of at most `gap`, in its units, as
+    /// the triangles of polygons that are not plane do. It is 0 otherwise.
+    ///
+    /// # Errors
+    /// [`Error::GapInvalid`] for a negative gap and one that is not finite.
+    pub fn with_gap(self, gap: f64) -> Result<Self> {
+        if !(gap >= 0.0 && gap.is_finite()) {
+            return Err(Error::GapInvalid { surface: 0, found: gap });
+        }
+        Ok(Self { gap, ..self })
+    }
+
+    /// Returns the gap of [`TriangleMesh::with_gap`].
+    #[must_use]
+    pub fn gap(&self) -> f64 {
+        self.gap
     }
 
     /// Returns the groups, at least one.

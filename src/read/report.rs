@@ -77,7 +77,7 @@ impl ReadReport {
     /// Returns the report on a mesh or a cloud of points in this unit, which is one face.
     #[must_use]
     pub fn of_facets(unit: Option<f64>) -> Self {
-        Self { faces: 1, unit, ..Self::default() }
+        Self { faces: 1, gap_proven: true, unit, ..Self::default() }
     }
 
     /// Moves faces of the model, by their indices, from those that were read to those skipped.

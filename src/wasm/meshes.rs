@@ -4,7 +4,7 @@
 
 use crate::error::{Error, Result};
 use crate::facets::{Facets, MeshGroup};
-use crate::mesh_files::{MeshFile, MeshFormat};
+use crate::mesh_files::{Beside, MeshFile, MeshFormat};
 use wasm_bindgen::prelude::*;
 
 /// A mesh or a cloud of points that was read.
@@ -44,6 +44,12 @@ impl ReadMesh {
         self.groups().iter().map(|group| group.name.clone().unwrap_or_default()).collect()
     }
 
+    /// The distance of the triangles from the surface that they stand for, in units of the positions.
+    #[wasm_bindgen(getter)]
+    pub fn gap(&self) -> f64 {
+        self.0.report().gap
+    }
+
     /// Metres per unit of the positions; undefined if the file does not state it.
     #[wasm_bindgen(getter)]
     pub fn unit(&self) -> Option<f64> {
@@ -56,18 +62,18 @@ impl ReadMesh {
 #[cfg(feature = "wasm-meshes")]
 #[wasm_bindgen(js_name = readMesh)]
 pub fn read_mesh(bytes: &[u8], ending: &str) -> Result<ReadMesh> {
-    Ok(ReadMesh(MeshFile::read_mesh(bytes, format_of(ending)?)?))
+    Ok(ReadMesh(MeshFile::read_mesh(bytes, format_of(bytes, ending)?, &Beside::new())?))
 }
 
 /// Reads a scan of a file with this ending of its name: LAS, LAZ or E57.
 #[cfg(feature = "wasm-scans")]
 #[wasm_bindgen(js_name = readScan)]
 pub fn read_scan(bytes: &[u8], ending: &str) -> Result<ReadMesh> {
-    Ok(ReadMesh(MeshFile::read_scan(bytes, format_of(ending)?)?))
+    Ok(ReadMesh(MeshFile::read_scan(bytes, format_of(bytes, ending)?)?))
 }
 
-fn format_of(ending: &str) -> Result<MeshFormat> {
-    MeshFormat::of_name(&format!(".{ending}")).ok_or_else(|| Error::OptionInvalid {
+fn format_of(bytes: &[u8], ending: &str) -> Result<MeshFormat> {
+    MeshFormat::of_file(bytes, &format!(".{ending}"))?.ok_or_else(|| Error::OptionInvalid {
         found: format!("the format is {ending:?}, expected the ending of a name of a mesh's file"),
     })
 }

@@ -44,6 +44,7 @@ impl PreparedModel {
     /// A mesh of positions, x, y, z each, and triangles, three indices each, or without triangles
     /// a cloud of points; in metres per unit, if that is known. `counts` are the numbers of triangles of the
     /// groups, `names` their names; an empty name stands for none. Without counts the mesh is one group.
+    /// `gap` is the distance from the surface that the triangles stand for, 0 if it is left out.
     #[wasm_bindgen(js_name = fromFacets)]
     pub fn from_facets(
         positions: Vec<f64>,
@@ -51,6 +52,7 @@ impl PreparedModel {
         unit: Option<f64>,
         counts: Option<Vec<u32>>,
         names: Option<Vec<String>>,
+        gap: Option<f64>,
     ) -> Result<PreparedModel> {
         let (points, rest) = positions.as_chunks();
         if !rest.is_empty() {
@@ -59,7 +61,7 @@ impl PreparedModel {
         let points: Vec<DVec3> = points.iter().copied().map(DVec3::from_array).collect();
         let facets = match triangles {
             Some(indices) => {
-                let mesh = TriangleMesh::of_indices(&points, &indices)?;
+                let mesh = TriangleMesh::of_indices(&points, &indices)?.with_gap(gap.unwrap_or(0.0))?;
                 Facets::Mesh(match counts {
                     Some(counts) => mesh.with_groups(groups(&counts, names.unwrap_or_default()))?,
                     None => mesh,

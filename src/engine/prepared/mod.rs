@@ -98,10 +98,15 @@ impl PreparedModel {
         if let Some(found) = unit.filter(|&unit| !is_unit(unit)) {
             return Err(Error::UnitInvalid { found });
         }
-        Ok(Self::with_facets(PreparedFacets::new(facets), unit))
+        let gap = match facets {
+            Facets::Mesh(mesh) => mesh.gap(),
+            Facets::Cloud(_) => 0.0,
+        };
+        Ok(Self::with_facets(PreparedFacets::new(facets), gap, unit))
     }
 
-    fn with_facets(facets: PreparedFacets, unit: Option<f64>) -> Self {
+    /// Returns the model of facets that stand for a surface within this gap.
+    fn with_facets(facets: PreparedFacets, gap: f64, unit: Option<f64>) -> Self {
         let bounding_box = facets.target.bounding_box();
         let empty = BezierModel {
             patches: PatchSet::default(),
@@ -112,8 +117,8 @@ impl PreparedModel {
             name: None,
             unit,
             source: None,
-            gap: 0.0,
-            face_gaps: vec![0.0; facets.groups().len()],
+            gap,
+            face_gaps: vec![gap; facets.groups().len()],
             is_gap_proven: true,
             trimmed_faces: None,
             pieces: FacePieces::of_facets(facets.groups().iter().map(|group| group.name.clone()).collect()),

@@ -48,7 +48,12 @@ impl PreparedModel {
             if !is_in_range(length) {
                 return Err(Error::PointOutOfRange { index: 0, found: length });
             }
-            return Ok(Self::with_facets(scaled, Some(unit)));
+            let gap = if self.gap > 0.0 {
+                (self.gap * factor * (1.0 + gamma(SCALE_ROUNDINGS))).next_up()
+            } else {
+                0.0
+            };
+            return Ok(Self::with_facets(scaled, gap, Some(unit)));
         }
         let source = self.source.as_ref().ok_or(Error::EmptyModel)?;
         let mut prepared = Self::new(&source.scaled_to_unit(unit)?)?;

@@ -12,13 +12,20 @@ export type MeshFormat =
   | "stl"
   | "ply"
   | "obj"
+  | "off"
+  | "vtk"
+  | "vtp"
   | "gltf"
   | "glb"
   | "3mf"
   | "xyz"
+  | "xyzn"
   | "pts"
   | "csv"
   | "asc"
+  | "txt"
+  | "pcd"
+  | "ptx"
   | "las"
   | "laz"
   | "e57";
@@ -27,7 +34,8 @@ export type MeshFormat =
 const SCANS: readonly MeshFormat[] = ["las", "laz", "e57"];
 
 const FORMATS: readonly MeshFormat[] = [
-  ...(["stl", "ply", "obj", "gltf", "glb", "3mf", "xyz", "pts", "csv", "asc"] as const),
+  ...(["stl", "ply", "obj", "off", "vtk", "vtp", "gltf", "glb", "3mf"] as const),
+  ...(["xyz", "xyzn", "pts", "csv", "asc", "txt", "pcd", "ptx"] as const),
   ...SCANS,
 ];
 
@@ -42,20 +50,19 @@ export interface MeshOptions {
   signal?: AbortSignal;
 }
 
-/**
- * The format of a file by the ending of its name, in any case; undefined for others. STL has no
- * signature, so that the content does not tell.
- */
+/** The format of a file by the ending of its name, in any case; undefined for others. */
 export function meshFormatOf(name: string): MeshFormat | undefined {
   const ending = name.slice(name.lastIndexOf(".") + 1).toLowerCase();
   return FORMATS.find((format) => format === ending);
 }
 
 /**
- * Reads a mesh of triangles, or a cloud of points: STL, PLY (a cloud if it has no faces), OBJ, glTF
- * with embedded buffers, GLB, 3MF, points as text, or a scan: LAS, LAZ or E57. Scenes are placed,
- * polygons cut from their first corner and equal vertices joined. glTF, 3MF and E57 state their
- * unit, LAS where it has a coordinate reference system with one.
+ * Reads a mesh of triangles, or a cloud of points: STL, PLY, OFF and VTK's surfaces (clouds if they
+ * have no faces), OBJ, glTF with embedded buffers, GLB, 3MF, points as text, PCD, PTX, or a scan:
+ * LAS, LAZ or E57. Where the content has a signature, it decides rather than `format`. Scenes are
+ * placed, polygons cut in their plane, whose distance is the model's `gap`, and equal vertices
+ * joined. glTF, 3MF and E57 state their unit, LAS where it has a coordinate reference system with
+ * one, text where the names of its columns do.
  *
  * @throws {HausdorffError} `CANCELLED`, `MESH_SYNTAX`, `FILE_TOO_LARGE`, `MODULE_FAILED`, and the errors of
  * `Hausdorff.mesh`.
@@ -80,9 +87,9 @@ export async function readMesh(
     const mesh = read(content, format);
     try {
       const unit = mesh.unit ?? options.unit;
-      const { positions, triangles, groupCounts, groupNames } = mesh;
+      const { positions, triangles, groupCounts, groupNames, gap } = mesh;
       const [counts, names] = triangles ? [groupCounts, groupNames] : [];
-      const prepared = PreparedModel.fromFacets(positions, triangles, unit, counts, names);
+      const prepared = PreparedModel.fromFacets(positions, triangles, unit, counts, names, gap);
       return NurbsModel.of(prepared, null, { positions, triangles });
     } finally {
       mesh.free();

@@ -4,10 +4,13 @@
 use nurbs_hausdorff::{Facets, MeshFile, MeshFormat};
 
 /// The endings of names, one for each reader.
-const ENDINGS: [&str; 8] = [".stl", ".ply", ".obj", ".gltf", ".3mf", ".xyz", ".las", ".e57"];
+const ENDINGS: [&str; 12] =
+    [".stl", ".ply", ".obj", ".gltf", ".3mf", ".xyz", ".las", ".e57", ".off", ".vtk", ".pcd", ".ptx"];
 
 pub fn check(bytes: &[u8]) {
     let Some((&first, content)) = bytes.split_first() else { return };
+    // Any bytes may be of any format, or of one that is refused.
+    let _ = MeshFormat::of_file(content, "file");
     let format = MeshFormat::of_name(ENDINGS[usize::from(first) % ENDINGS.len()]).unwrap();
     let read = match MeshFile::read(content, format) {
         Ok(read) => read,

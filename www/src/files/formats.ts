@@ -3,7 +3,7 @@ import type { CadKind } from "nurbs-hausdorff/cad";
 
 /** The value of `accept`: endings, since browsers know no types of CAD files. */
 export const ACCEPT =
-  ".step,.stp,.iges,.igs,.3dm,.brep,.brp,.FCStd,.json,.gz,.stl,.ply,.obj,.gltf,.glb,.3mf,.xyz,.pts,.csv,.asc,.las,.laz,.e57";
+  ".step,.stp,.iges,.igs,.3dm,.brep,.brp,.FCStd,.json,.gz,.stl,.ply,.obj,.off,.vtk,.vtp,.gltf,.glb,.3mf,.xyz,.xyzn,.pts,.csv,.asc,.txt,.pcd,.ptx,.las,.laz,.e57";
 
 /** The names of the formats. */
 export const FORMATS: Readonly<Record<CadKind, string>> = {

@@ -1,12 +1,12 @@
 //! The bytes of a model, from a file or from standard input.
 
-use nurbs_hausdorff::{Error, Model, Result};
+use nurbs_hausdorff::{Beside, Error, MeshFile, MeshFormat, Model, Result};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Component, Path};
 
 /// The path that stands for standard input, and for standard output.
 pub(crate) const STANDARD_STREAM: &str = "-";
@@ -16,13 +16,15 @@ pub(crate) const STANDARD_STREAM: &str = "-";
 pub(crate) struct Source {
     /// The path as given.
     path: String,
-    /// SHA-256 of the file's bytes, in hexadecimal digits.
+    /// SHA-256 of the file's bytes and those of the files beside it that it consists of, in hexadecimal digits.
     sha256: String,
 }
 
 impl Source {
-    pub(super) fn new(path: &Path, bytes: &[u8]) -> Self {
-        Self { path: path.display().to_string(), sha256: hexadecimal(&Sha256::digest(bytes)) }
+    pub(super) fn new(path: &Path, bytes: &[u8], beside: &Beside) -> Self {
+        let mut hash = Sha256::new_with_prefix(bytes);
+        beside.values().for_each(|bytes| hash.update(bytes));
+        Self { path: path.display().to_string(), sha256: hexadecimal(&hash.finalize()) }
     }
 
     pub(crate) fn path(&self) -> &str {
@@ -63,6 +65,35 @@ pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
         return Err(too_large(length));
     }
     bounded(file, unreadable)
+}
+
+/// Returns the files beside one, of which it consists: those with the buffers of a glTF. They are in its folder
+/// or below; others are left out, as a file that comes from elsewhere must not choose what is read. Standard input
+/// has none.
+///
+/// # Errors
+/// Those of [`bytes`]; [`Error::FileTooLarge`] for more than that all together.
+pub(super) fn beside(path: &Path, content: &[u8]) -> Result<Beside> {
+    let mut files = Beside::new();
+    if path.as_os_str() == STANDARD_STREAM {
+        return Ok(files);
+    }
+    let Ok(Some(format)) = MeshFormat::of_file(content, &path.to_string_lossy()) else { return Ok(files) };
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut length = 0;
+    for name in MeshFile::names_beside(content, format) {
+        let is_below = Path::new(&name).components().all(|part| matches!(part, Component::Normal(_)));
+        if !is_below || files.contains_key(&name) {
+            continue;
+        }
+        let found = bytes(&folder.join(&name))?;
+        length += found.len() as u64;
+        if length > Model::MAX_JSON_BYTES {
+            return Err(too_large(length));
+        }
+        files.insert(name, found);
+    }
+    Ok(files)
 }
 
 /// Reads to the end: a pipe or a device states no length, and a file may grow.

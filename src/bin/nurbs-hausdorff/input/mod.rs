@@ -6,7 +6,7 @@ mod rhino;
 use crate::failure::Failure;
 pub(crate) use bytes::{STANDARD_STREAM, Source, hexadecimal};
 use nurbs_hausdorff::{
-    Error, FaceId, FileKind, MeshFile, MeshFormat, Model, PreparedModel, ReadReport, Result, inflated,
+    Beside, Error, FaceId, FileKind, MeshFile, MeshFormat, Model, PreparedModel, ReadReport, Result, inflated,
 };
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -23,18 +23,21 @@ pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
 pub(crate) struct File {
     path: PathBuf,
     bytes: Vec<u8>,
+    beside: Beside,
     source: Source,
 }
 
 impl File {
-    /// Reads the bytes.
+    /// Reads the bytes, with those of the files beside it that it consists of.
     ///
     /// # Errors
-    /// Those of [`bytes::bytes`], with the path.
+    /// Those of [`bytes::bytes`] and [`bytes::beside`], with the path.
     pub(crate) fn open(path: &Path) -> std::result::Result<Self, Failure> {
-        let bytes = bytes::bytes(path).map_err(|error| Failure::Model { path: path.to_owned(), error })?;
-        let source = Source::new(path, &bytes);
-        Ok(Self { path: path.to_owned(), bytes, source })
+        let failure = |error| Failure::Model { path: path.to_owned(), error };
+        let bytes = bytes::bytes(path).map_err(failure)?;
+        let beside = bytes::beside(path, &bytes).map_err(failure)?;
+        let source = Source::new(path, &bytes, &beside);
+        Ok(Self { path: path.to_owned(), bytes, beside, source })
     }
 
     /// The path and the hash.
@@ -47,8 +50,8 @@ impl File {
     /// # Errors
     /// Those of [`Model::from_file`], [`rhino::read`] and [`PreparedModel`], all with the path.
     pub(crate) fn read(self) -> std::result::Result<Input, Failure> {
-        let Self { path, bytes, source } = self;
-        let input = parse(&path, bytes, source)?;
+        let Self { path, bytes, beside, source } = self;
+        let input = parse(&path, bytes, &beside, source)?;
         print_notes(&path, &input);
         Ok(input)
     }
@@ -102,12 +105,18 @@ pub(crate) struct CadReport {
     pub(crate) read: ReadReport,
 }
 
-fn parse(path: &Path, bytes: Vec<u8>, source: Source) -> std::result::Result<Input, Failure> {
+fn parse(
+    path: &Path,
+    bytes: Vec<u8>,
+    beside: &Beside,
+    source: Source,
+) -> std::result::Result<Input, Failure> {
     let failed = |error| Failure::Model { path: path.to_owned(), error };
     let name = path.display().to_string();
     let (bytes, name) = inflated(bytes, &name).map_err(failed)?;
-    if let Some(format) = MeshFormat::of_name(name) {
-        return of_mesh(source, &bytes, format).map_err(failed);
+    if let Some(format) = MeshFormat::of_file(&bytes, name).map_err(failed)? {
+        let file = MeshFile::read_with(&bytes, format, beside).map_err(failed)?;
+        return of_mesh(source, file).map_err(failed);
     }
     if let Some(program) = rhino::reader(&bytes) {
         let (model, mut read) = rhino::read(&program, path, &bytes)?;
@@ -134,10 +143,9 @@ fn of_file(source: Source, bytes: Vec<u8>, name: &str) -> Result<Input> {
 }
 
 /// Prepares a mesh or a cloud of points.
-fn of_mesh(source: Source, bytes: &[u8], format: MeshFormat) -> Result<Input> {
-    let MeshFile { facets, unit, .. } = MeshFile::read(bytes, format)?;
-    let prepared = PreparedModel::of_facets(&facets, unit)?;
-    let read = ReadReport::of_facets(unit);
+fn of_mesh(source: Source, file: MeshFile) -> Result<Input> {
+    let prepared = PreparedModel::of_facets(&file.facets, file.unit)?;
+    let read = file.report();
     Ok(Input { model: None, prepared, report: CadReport { kind: "mesh", reader: READER, read }, source })
 }
 

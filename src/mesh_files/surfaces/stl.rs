@@ -2,8 +2,8 @@
 //!
 //! Text is read in float64, as its numbers may have more digits than float32 holds.
 
-use super::{MeshFormat, Soup};
 use crate::error::Result;
+use crate::mesh_files::{MeshFormat, Soup};
 use glam::DVec3;
 
 /// The bytes before the triangles of a binary file: 80 of any content, and the number of triangles.
@@ -17,21 +17,44 @@ const CORNERS: usize = 12;
 
 const FORMAT: MeshFormat = MeshFormat::Stl;
 
-pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
-    // Binary files may begin with `solid` too: their length decides.
+/// Reads a binary file by its number of triangles, whatever follows them; else text.
+///
+/// # Errors
+/// [`crate::Error::MeshSyntax`] with the line of text, or the sizes found and expected.
+pub(in crate::mesh_files) fn read(bytes: &[u8]) -> Result<Soup> {
+    // Binary files may begin with `solid` too. The number of triangles decides: that of a text's
+    // characters is that of a file of gigabytes.
     let count = bytes.get(HEADER - 4..HEADER).and_then(|count| count.try_into().ok()).map(u32::from_le_bytes);
     let length = count.map(|count| HEADER as u64 + RECORD as u64 * u64::from(count));
-    if length == Some(bytes.len() as u64) {
-        return Ok(read_binary(&bytes[HEADER..]));
+    match length.filter(|&length| length <= bytes.len() as u64) {
+        Some(length) => {
+            let mut soup = read_binary(&bytes[HEADER..length as usize]);
+            let rest = bytes.len() as u64 - length;
+            if rest > 0 {
+                soup.note("end", format!("{rest} bytes after the last triangle are not read"));
+            }
+            Ok(soup)
+        }
+        None if is_text(bytes) => read_text(bytes),
+        None => Err(FORMAT.syntax(match length {
+            Some(length) => {
+                format!("{} bytes, expected {length} by the number of triangles, or text", bytes.len())
+            }
+            None => format!("{} bytes, expected at least {HEADER}, or text", bytes.len()),
+        })),
     }
-    if bytes.trim_ascii_start().starts_with(b"solid") {
-        return read_text(bytes);
-    }
-    let found = match length {
-        Some(length) => format!("{} bytes, expected {length} by the number of triangles", bytes.len()),
-        None => format!("{} bytes, expected at least {HEADER}", bytes.len()),
-    };
-    Err(FORMAT.syntax(found))
+}
+
+/// Whether bytes begin with the word of STL as text, in any case.
+pub(in crate::mesh_files) fn is_text(bytes: &[u8]) -> bool {
+    bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+}
+
+/// Whether the length of bytes is that of a binary file with triangles.
+pub(in crate::mesh_files) fn is_binary(bytes: &[u8]) -> bool {
+    let count =
+        bytes.get(HEADER - 4..HEADER).and_then(|count| count.try_into().ok()).map_or(0, u32::from_le_bytes);
+    count > 0 && bytes.len() as u64 == HEADER as u64 + RECORD as u64 * u64::from(count)
 }
 
 fn read_binary(records: &[u8]) -> Soup {

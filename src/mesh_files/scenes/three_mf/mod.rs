@@ -1,9 +1,12 @@
 //! 3MF: a zip archive of XML.
 
-use super::scene::{MAX_DEPTH, place};
-use super::{MAX_BYTES, MeshFormat, Soup};
+mod extensions;
+
+use super::Scene;
 use crate::error::Result;
+use crate::mesh_files::{MAX_BYTES, MeshFormat, Soup};
 use crate::unpacked::Budget;
+use extensions::{refuse_element, refuse_required};
 use glam::{DAffine3, DMat3, DVec3};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -20,6 +23,8 @@ const DEFAULT_MODEL: &str = "3D/3dmodel.model";
 #[derive(Default)]
 struct Object {
     name: Option<String>,
+    /// The type, where it is stated.
+    kind: Option<String>,
     vertices: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     components: Vec<Component>,
@@ -40,7 +45,16 @@ struct PackagePart {
     items: Vec<Component>,
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
+/// The types of objects that are the model: those for its support are not.
+const MODEL_KINDS: [&str; 2] = ["model", "surface"];
+
+/// Reads the objects of the model at the places of the build's items. Supports and other objects are no part of the
+/// model, and are noted.
+///
+/// # Errors
+/// [`crate::Error::MeshSyntax`]; also of shapes that are not triangles and of extensions that are required and
+/// not read, by their names. [`crate::Error::FileTooLarge`] for more than 1 GiB of XML.
+pub(in crate::mesh_files) fn read(bytes: &[u8]) -> Result<Soup> {
     let mut archive =
         ZipArchive::new(Cursor::new(bytes)).map_err(|error| FORMAT.syntax(error.to_string()))?;
     let names: Vec<String> = archive.file_names().flatten().map(std::borrow::Cow::into_owned).collect();
@@ -57,11 +71,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
         false => parts.iter().find(|(_, part)| !part.items.is_empty()).map_or("", |(name, _)| name.as_str()),
     };
     let part = parts.get(root).ok_or_else(|| FORMAT.syntax("the archive has no model"))?;
-    let mut soup = Soup { unit: Some(part.unit), ..Soup::default() };
+    let mut scene = Scene::new(FORMAT, part.unit);
     for item in &part.items {
-        place_object(&parts, root, item, &DAffine3::IDENTITY, 0, &mut soup)?;
+        place_object(&parts, root, item, &DAffine3::IDENTITY, 0, &mut scene)?;
     }
-    Ok(soup)
+    Ok(scene.soup)
 }
 
 fn place_object(
@@ -70,18 +84,22 @@ fn place_object(
     component: &Component,
     parent: &DAffine3,
     depth: usize,
-    soup: &mut Soup,
+    scene: &mut Scene,
 ) -> Result<()> {
-    if depth > MAX_DEPTH {
-        return Err(FORMAT.syntax(format!("components of more than {MAX_DEPTH} levels")));
-    }
+    scene.enter(depth)?;
     let path = component.path.as_deref().unwrap_or(path);
     let object = parts.get(path).and_then(|part| part.objects.get(&component.object));
     let object = object.ok_or_else(|| FORMAT.syntax(format!("there is no object {:?}", component.object)))?;
+    if let Some(kind) = object.kind.as_deref().filter(|kind| !MODEL_KINDS.contains(kind)) {
+        let kind: String = kind.chars().take(32).collect();
+        let called = object.name.as_deref().unwrap_or(&component.object);
+        scene.soup.note(called, format!("it is of the type {kind:?} and no part of the model"));
+        return Ok(());
+    }
     let transform = *parent * component.transform;
-    place(soup, object.name.as_deref(), &object.vertices, &object.triangles, &transform, FORMAT)?;
+    scene.place(object.name.as_deref(), &object.vertices, &object.triangles, &transform)?;
     for component in &object.components {
-        place_object(parts, path, component, &transform, depth + 1, soup)?;
+        place_object(parts, path, component, &transform, depth + 1, scene)?;
     }
     Ok(())
 }
@@ -93,16 +111,21 @@ fn parse(xml: &[u8]) -> Result<PackagePart> {
     loop {
         match reader.read_event().map_err(|error| FORMAT.syntax(error.to_string()))? {
             Event::Start(element) | Event::Empty(element) => match element.local_name().as_ref() {
-                "model" => part.unit = unit(attribute(&element, "unit")?.as_deref())?,
+                "model" => {
+                    refuse_required(&element)?;
+                    part.unit = unit(attribute(&element, "unit")?.as_deref())?;
+                }
                 "object" => {
                     let id =
                         attribute(&element, "id")?.ok_or_else(|| FORMAT.syntax("an object without id"))?;
-                    let name = attribute(&element, "name")?;
-                    current = Some((id, Object { name, ..Object::default() }));
+                    let [name, kind] = [attribute(&element, "name")?, attribute(&element, "type")?];
+                    refuse_element("object", &element, name.as_deref().unwrap_or(&id))?;
+                    current = Some((id, Object { name, kind, ..Object::default() }));
                 }
                 "item" => part.items.push(component(&element)?),
                 name => {
-                    if let Some((_, object)) = &mut current {
+                    if let Some((id, object)) = &mut current {
+                        refuse_element(name, &element, object.name.as_deref().unwrap_or(id))?;
                         object.read(name, &element)?;
                     }
                 }

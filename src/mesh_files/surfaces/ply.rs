@@ -1,7 +1,8 @@
 //! PLY in all three encodings.
 
-use super::{MeshFormat, Soup};
 use crate::error::Result;
+use crate::mesh_files::soup::strip;
+use crate::mesh_files::{MeshFormat, Soup};
 use glam::DVec3;
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Property, PropertyAccess, PropertyAccessResult};
@@ -13,7 +14,7 @@ const FORMAT: MeshFormat = MeshFormat::Ply;
 /// vertex.
 const ELEMENTS_AT_ONCE: usize = 1 << 16;
 
-/// An element of any kind: the coordinates of a vertex, or the corners of a face.
+/// An element of any kind: the coordinates of a vertex, or the corners of a face or a strip.
 #[derive(Default)]
 struct Element {
     position: [Option<f64>; 3],
@@ -70,12 +71,24 @@ fn corners(property: &Property) -> Option<Vec<i64>> {
     }
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
+/// The corners of faces or strips, which may stand before their vertices.
+#[derive(Default)]
+struct Corners {
+    counts: Vec<u32>,
+    corners: Vec<u32>,
+}
+
+/// Reads vertices, faces and strips of triangles, whose parts a negative index ends.
+///
+/// # Errors
+/// [`crate::Error::MeshSyntax`].
+pub(in crate::mesh_files) fn read(bytes: &[u8]) -> Result<Soup> {
     let parser = Parser::<Element>::new();
     let error = |error: ply_rs_bw::parser::ParseError| FORMAT.syntax(error.to_string());
     let mut reader = Reader::new(Cursor::new(bytes));
     let header = parser.read_header(&mut reader).map_err(error)?;
     let mut soup = Soup::default();
+    let [mut faces, mut strips] = [Corners::default(), Corners::default()];
     for element in header.elements.values() {
         // Every element takes at least a byte: the parser would make as many as the header says.
         if element.count > bytes.len() {
@@ -91,11 +104,17 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
             left.count -= count;
             match element.name.as_str() {
                 "vertex" => list.into_iter().try_for_each(|vertex| soup.push_vertex(&vertex))?,
-                "face" => list.into_iter().try_for_each(|face| soup.push_face(face))?,
+                "face" => list.into_iter().try_for_each(|face| faces.push(face, |_| false))?,
+                "tristrips" => list.into_iter().try_for_each(|strip| strips.push(strip, |at| at < 0))?,
                 _ => {}
             }
         }
+        if element.name == "edge" && element.count > 0 {
+            soup.note("edge", format!("{} edges are no surface", element.count));
+        }
     }
+    faces.parts().try_for_each(|face| soup.push_polygon(face, FORMAT))?;
+    strips.parts().for_each(|corners| soup.triangles.extend(strip(corners)));
     Ok(soup)
 }
 
@@ -107,12 +126,26 @@ impl Soup {
         self.vertices.push(DVec3::new(x, y, z));
         Ok(())
     }
+}
 
-    fn push_face(&mut self, Element { corners, .. }: Element) -> Result<()> {
+impl Corners {
+    /// Appends the corners of an element, in parts that end where an index says so.
+    fn push(&mut self, Element { corners, .. }: Element, is_end: impl Fn(i64) -> bool) -> Result<()> {
         let corners = corners.ok_or_else(|| FORMAT.syntax("a face without vertex indices"))?;
-        // A negative index is above all that there can be.
-        let corner = |index: i64| u32::try_from(index).unwrap_or(u32::MAX);
-        let corners: Vec<u32> = corners.into_iter().map(corner).collect();
-        self.push_polygon(&corners, FORMAT)
+        for part in corners.split(|&index| is_end(index)) {
+            self.counts.push(part.len() as u32);
+            // A negative index is above all that there can be.
+            self.corners.extend(part.iter().map(|&index| u32::try_from(index).unwrap_or(u32::MAX)));
+        }
+        Ok(())
+    }
+
+    fn parts(&self) -> impl Iterator<Item = &[u32]> {
+        let mut rest = self.corners.as_slice();
+        self.counts.iter().map(move |&count| {
+            let (part, after) = rest.split_at(count as usize);
+            rest = after;
+            part
+        })
     }
 }

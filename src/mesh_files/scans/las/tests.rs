@@ -11,8 +11,8 @@ const SCALE: [f64; 3] = [0.001, 0.01, 0.5];
 const OFFSET: [f64; 3] = [100.0, -20.0, 0.25];
 
 /// The files that `benches/trimmed/scan_samples.py` writes by LASzip, with a byte before them.
-const POINTS: &[u8] = include_bytes!("../../../tests/soundness/fuzz/seeds/mesh_file/scans/points-laz");
-const LAYERS: &[u8] = include_bytes!("../../../tests/soundness/fuzz/seeds/mesh_file/scans/layers-laz");
+const POINTS: &[u8] = include_bytes!("../../../../tests/soundness/fuzz/seeds/mesh_file/scans/points-laz");
+const LAYERS: &[u8] = include_bytes!("../../../../tests/soundness/fuzz/seeds/mesh_file/scans/layers-laz");
 
 /// The integers of point k, which `scan_samples.py` has too.
 fn integers(k: i32) -> [i32; 3] {
@@ -92,7 +92,7 @@ fn laz(format: u8, point_bytes: u16, is_variable: bool) -> Vec<u8> {
 }
 
 fn read(bytes: &[u8]) -> Result<(Vec<DVec3>, Option<f64>)> {
-    MeshFile::read(bytes, FORMAT).map(|MeshFile { facets, unit }| match facets {
+    MeshFile::read(bytes, FORMAT).map(|MeshFile { facets, unit, .. }| match facets {
         Facets::Cloud(cloud) => (PointCloud::points(&cloud).to_vec(), unit),
         Facets::Mesh(mesh) => panic!("{mesh:?}"),
     })

@@ -4,8 +4,8 @@ mod crs;
 mod laz;
 mod records;
 
-use super::{MAX_BYTES, MeshFormat, Soup};
 use crate::error::{Error, Result};
+use crate::mesh_files::{MAX_BYTES, MeshFormat, Soup};
 use glam::DVec3;
 use records::Records;
 
@@ -53,14 +53,14 @@ struct Header {
 ///
 /// The uncompressed points must take at most [`MAX_BYTES`], which bounds the memory of a compressed file:
 /// there is no other bound, since points that repeat take no bits.
-pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
+pub(in crate::mesh_files) fn read(bytes: &[u8]) -> Result<Soup> {
     let header = Header::read(bytes)?;
     let size = header.count.saturating_mul(header.point_bytes as u64);
     if size > MAX_BYTES {
         return Err(Error::FileTooLarge { found: size, expected: MAX_BYTES });
     }
     let records = Records::read(bytes, &header)?;
-    let mut soup = Soup { unit: crs::unit(&records)?, ..Soup::default() };
+    let mut soup = Soup::in_unit(crs::unit(&records)?);
     let mut push = |record: &[u8]| soup.vertices.push(header.point(record));
     if header.is_compressed {
         laz::read(bytes, &header, &records, &mut push)?;

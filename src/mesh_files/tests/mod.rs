@@ -1,7 +1,15 @@
 //! One tetrahedron in every format, and damage.
 
+mod faults;
+mod polygons;
+mod recognition;
+mod scenes;
+mod small;
+mod vtp;
+
 use super::*;
-use crate::facets::Facets;
+use crate::facets::MeshGroup;
+use glam::DVec3;
 use std::io::Write;
 
 const VERTICES: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 0.625]];
@@ -15,10 +23,18 @@ fn corners(mesh: &TriangleMesh) -> Vec<[[f64; 3]; 3]> {
 }
 
 fn read_mesh(bytes: &[u8], format: MeshFormat) -> (Vec<[[f64; 3]; 3]>, Option<f64>) {
-    let MeshFile { facets, unit } = MeshFile::read(bytes, format).unwrap();
+    let MeshFile { facets, unit, .. } = MeshFile::read(bytes, format).unwrap();
     let Facets::Mesh(mesh) = facets else { panic!("a mesh") };
     assert_eq!(mesh.vertices().len(), 4, "equal vertices are joined");
     (corners(&mesh), unit)
+}
+
+/// The numbers of triangles of the groups.
+fn groups_of(file: &MeshFile) -> Vec<usize> {
+    match &file.facets {
+        Facets::Mesh(mesh) => mesh.groups().iter().map(|group| group.triangles).collect(),
+        Facets::Cloud(_) => panic!("a mesh"),
+    }
 }
 
 fn tetrahedron() -> Vec<[[f64; 3]; 3]> {
@@ -140,17 +156,25 @@ fn glb() -> Vec<u8> {
 
 /// The tetrahedron moved by (0, 0, -1) in an object, which a component moves back by half and an
 /// item by the rest.
-fn three_mf() -> Vec<u8> {
+fn three_mf_xml() -> String {
     let vertices: String =
         VERTICES.map(|[x, y, z]| format!(r#"<vertex x="{x}" y="{y}" z="{}"/>"#, z - 1.0)).concat();
     let triangles: String =
         TRIANGLES.map(|[a, b, c]| format!(r#"<triangle v1="{a}" v2="{b}" v3="{c}" pid="7"/>"#)).concat();
-    let xml = format!(
+    format!(
         r#"<?xml version="1.0" encoding="UTF-8"?><model unit="inch" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
         <resources><object id="1" type="model" name="part"><mesh><vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh></object>
         <object id="2"><components><component objectid="1" transform="1 0 0 0 1 0 0 0 1 0 0 0.5"/></components></object></resources>
         <build><item objectid="2" transform="1 0 0 0 1 0 0 0 1 0 0 0.5"/></build></model>"#
-    );
+    )
+}
+
+fn three_mf() -> Vec<u8> {
+    zipped(&three_mf_xml())
+}
+
+/// An archive of this model.
+fn zipped(xml: &str) -> Vec<u8> {
     let mut writer = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
     writer.start_file("3D/3dmodel.model", zip::write::SimpleFileOptions::default()).unwrap();
     writer.write_all(xml.as_bytes()).unwrap();
@@ -214,7 +238,7 @@ fn points_are_read_as_a_cloud() {
 }
 
 #[test]
-fn polygons_are_cut_from_their_first_corner() {
+fn convex_polygons_are_cut_from_their_first_corner() {
     let obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
     let MeshFile { facets: Facets::Mesh(mesh), .. } =
         MeshFile::read(obj.as_bytes(), MeshFormat::Obj).unwrap()
@@ -224,10 +248,11 @@ fn polygons_are_cut_from_their_first_corner() {
     assert_eq!(mesh.triangles(), [[0, 1, 2], [0, 2, 3]]);
 }
 
-/// A file of `benches/trimmed/scan_samples.py`, with a byte before it.
-macro_rules! sample {
+/// A seed of the fuzzing, without the byte before it that names the format. The scans are of
+/// `benches/trimmed/scan_samples.py`.
+macro_rules! seed {
     ($name:literal) => {
-        &include_bytes!(concat!("../../tests/soundness/fuzz/seeds/mesh_file/scans/", $name))[1..]
+        &include_bytes!(concat!("../../../tests/soundness/fuzz/seeds/mesh_file/", $name))[1..]
     };
 }
 
@@ -235,8 +260,8 @@ macro_rules! sample {
 /// of it is invalid.
 #[test]
 fn scans_are_placed_by_their_poses() {
-    let MeshFile { facets: Facets::Cloud(cloud), unit } =
-        MeshFile::read(sample!("scans-e57"), MeshFormat::E57).unwrap()
+    let MeshFile { facets: Facets::Cloud(cloud), unit, .. } =
+        MeshFile::read(seed!("scans/scans-e57"), MeshFormat::E57).unwrap()
     else {
         panic!("a cloud")
     };
@@ -249,7 +274,7 @@ fn scans_are_placed_by_their_poses() {
 /// The bytes of an E57 file with parts of its XML replaced by others and blanks, and with checksums
 /// (CRC-32C of RFC 3720) that fit.
 fn e57_with(replaced: &[(&str, &str)]) -> Vec<u8> {
-    let pages = sample!("scans-e57").chunks(1024);
+    let pages = seed!("scans/scans-e57").chunks(1024);
     let mut content: Vec<u8> = pages.flat_map(|page| &page[..1020]).copied().collect();
     for (part, other) in replaced {
         let place = content.windows(part.len()).position(|found| found == part.as_bytes()).unwrap();
@@ -270,7 +295,7 @@ fn e57_with(replaced: &[(&str, &str)]) -> Vec<u8> {
 fn scans_of_endless_sizes_are_refused() {
     let refusal = |bytes: &[u8]| MeshFile::read(bytes, MeshFormat::E57).unwrap_err().to_string();
     assert!(MeshFile::read(&e57_with(&[]), MeshFormat::E57).is_ok());
-    let mut long_xml = sample!("scans-e57").to_vec();
+    let mut long_xml = seed!("scans/scans-e57").to_vec();
     long_xml[32..40].copy_from_slice(&(1_u64 << 20).to_le_bytes());
     assert!(refusal(&long_xml).contains("bytes of XML"), "{}", refusal(&long_xml));
     let no_bits = r#"type="Integer" minimum="0" maximum="0""#;
@@ -293,10 +318,17 @@ fn damaged_files_are_refused_or_valid() {
     let random = &mut fastrand::Rng::with_seed(5);
     let mut refused = 0;
     let scans = [
-        (sample!("points-las").to_vec(), MeshFormat::Las, None),
-        (sample!("points-laz").to_vec(), MeshFormat::Las, None),
-        (sample!("layers-laz").to_vec(), MeshFormat::Las, None),
-        (sample!("scans-e57").to_vec(), MeshFormat::E57, None),
+        (seed!("scans/points-las").to_vec(), MeshFormat::Las, None),
+        (seed!("scans/points-laz").to_vec(), MeshFormat::Las, None),
+        (seed!("scans/layers-laz").to_vec(), MeshFormat::Las, None),
+        (seed!("scans/scans-e57").to_vec(), MeshFormat::E57, None),
+        (seed!("written/off").to_vec(), MeshFormat::Off, None),
+        (seed!("written/vtk").to_vec(), MeshFormat::Vtk, None),
+        (seed!("written/vtp").to_vec(), MeshFormat::Vtk, None),
+        (seed!("written/pcd").to_vec(), MeshFormat::Pcd, None),
+        (seed!("written/ptx").to_vec(), MeshFormat::Ptx, None),
+        (seed!("written/csv").to_vec(), MeshFormat::Text, None),
+        (seed!("written/l-obj").to_vec(), MeshFormat::Obj, None),
     ];
     for (bytes, format, _) in files().into_iter().chain(scans) {
         for _ in 0..1000 {
@@ -316,6 +348,7 @@ fn damaged_files_are_refused_or_valid() {
                     damaged[place] = random.u8(..);
                 }),
             }
+            let _ = MeshFormat::of_file(&damaged, "file");
             match MeshFile::read(&damaged, format) {
                 Ok(MeshFile { facets: Facets::Mesh(mesh), .. }) => {
                     assert!(mesh.vertices().iter().all(|vertex| vertex.is_finite()));

@@ -1,105 +1,26 @@
-//! glTF 2.0 with embedded buffers, and GLB.
+//! glTF 2.0 and GLB, with buffers embedded or in files beside it.
 
-use super::scene::{MAX_DEPTH, place};
-use super::{MeshFormat, Soup};
+mod buffers;
+mod json;
+
+use super::Scene;
 use crate::error::{Error, Result};
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
-use glam::{DAffine3, DMat4, DQuat, DVec3};
-use serde::Deserialize;
+use crate::mesh_files::soup::strip;
+use crate::mesh_files::{Beside, MeshFormat, Soup};
+use buffers::{buffers, chunks};
+use glam::{DAffine3, DVec3};
+use json::{Mesh, Node, Primitive, Root, TRIANGLES};
 use std::borrow::Cow;
+
+pub(in crate::mesh_files) use buffers::names_beside;
 
 const FORMAT: MeshFormat = MeshFormat::Gltf;
 
 /// The component type of float32 numbers.
 const FLOAT: u32 = 5126;
 
-/// The parts of the JSON that place triangles. Fields that are not named are left unread.
-#[derive(Deserialize, Default)]
-#[serde(rename_all = "camelCase", default)]
-struct Root {
-    scene: Option<usize>,
-    scenes: Vec<Scene>,
-    nodes: Vec<Node>,
-    meshes: Vec<Mesh>,
-    accessors: Vec<Accessor>,
-    buffer_views: Vec<View>,
-    buffers: Vec<Buffer>,
-    extensions_required: Vec<String>,
-}
-
-#[derive(Deserialize)]
-struct Scene {
-    #[serde(default)]
-    nodes: Vec<usize>,
-}
-
-#[derive(Deserialize)]
-struct Node {
-    name: Option<String>,
-    mesh: Option<usize>,
-    #[serde(default)]
-    children: Vec<usize>,
-    matrix: Option<[f64; 16]>,
-    translation: Option<[f64; 3]>,
-    rotation: Option<[f64; 4]>,
-    scale: Option<[f64; 3]>,
-}
-
-#[derive(Deserialize)]
-struct Mesh {
-    name: Option<String>,
-    primitives: Vec<Primitive>,
-}
-
-#[derive(Deserialize)]
-struct Primitive {
-    attributes: Attributes,
-    indices: Option<usize>,
-    #[serde(default = "triangles")]
-    mode: u32,
-}
-
-#[derive(Deserialize)]
-struct Attributes {
-    #[serde(rename = "POSITION")]
-    position: Option<usize>,
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase")]
-struct Accessor {
-    buffer_view: Option<usize>,
-    #[serde(default)]
-    byte_offset: usize,
-    component_type: u32,
-    count: usize,
-    #[serde(rename = "type")]
-    kind: String,
-    sparse: Option<serde::de::IgnoredAny>,
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "camelCase")]
-struct View {
-    buffer: usize,
-    #[serde(default)]
-    byte_offset: usize,
-    byte_length: usize,
-    byte_stride: Option<usize>,
-}
-
-#[derive(Deserialize)]
-struct Buffer {
-    uri: Option<String>,
-}
-
-/// The mode of primitives that are lists of triangles, which is the default.
-const TRIANGLES: u32 = 4;
-
-fn triangles() -> u32 {
-    TRIANGLES
-}
+/// The extension that places a mesh at many places of a node.
+const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
 /// A file with the bytes of its buffers.
 struct File<'a> {
@@ -107,34 +28,45 @@ struct File<'a> {
     buffers: Vec<Cow<'a, [u8]>>,
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
+/// Reads the triangles of the scene, at the places of its nodes. Skins, weights of morph targets, points and lines
+/// are not measured, and are named.
+///
+/// # Errors
+/// [`Error::MeshSyntax`]; also of extensions that change the shape, and of buffers that are missing.
+pub(in crate::mesh_files) fn read(bytes: &[u8], beside: &Beside) -> Result<Soup> {
     let (json, binary) = chunks(bytes)?;
     let root: Root = serde_json::from_slice(json).map_err(|error| FORMAT.syntax(error.to_string()))?;
     if let Some(name) = root.extensions_required.iter().find(|name| !is_only_appearance(name)) {
         return Err(FORMAT.syntax(format!("the extension {name:?}, which is not read")));
     }
-    let mut buffers = Vec::with_capacity(root.buffers.len());
-    for buffer in &root.buffers {
-        buffers.push(match &buffer.uri {
-            None => Cow::Borrowed(binary),
-            Some(uri) => Cow::Owned(decoded(uri)?),
-        });
-    }
+    let buffers = buffers(&root, binary, beside)?;
     let file = File { root, buffers };
-    let mut soup = Soup { unit: Some(1.0), ..Soup::default() };
+    let mut scene = Scene::new(FORMAT, 1.0);
+    if file.root.extensions_used.iter().any(|name| name == INSTANCING) {
+        scene.soup.skip(INSTANCING, "the instances of meshes by this extension are not read");
+    }
     let scenes = &file.root.scenes;
     let roots = match scenes.get(file.root.scene.unwrap_or(0)) {
         Some(scene) => scene.nodes.clone(),
         // A file without scenes is a library of meshes: all its nodes that are nobody's children.
         None => {
-            let is_child = |node: &usize| file.root.nodes.iter().any(|other| other.children.contains(node));
-            (0..file.root.nodes.len()).filter(|node| !is_child(node)).collect()
+            let mut is_child = vec![false; file.root.nodes.len()];
+            for &child in file.root.nodes.iter().flat_map(|node| &node.children) {
+                if let Some(is_child) = is_child.get_mut(child) {
+                    *is_child = true;
+                }
+            }
+            (0..file.root.nodes.len()).filter(|&node| !is_child[node]).collect()
         }
     };
-    for node in roots {
-        file.place_node(node, &DAffine3::IDENTITY, 0, &mut soup)?;
+    if scenes.len() > 1 {
+        let others = scenes.len() - 1;
+        scene.soup.note("scenes", format!("{others} scenes besides the first or default one are not shown"));
     }
-    Ok(soup)
+    for node in roots {
+        file.place_node(node, &DAffine3::IDENTITY, 0, &mut scene)?;
+    }
+    Ok(scene.soup)
 }
 
 /// Extensions that change neither the shape nor how it is stored.
@@ -142,47 +74,21 @@ fn is_only_appearance(name: &str) -> bool {
     name.starts_with("KHR_materials_") || name == "KHR_texture_transform" || name == "KHR_lights_punctual"
 }
 
-/// Returns the JSON of a file and the binary chunk of a GLB.
-fn chunks(bytes: &[u8]) -> Result<(&[u8], &[u8])> {
-    if !bytes.starts_with(b"glTF") {
-        return Ok((bytes, &[]));
-    }
-    let mut rest = bytes.get(12..).unwrap_or(&[]);
-    let mut found: [&[u8]; 2] = [&[], &[]];
-    for chunk in &mut found {
-        let [a, b, c, d, _, _, _, _, after @ ..] = rest else { break };
-        let length = u32::from_le_bytes([*a, *b, *c, *d]) as usize;
-        *chunk = after.get(..length).ok_or_else(|| FORMAT.syntax("a chunk that is longer than the file"))?;
-        rest = &after[length..];
-    }
-    Ok(found.into())
-}
-
-/// Returns the bytes of a data URI.
-fn decoded(uri: &str) -> Result<Vec<u8>> {
-    let data = uri.strip_prefix("data:").and_then(|data| data.split_once(";base64,"));
-    let Some((_, data)) = data else {
-        return Err(FORMAT.syntax("a buffer in another file: only GLB and embedded buffers are read"));
-    };
-    STANDARD.decode(data).map_err(|error| FORMAT.syntax(error.to_string()))
-}
-
 impl File<'_> {
-    fn place_node(&self, node: usize, parent: &DAffine3, depth: usize, soup: &mut Soup) -> Result<()> {
-        if depth > MAX_DEPTH {
-            return Err(FORMAT.syntax(format!("a scene of more than {MAX_DEPTH} levels")));
-        }
+    fn place_node(&self, node: usize, parent: &DAffine3, depth: usize, scene: &mut Scene) -> Result<()> {
+        scene.enter(depth)?;
         let node = self.root.nodes.get(node).ok_or_else(|| missing("node", node))?;
         let transform = *parent * node.transform();
         if let Some(mesh) = node.mesh {
             let mesh = self.root.meshes.get(mesh).ok_or_else(|| missing("mesh", mesh))?;
             let name = node.name.as_deref().or(mesh.name.as_deref());
+            note_pose(node, mesh, name.unwrap_or("a node"), &mut scene.soup);
             for primitive in &mesh.primitives {
-                self.place_primitive(primitive, name, &transform, soup)?;
+                self.place_primitive(primitive, name, &transform, scene)?;
             }
         }
         for &child in &node.children {
-            self.place_node(child, &transform, depth + 1, soup)?;
+            self.place_node(child, &transform, depth + 1, scene)?;
         }
         Ok(())
     }
@@ -192,8 +98,12 @@ impl File<'_> {
         primitive: &Primitive,
         name: Option<&str>,
         transform: &DAffine3,
-        soup: &mut Soup,
+        scene: &mut Scene,
     ) -> Result<()> {
+        if primitive.mode < TRIANGLES {
+            scene.soup.note(name.unwrap_or("a node"), "its points or lines are no surface");
+            return Ok(());
+        }
         let Some(position) = primitive.attributes.position else { return Ok(()) };
         let number = |bytes: &[u8]| match bytes {
             &[a, b, c, d, ..] => f64::from(f32::from_le_bytes([a, b, c, d])),
@@ -214,7 +124,7 @@ impl File<'_> {
                 self.items(indices, "SCALAR", kind)?.map(index).collect()
             }
         };
-        place(soup, name, &vertices, &faces(&indices, primitive.mode)?, transform, FORMAT)
+        scene.place(name, &vertices, &faces(&indices, primitive.mode)?, transform)
     }
 
     /// Returns the bytes of each item of an accessor.
@@ -253,25 +163,22 @@ impl File<'_> {
     }
 }
 
-impl Node {
-    fn transform(&self) -> DAffine3 {
-        if let Some(matrix) = &self.matrix {
-            return DAffine3::from_mat4(DMat4::from_cols_array(matrix));
-        }
-        DAffine3::from_scale_rotation_translation(
-            self.scale.map_or(DVec3::ONE, DVec3::from_array),
-            self.rotation.map_or(DQuat::IDENTITY, |rotation| DQuat::from_array(rotation).normalize()),
-            self.translation.map_or(DVec3::ZERO, DVec3::from_array),
-        )
+/// Notes what poses a mesh differently from its positions and transforms.
+fn note_pose(node: &Node, mesh: &Mesh, name: &str, soup: &mut Soup) {
+    if node.skin.is_some() {
+        soup.note(name, "its skin is not applied: it is measured as its node places it");
+    }
+    let weights = if node.weights.is_empty() { &mesh.weights } else { &node.weights };
+    if weights.iter().any(|&weight| weight != 0.0) {
+        soup.note(name, "its morph targets are not applied: it is measured without their weights");
     }
 }
 
-/// Returns the triangles of a primitive; points and lines have none.
+/// Returns the triangles of a primitive.
 fn faces(indices: &[u32], mode: u32) -> Result<Vec<[u32; 3]>> {
     Ok(match mode {
-        0..=3 => Vec::new(),
         TRIANGLES => indices.chunks_exact(3).map(|corner| [corner[0], corner[1], corner[2]]).collect(),
-        5 => indices.windows(3).map(|corner| [corner[0], corner[1], corner[2]]).collect(),
+        5 => strip(indices).collect(),
         6 => match indices {
             [first, rest @ ..] => rest.windows(2).map(|pair| [*first, pair[0], pair[1]]).collect(),
             [] => Vec::new(),

@@ -4,8 +4,8 @@
 //! a field that takes no bits as another one of its packet has: without another one, without end.
 //! Both are checked here before.
 
-use super::{MAX_BYTES, MeshFormat, Soup};
 use crate::error::{Error, Result};
+use crate::mesh_files::{MAX_BYTES, MeshFormat, Soup};
 use e57::{CartesianCoordinate, E57Reader, PointCloud, RecordDataType};
 use glam::DVec3;
 use std::io::Cursor;
@@ -21,7 +21,7 @@ const MAX_XML_BYTES: u64 = 1 << 24;
 const MAX_FIELDS: usize = 64;
 
 /// Reads the points whose Cartesian or spherical coordinates are valid.
-pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
+pub(in crate::mesh_files) fn read(bytes: &[u8]) -> Result<Soup> {
     let length =
         bytes.get(XML_LENGTH..).and_then(|rest| rest.first_chunk()).map(|&bytes| u64::from_le_bytes(bytes));
     if let Some(length) = length.filter(|&length| length > MAX_XML_BYTES.min(bytes.len() as u64)) {
@@ -30,7 +30,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup> {
     let mut reader = E57Reader::new(Cursor::new(bytes)).map_err(damaged)?;
     let scans = reader.pointclouds();
     check(&scans)?;
-    let mut soup = Soup { unit: Some(1.0), ..Soup::default() };
+    let mut soup = Soup::in_unit(Some(1.0));
     for scan in &scans {
         let mut points = reader.pointcloud_simple(scan).map_err(damaged)?;
         points.intensity_to_color(false);

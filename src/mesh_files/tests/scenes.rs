@@ -1,0 +1,113 @@
+//! What scenes hold beside triangles: files beside them, poses, supports, extensions.
+
+use super::*;
+
+/// The 3MF of the tetrahedron with parts of its XML replaced.
+fn three_mf_with(replaced: &[(&str, &str)]) -> Result<MeshFile> {
+    let mut xml = three_mf_xml();
+    for (part, other) in replaced {
+        assert!(xml.contains(part), "{part}");
+        xml = xml.replacen(part, other, 1);
+    }
+    MeshFile::read(&zipped(&xml), MeshFormat::ThreeMf)
+}
+
+fn gltf_with(uri: &str, replaced: &[(&str, &str)], beside: &Beside) -> Result<MeshFile> {
+    let mut json = gltf_json(&format!(r#", "uri": "{uri}""#));
+    for (part, other) in replaced {
+        assert!(json.contains(part), "{part}");
+        json = json.replacen(part, other, 1);
+    }
+    MeshFile::read_with(json.as_bytes(), MeshFormat::Gltf, beside)
+}
+
+#[test]
+fn buffers_of_gltf_may_stand_beside_it() {
+    let json = gltf_json(r#", "uri": "a%20b/buffer.bin""#);
+    assert_eq!(MeshFile::names_beside(json.as_bytes(), MeshFormat::Gltf), ["a b/buffer.bin"]);
+    let beside = Beside::from([("a b/buffer.bin".to_owned(), gltf_buffer())]);
+    let file = gltf_with("a%20b/buffer.bin", &[], &beside).unwrap();
+    let Facets::Mesh(mesh) = &file.facets else { panic!("a mesh") };
+    assert_eq!(corners(mesh), tetrahedron());
+    let error = gltf_with("other.bin", &[], &beside).unwrap_err().to_string();
+    assert!(error.contains("\"other.bin\" is missing"), "{error}");
+    assert!(MeshFile::names_beside(&glb(), MeshFormat::Gltf).is_empty());
+    assert!(MeshFile::names_beside(&gltf(), MeshFormat::Gltf).is_empty());
+}
+
+#[test]
+fn data_uris_need_no_kind_and_no_base64() {
+    let escaped: String = gltf_buffer().iter().map(|byte| format!("%{byte:02x}")).collect();
+    for uri in [format!("data:,{escaped}"), format!("data:application/octet-stream,{escaped}")] {
+        assert!(gltf_with(&uri, &[], &Beside::new()).is_ok());
+    }
+    assert!(gltf_with("data:nothing", &[], &Beside::new()).is_err());
+}
+
+#[test]
+fn skins_morphs_and_instances_are_named() {
+    let beside = Beside::from([("b.bin".to_owned(), gltf_buffer())]);
+    let notes = |replaced: &[(&str, &str)]| gltf_with("b.bin", replaced, &beside).unwrap().notes;
+    assert!(notes(&[]).is_empty());
+    let skinned = notes(&[("\"mesh\": 0", "\"mesh\": 0, \"skin\": 0")]);
+    assert!(skinned[0].face.to_string() == "placed" && skinned[0].why.contains("skin"), "{skinned:?}");
+    let morphed = notes(&[("\"mesh\": 0", "\"mesh\": 0, \"weights\": [0.0, 0.5]")]);
+    assert!(morphed[0].why.contains("morph"), "{morphed:?}");
+    assert!(notes(&[("\"mesh\": 0", "\"mesh\": 0, \"weights\": [0.0]")]).is_empty());
+    let used = ("\"scene\": 0", "\"scene\": 0, \"extensionsUsed\": [\"EXT_mesh_gpu_instancing\"]");
+    assert_eq!(gltf_with("b.bin", &[used], &beside).unwrap().skipped.len(), 1);
+    let required = ("\"scene\": 0", "\"scene\": 0, \"extensionsRequired\": [\"KHR_draco_mesh_compression\"]");
+    let error = gltf_with("b.bin", &[required], &beside).unwrap_err().to_string();
+    assert!(error.contains("KHR_draco_mesh_compression"), "{error}");
+}
+
+/// A node of two equal children, and so on: without a mesh there is nothing that else would end it.
+#[test]
+fn scenes_of_endless_places_are_refused() {
+    let nodes: Vec<String> = (1..60).map(|child| format!("{{\"children\": [{child}, {child}]}}")).collect();
+    let json = format!(
+        r#"{{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0]}}], "nodes": [{}, {{}}]}}"#,
+        nodes.join(", ")
+    );
+    let error = MeshFile::read(json.as_bytes(), MeshFormat::Gltf).unwrap_err().to_string();
+    assert!(error.contains("places"), "{error}");
+}
+
+#[test]
+fn supports_of_3mf_are_no_part_of_the_model() {
+    let support = r#"<object id="3" type="support" name="foot"><mesh><vertices><vertex x="0" y="0" z="-9"/><vertex x="1" y="0" z="-9"/>
+        <vertex x="0" y="1" z="-9"/></vertices><triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object></resources>"#;
+    let with = |kind: &str| {
+        let support = support.replace("support", kind);
+        three_mf_with(&[("</resources>", &support), ("<build>", "<build><item objectid=\"3\"/>")]).unwrap()
+    };
+    for kind in ["support", "solidsupport", "other"] {
+        let file = with(kind);
+        assert_eq!((groups_of(&file), file.notes.len()), (vec![4], 1), "{kind}");
+        assert!(
+            file.notes[0].face.to_string() == "foot" && file.notes[0].why.contains(kind),
+            "{:?}",
+            file.notes
+        );
+    }
+    assert_eq!((groups_of(&with("surface")), with("surface").notes.len()), (vec![1, 4], 0));
+}
+
+#[test]
+fn extensions_of_3mf_that_are_not_read_are_refused_by_name() {
+    let with = |required: &str, uri: &str| {
+        let model = format!("<model requiredextensions=\"{required}\" xmlns:e=\"{uri}\" unit=\"inch\"");
+        three_mf_with(&[("<model unit=\"inch\"", &model)])
+    };
+    let unknown = "http://example.org/unknown/2026/11";
+    assert!(with("e", unknown).unwrap_err().to_string().contains(unknown));
+    assert!(with("", unknown).is_ok());
+    assert!(with("e", "http://schemas.microsoft.com/3dmanufacturing/production/2015/06").is_ok());
+    for (part, other, name) in [
+        ("<vertices>", "<b:beamlattice/><vertices>", "a beam lattice"),
+        ("type=\"model\"", "type=\"model\" s:slicestackid=\"9\"", "slices"),
+    ] {
+        let error = three_mf_with(&[(part, other)]).unwrap_err().to_string();
+        assert!(error.contains("\"part\"") && error.contains(name), "{error}");
+    }
+}
