@@ -208,7 +208,14 @@ fn read(bytes: &[u8], path: &str) -> nurbs_hausdorff::Result<Model> {
         let MeshFile { facets, unit, .. } = MeshFile::read(&bytes, format)?;
         return prepared(&facets, unit);
     }
-    let (model, mut report, kind) = nurbs_hausdorff::Model::from_file(bytes, name)?;
+    let (model, mut report, kind) = match nurbs_hausdorff::Model::from_file(bytes.clone(), name) {
+        // A STEP file without faces is a mesh.
+        Err(Error::StepTriangles { .. }) => {
+            let MeshFile { facets, unit, .. } = MeshFile::read(&bytes, MeshFormat::Step)?;
+            return prepared(&facets, unit);
+        }
+        read => read?,
+    };
     let (model, prepared) = match kind {
         nurbs_hausdorff::FileKind::Json => {
             let prepared = PreparedModel::new(&model)?;

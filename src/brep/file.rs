@@ -2,7 +2,7 @@
 
 #[cfg(feature = "archives")]
 use super::archive;
-use super::format;
+use super::{foreign, format};
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::read::ReadReport;
@@ -58,8 +58,8 @@ impl Model {
             let (model, report) = validation::into_model(archive::read_document(&bytes)?)?;
             return Ok((model, report, FileKind::FreeCad));
         }
-        if let Some((found, advice)) = unsupported(&bytes, path) {
-            return Err(Error::FormatUnsupported { found, advice });
+        if let Some(refused) = foreign::refused(&bytes, path) {
+            return Err(refused);
         }
         if format::is_binary_brep(&bytes) {
             return Err(Error::BrepSyntax {
@@ -82,17 +82,5 @@ impl Model {
         let model = Self::from_json(&text)?;
         let report = ReadReport::of_exact(&model);
         Ok((model, report, FileKind::Json))
-    }
-}
-
-/// Returns the name of a format that is recognised and not read, and the way to a file that is.
-fn unsupported(bytes: &[u8], path: &str) -> Option<(&'static str, String)> {
-    let converted = || format!("`npx nurbs-hausdorff convert {path} model.json` converts it");
-    let archived = || "the feature `archives` of this crate reads it".to_owned();
-    match bytes {
-        _ if format::is_rhino(bytes) => Some(("a Rhino 3DM file", converted())),
-        _ if format::is_gzip(bytes) => Some(("a file compressed by gzip", archived())),
-        _ if format::is_zip(bytes) => Some(("a zip archive, as FreeCAD documents are", archived())),
-        _ => None,
     }
 }

@@ -11,6 +11,8 @@ mod las;
 mod obj;
 mod ply;
 mod scene;
+#[cfg(feature = "cad")]
+mod step;
 mod stl;
 mod text;
 mod three_mf;
@@ -43,6 +45,10 @@ pub enum MeshFormat {
     Las,
     /// E57, in metres: the points of all scans, with their poses.
     E57,
+    /// Triangles of a STEP file without faces, in millimetres, where its assemblies place them. No name's ending
+    /// says so: [`crate::Model::from_step`] refuses such a file with [`Error::StepTriangles`].
+    #[cfg(feature = "cad")]
+    Step,
 }
 
 /// A mesh or a cloud as its file states it.
@@ -85,6 +91,8 @@ impl MeshFormat {
             Self::Text => "text of points",
             Self::Las => "LAS",
             Self::E57 => "E57",
+            #[cfg(feature = "cad")]
+            Self::Step => "STEP",
         }
     }
 
@@ -130,6 +138,8 @@ impl MeshFile {
             MeshFormat::Gltf => gltf::read(bytes)?,
             MeshFormat::ThreeMf => three_mf::read(bytes)?,
             MeshFormat::Text => text::read(bytes)?,
+            #[cfg(feature = "cad")]
+            MeshFormat::Step => step::read(bytes)?,
             MeshFormat::Las | MeshFormat::E57 => return Err(format.syntax("expected a mesh")),
         };
         let groups = soup.groups();

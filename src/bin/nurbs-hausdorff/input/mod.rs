@@ -108,7 +108,12 @@ fn parse(path: &Path, bytes: Vec<u8>, source: Source) -> Result<Input> {
     if let Some(format) = MeshFormat::of_name(name) {
         return of_mesh(source, &bytes, format);
     }
-    let (model, mut read, kind) = Model::from_file(bytes, name)?;
+    // Triangles of a STEP file without faces are a mesh.
+    let triangles = holds_triangles(&bytes).then(|| bytes.clone());
+    let (model, mut read, kind) = match (Model::from_file(bytes, name), triangles) {
+        (Err(Error::StepTriangles { .. }), Some(bytes)) => return of_mesh(source, &bytes, MeshFormat::Step),
+        (read, _) => read?,
+    };
     let (model, prepared) = match kind {
         FileKind::Json => {
             let prepared = PreparedModel::new(&model)?;
@@ -119,6 +124,12 @@ fn parse(path: &Path, bytes: Vec<u8>, source: Source) -> Result<Input> {
     };
     let report = CadReport { kind: kind.name(), reader: READER, read };
     Ok(Input { model: Some(model), prepared, report, source })
+}
+
+/// Whether a STEP file may hold triangles, of whose entities' names all have this word.
+fn holds_triangles(bytes: &[u8]) -> bool {
+    const WORD: &[u8] = b"TRIANGULATED";
+    bytes.windows(WORD.len()).any(|window| window == WORD)
 }
 
 /// Prepares a mesh or a cloud of points.
