@@ -318,7 +318,8 @@ pub enum Error {
     },
     /// A STEP file of triangles alone.
     #[error(
-        "the STEP file has {found} triangles and no faces, expected faces: as a mesh of the format STEP it can be read"
+        "the STEP file has {found} triangles and no faces, expected faces: the native command and Python read it as a \
+         mesh, and in Rust `MeshFile` does"
     )]
     StepTriangles {
         /// The number of triangles.

@@ -289,7 +289,8 @@ fn an_offset_is_on_the_side_of_its_edges() {
     }
 }
 
-/// A file of OpenCASCADE 7.9, which states the side of the torus of radii 3 and 1.5 that is moved by 0.6 wrongly.
+/// A file of OpenCASCADE 7.9, which states the wrong side of the torus of radii 5 and 1.5 that is moved by 0.6
+/// outwards. The face has 3.7 of the angle u, and from -1 to 2 of v.
 #[test]
 fn an_offset_torus_of_another_writer_is_read() {
     let Some(folder) = crate::support::models::faults("an_offset_torus_of_another_writer_is_read") else {
@@ -299,5 +300,7 @@ fn an_offset_torus_of_another_writer_is_read() {
     let (model, report) = nurbs_hausdorff::Model::from_iges(&content).unwrap();
     assert_eq!(model.faces().len(), 1);
     assert!(report.notes.iter().any(|note| note.code == "BREP_OFFSET_SIDE"), "{report:?}");
+    let expected = 3.7 * 2.1 * (5.0 * 3.0 + 2.1 * (2.0_f64.sin() + 1.0_f64.sin()));
+    assert_near(areas(&model)[0], expected, 1e-6);
     assert!(report.gap < 1e-6, "{}", report.gap);
 }

@@ -38,9 +38,8 @@ pub(super) fn invert(
     let scale = face.location.matrix3.determinant().abs().cbrt();
     let traced = Traced::new(curve, space, to_face, edge, 1.0 / scale)?;
     if let Surface::Plane(frame) = surface.elementary() {
-        for t in samples(space.range) {
-            traced.check(frame.local_point(traced.point(t)).z.abs())?;
-        }
+        let distances = samples(space.range).map(|t| frame.local_point(traced.point(t)).z.abs());
+        traced.check(distances.fold(0.0, f64::max))?;
         let (spline, _, error) = curve.spline(space.range)?;
         let (curve, gap) = on_plane(spline, frame, &to_face, scale);
         // The error is one of the edge's own coordinates.

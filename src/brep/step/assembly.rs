@@ -265,16 +265,13 @@ impl<'a> Assembly<'a> {
         }
         for placement in self.placements.remove(&group).unwrap_or_default() {
             let Placement { entity, name, child, transform } = placement;
-            let part = self.group(child, nesting + 1)?;
-            match (transform, part) {
-                (Ok(location), Some(part)) => children.push(self.shapes.place(entity, name, part, location)?),
-                (Ok(_), None) => {
-                    if let Some(fault) = self.blank(child, entity) {
-                        children.push(used(self.shapes.unreadable(entity, fault)?, true));
-                    }
+            match transform {
+                Ok(location) => self.place_group(child, (entity, name, location), nesting, &mut children)?,
+                Err(fault) => {
+                    // The part is read and stands nowhere.
+                    self.group(child, nesting + 1)?;
+                    children.push(used(self.shapes.unreadable(entity, fault)?, true));
                 }
-                // The part is read and stands nowhere.
-                (Err(fault), _) => children.push(used(self.shapes.unreadable(entity, fault)?, true)),
             }
         }
         self.open.remove(&group);
@@ -283,6 +280,26 @@ impl<'a> Assembly<'a> {
         let shape = if empty { None } else { Some(self.shapes.push(ShapeKind::Group(name), children)?) };
         self.built.insert(group, shape);
         Ok(shape.map(|shape| used(shape, true)))
+    }
+
+    /// Appends the use of a group at the place that an instance gives it; of a part of which the file has nothing
+    /// a face with that reason.
+    fn place_group(
+        &mut self,
+        group: Group,
+        (instance, name, location): (u64, Option<String>, DAffine3),
+        nesting: usize,
+        children: &mut Vec<Use>,
+    ) -> Result<(), FaceFault> {
+        match self.group(group, nesting + 1)? {
+            Some(part) => children.push(self.shapes.place(instance, name, part, location)?),
+            None => {
+                if let Some(fault) = self.blank(group, instance) {
+                    children.push(used(self.shapes.unreadable(instance, fault)?, true));
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Appends the bodies and mapped items of a representation.
@@ -303,9 +320,8 @@ impl<'a> Assembly<'a> {
                 self.met.insert(item);
                 match self.mapping(item, representation) {
                     Ok((child, location)) => {
-                        let Some(part) = self.group(child, nesting + 1)? else { continue };
                         let name = self.shapes.file.entity(item).ok().and_then(|item| item.name());
-                        children.push(self.shapes.place(item, name, part, location)?);
+                        self.place_group(child, (item, name, location), nesting, children)?;
                     }
                     Err(fault) => children.push(used(self.shapes.unreadable(item, fault)?, true)),
                 }

@@ -70,6 +70,24 @@ fn a_part_without_a_shape_is_named() {
     assert!(report.skipped[0].why.contains("\"elsewhere\""), "{}", report.skipped[0].why);
 }
 
+/// The same of a part that a mapped item places.
+#[test]
+fn a_mapped_part_without_a_shape_is_named() {
+    let mut text = StepText::new();
+    let [part, whole] = two_products(&mut text);
+    place(&mut text, part, whole, 5.0, "");
+    let context = text.context(UnitsOf::Millimetres);
+    let origin = text.axis([0.0; 3], [0.0, 0.0, 1.0]);
+    let blank = text.representation(&[origin], context);
+    text.product("elsewhere", blank);
+    let map = text.add(format!("REPRESENTATION_MAP(#{origin},#{blank})"));
+    let item = text.add(format!("MAPPED_ITEM('',#{map},#{origin})"));
+    let other = text.representation(&[item], context);
+    text.product("other", other);
+    let (_, report) = Model::from_step(text.text().as_bytes()).unwrap();
+    assert_eq!(named(&report), [("STEP_PLACE", Some(item as u64))]);
+}
+
 /// A product without any representation.
 #[test]
 fn a_product_without_a_representation_is_named() {

@@ -44,17 +44,38 @@ const WITHOUT_SURFACE: [&str; 21] = [
     "COORDINATES",
 ];
 
-/// Returns whether an entity has no surface, by its name. Of one that is not known it is not assumed.
+/// The entities that every item is, as complex instances state them.
+const GENERAL: [&str; 3] =
+    ["REPRESENTATION_ITEM", "GEOMETRIC_REPRESENTATION_ITEM", "TOPOLOGICAL_REPRESENTATION_ITEM"];
+
+/// Returns whether an entity has no surface, by its name, or by those of a complex instance: one says so and none
+/// of the others has one. Of an entity that is not known it is not assumed.
 pub(super) fn has_no_surface(kind: &str) -> bool {
-    let has_word = |words: &[&str]| kind.split(['_', ' ']).any(|word| words.contains(&word));
-    if has_word(&REMARKS) || kind.ends_with("REPRESENTATION_ITEM") || kind.ends_with("WIREFRAME_MODEL") {
-        return true;
+    let mut found = false;
+    for part in kind.split(' ').filter(|part| !GENERAL.contains(part)) {
+        match has_surface(part) {
+            Some(true) => return false,
+            Some(false) => found = true,
+            None => {}
+        }
     }
+    found
+}
+
+/// Returns whether an entity has a surface, by its name; `None` for one that is not known.
+fn has_surface(kind: &str) -> Option<bool> {
+    let has_word = |words: &[&str]| kind.split('_').any(|word| words.contains(&word));
+    let is_remark = has_word(&REMARKS) || kind.ends_with("REPRESENTATION_ITEM");
+    let is_wire = kind.ends_with("WIREFRAME_MODEL") || matches!(kind, "WIRE_SHELL" | "VERTEX_SHELL");
     let is_on_surface =
         ["SURFACE_CURVE", "CURVE_ON_SURFACE", "POINT_ON_SURFACE"].iter().any(|on| kind.ends_with(on));
-    is_on_surface
-        || matches!(kind, "WIRE_SHELL" | "VERTEX_SHELL" | "PLANAR_EXTENT")
-        || (has_word(&WITHOUT_SURFACE) && !has_word(&WITH_SURFACE))
+    if is_remark || is_wire || is_on_surface || kind == "PLANAR_EXTENT" {
+        Some(false)
+    } else if has_word(&WITH_SURFACE) {
+        Some(true)
+    } else {
+        has_word(&WITHOUT_SURFACE).then_some(false)
+    }
 }
 
 /// Returns whether an entity is a surface, by its name.
