@@ -227,7 +227,14 @@ fn read(bytes: &[u8], path: &str, beside: &Beside) -> nurbs_hausdorff::Result<Mo
         let file = MeshFile::read_with(&bytes, format, beside)?;
         return prepared(&file.facets, file.unit, file.report());
     }
-    let (model, mut report, kind) = nurbs_hausdorff::Model::from_file(bytes, name)?;
+    let (model, mut report, kind) = match nurbs_hausdorff::Model::from_file(bytes.clone(), name) {
+        // A STEP file without faces is a mesh.
+        Err(Error::StepTriangles { .. }) => {
+            let file = MeshFile::read(&bytes, MeshFormat::Step)?;
+            return prepared(&file.facets, file.unit, file.report());
+        }
+        read => read?,
+    };
     let (model, prepared) = match kind {
         nurbs_hausdorff::FileKind::Json => {
             let prepared = PreparedModel::new(&model)?;

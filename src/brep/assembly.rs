@@ -6,16 +6,16 @@ use super::levels::{LevelId, Levels, placed_name};
 use super::outline::outline;
 use super::placed::{Placed, matrix};
 use super::report::{FaceFault, Remark};
-use super::topology::{Color, Face, Orientation, ShapeKind, Topology};
+use super::topology::{Color, Face, Mesh, Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
-use crate::model::{InstanceArrays, ModelArrays};
+use crate::model::{InstanceArrays, MAX_FACES, ModelArrays};
 use crate::read::{Assembled, FaceCounts, FaceId, Note, Skipped};
 use crate::threads::parallel::{Watch, map_watched};
 use glam::{DAffine3, DVec3};
 use std::cell::LazyCell;
 use std::collections::{HashMap, HashSet};
 
-/// The most shapes visited from the root. A shape can stand in several others, so that
+/// The most faces and groups of faces visited from the root. A shape can stand in several others, so that
 /// a short file may describe more placements than memory holds.
 const MAX_VISITS: usize = 1 << 22;
 
@@ -35,6 +35,9 @@ pub(super) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<A
         placed.iter().enumerate().filter(|(_, placed)| seen.insert(placed.shape)).collect();
     let sizes = sizes(file, &distinct);
     let work = |index: usize| {
+        if let ShapeKind::Mesh(mesh) = &file.shapes[distinct[index].1.shape].kind {
+            return Err(beside_faces(mesh));
+        }
         if sizes[index] > MAX_POLES {
             let why = "the faces up to this one have more than 16777216 control points";
             return Err(FaceFault::new("BREP_TOO_LARGE", why));
@@ -84,12 +87,34 @@ pub(super) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<A
         name_parts(&mut read.model);
     }
     match read.skipped.first() {
+        Some(_) if read.model.faces.is_empty() && read.skipped.iter().all(|one| one.code == TRIANGLES) => {
+            Err(Error::StepTriangles { found: triangles(file, &placed) })
+        }
         Some(Skipped { face: FaceId::Number(face), why, .. }) if read.model.faces.is_empty() => {
             Err(Error::BrepUnreadable { face: *face, found: why.clone(), faces: read.skipped.len() })
         }
         _ if read.model.faces.is_empty() => Err(Error::EmptyModel),
         _ => Ok(read),
     }
+}
+
+/// The code of triangles that stand beside faces.
+const TRIANGLES: &str = "STEP_TRIANGLES";
+
+/// Returns the reason for which triangles that are no picture of faces are not measured with these.
+fn beside_faces(mesh: &Mesh) -> FaceFault {
+    let (entity, count) = (mesh.label.entity.unwrap_or_default(), mesh.triangles.len());
+    let why = format!("#{entity}, {}, is {count} triangles, which are not measured beside faces", mesh.kind);
+    FaceFault::new(TRIANGLES, why)
+}
+
+/// Returns the number of triangles of all meshes where they are placed.
+fn triangles(file: &Topology, placed: &[Placed]) -> usize {
+    let count = |placed: &Placed| match &file.shapes[placed.shape].kind {
+        ShapeKind::Mesh(mesh) => mesh.triangles.len(),
+        _ => 0,
+    };
+    placed.iter().map(count).fold(0, usize::saturating_add)
 }
 
 /// Returns the numbers of control points of the surfaces of all faces up to each.
@@ -162,47 +187,82 @@ fn notes(
     notes
 }
 
-/// Returns the faces below the root in the order of OpenCASCADE's `TopExp_Explorer`, in which each
-/// shape is followed by its children; a face that is met again at its place, as between two solids,
-/// is listed once, as by `TopExp::MapShapes`.
-fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)> {
+/// Returns the faces, and the meshes that are no pictures of them, below the root in the order of OpenCASCADE's
+/// `TopExp_Explorer`, in which each shape is followed by its children; a face that is met again at its place, as
+/// between two solids, is listed once, as by `TopExp::MapShapes`.
+///
+/// # Errors
+/// [`Error::TooManyFaces`] before any is placed.
+pub(super) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)> {
+    let counts = counts(file);
+    let Counts { faces, visits } = counts[file.root.shape];
+    for (found, expected) in [(faces, MAX_FACES), (visits, MAX_VISITS)] {
+        let found = usize::try_from(found).unwrap_or(usize::MAX);
+        if found > expected {
+            return Err(Error::TooManyFaces { found, expected });
+        }
+    }
     let mut placed = Vec::new();
     let mut levels = Levels::default();
     let mut met = HashSet::new();
     // Uses still to be visited, the next one last, each with what it stands in.
     let mut pending = vec![(file.root, Surroundings::default())];
-    let mut visits = 0;
     while let Some((shape_use, above)) = pending.pop() {
-        visits += 1;
-        if visits > MAX_VISITS {
-            return Err(Error::BrepSyntax {
-                line: 0,
-                found: "more than 4194304 placements of shapes".to_owned(),
-                expected: "an assembly of fewer".to_owned(),
-            });
-        }
         let location = above.location * shape_use.location;
         let reversed = above.reversed ^ (shape_use.orientation == Orientation::Reversed);
         let color = file.colors.get(&shape_use.shape).copied().or(above.color);
         let shape = &file.shapes[shape_use.shape];
         let mut own = Surroundings { location, reversed, color, ..above };
+        let children = || shape.children.iter().filter(|child| counts[child.shape].faces > 0);
         match &shape.kind {
-            ShapeKind::Face(_) if met.insert((shape_use.shape, matrix(&location).map(f64::to_bits))) => {
+            ShapeKind::Face(_) | ShapeKind::Mesh(Mesh { is_picture: false, .. })
+                if met.insert((shape_use.shape, matrix(&location).map(f64::to_bits))) =>
+            {
                 placed.push(Placed { shape: shape_use.shape, reversed, location, part: above.level, color });
             }
             ShapeKind::Place(name) => {
                 own.place = Some(name);
-                pending.extend(shape.children.iter().map(|&child| (child, own)));
+                pending.extend(children().map(|&child| (child, own)));
             }
             ShapeKind::Group(name) => {
                 own.enter(name.as_deref(), shape.children.len() == 1, &mut levels);
-                pending.extend(shape.children.iter().rev().map(|&child| (child, own)));
+                pending.extend(children().rev().map(|&child| (child, own)));
             }
             // Faces met again are counted, and loose wires, edges and vertices are no surfaces.
             _ => {}
         }
     }
     Ok((placed, levels))
+}
+
+/// The numbers of faces, and of these and their groups, that a shape stands for with all its uses.
+#[derive(Clone, Copy, Default)]
+struct Counts {
+    faces: u64,
+    visits: u64,
+}
+
+/// Returns the counts of all shapes, without going through their uses: every shape follows its children. O(shapes).
+fn counts(file: &Topology) -> Vec<Counts> {
+    let mut counts: Vec<Counts> = Vec::with_capacity(file.shapes.len());
+    for shape in &file.shapes {
+        counts.push(match &shape.kind {
+            ShapeKind::Face(_) | ShapeKind::Mesh(Mesh { is_picture: false, .. }) => {
+                Counts { faces: 1, visits: 1 }
+            }
+            ShapeKind::Group(_) | ShapeKind::Place(_) => {
+                let with_faces = shape.children.iter().map(|child| counts[child.shape]);
+                let sum =
+                    with_faces.filter(|child| child.faces > 0).fold(Counts::default(), |sum, child| Counts {
+                        faces: sum.faces.saturating_add(child.faces),
+                        visits: sum.visits.saturating_add(child.visits),
+                    });
+                Counts { visits: sum.visits.saturating_add(1), ..sum }
+            }
+            _ => Counts::default(),
+        });
+    }
+    counts
 }
 
 /// What a use stands in.

@@ -2,8 +2,7 @@
 
 #[cfg(feature = "archives")]
 use super::archive;
-use super::foreign::foreign;
-use super::format;
+use super::{foreign, format};
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::read::ReadReport;
@@ -59,6 +58,9 @@ impl Model {
             let (model, report) = validation::into_model(archive::read_document(&bytes)?)?;
             return Ok((model, report, FileKind::FreeCad));
         }
+        if let Some(refused) = foreign::refused(&bytes, path) {
+            return Err(refused);
+        }
         if format::is_binary_brep(&bytes) {
             return Err(Error::BrepSyntax {
                 line: 1,
@@ -76,8 +78,8 @@ impl Model {
         if format::is_brep(&bytes) {
             return Self::from_brep(&text(bytes)?).map(of_kind(FileKind::Brep));
         }
-        if let Some(error) = foreign(&bytes, path) {
-            return Err(error);
+        if !format::is_json(&bytes) {
+            return Err(foreign::unknown());
         }
         let text = text(bytes)?;
         let model = Self::from_json(&text)?;

@@ -62,6 +62,5 @@ pub(super) fn is_iges(bytes: &[u8]) -> bool {
 /// Whether bytes are a CAD model of a format that is recognised.
 #[cfg(feature = "mesh")]
 pub(crate) fn is_cad(bytes: &[u8]) -> bool {
-    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(HEAD_LENGTH)]);
-    is_step(bytes) || is_iges(bytes) || is_rhino(bytes) || is_binary_brep(bytes) || is_brep(&head)
+    is_step(bytes) || is_iges(bytes) || is_rhino(bytes) || is_binary_brep(bytes) || is_brep(bytes)
 }

@@ -5,7 +5,7 @@
 //! makes exact NURBS of them; [`faces`]
 //! turns a face into a surface and closed loops in its parameters, with [`gap`] bounding
 //! their distance from the edges; [`assembly`] collects the faces and their placements;
-//! [`file`] recognises files by their content; `archive` opens those within others.
+//! [`file`] recognises files by their content, and names [`foreign`] ones; `archive` opens those within others.
 
 #[cfg(feature = "archives")]
 mod archive;
@@ -19,6 +19,8 @@ mod format;
 mod gap;
 mod iges;
 mod levels;
+#[cfg(feature = "mesh")]
+mod meshes;
 mod nurbs;
 mod outline;
 mod placed;
@@ -36,6 +38,8 @@ pub(crate) use assembly::OnFace;
 pub use file::FileKind;
 #[cfg(feature = "mesh")]
 pub(crate) use format::is_cad;
+#[cfg(feature = "mesh")]
+use glam::DAffine3;
 
 impl Model {
     /// Reads the text of a BREP file of OpenCASCADE, versions 1 to 3, with every face
@@ -61,14 +65,15 @@ impl Model {
     /// Reads a STEP file of AP203, AP214 or AP242, in millimetres, with every face trimmed as
     /// [`Model::from_brep`] does.
     ///
-    /// Read are the boundary representations of solids and shells, sets of surfaces, mapped
-    /// items and assemblies with their placements. A face that cannot be read is in the report
-    /// with its number in the file. O(length).
+    /// Read are the boundary representations of solids and shells, faces, sets of surfaces, primitives of
+    /// constructive geometry, mapped items and assemblies with their placements. Whatever else the file represents
+    /// that may have a surface is in the report with its number in the file, as a face that cannot be read.
+    /// O(length).
     ///
     /// # Errors
     /// [`Error::FileTooLarge`] over [`Model::MAX_JSON_BYTES`], [`Error::StepSyntax`],
-    /// [`Error::StepUnreadable`], [`Error::BrepUnreadable`] if no face can be read,
-    /// [`Error::EmptyModel`] without faces.
+    /// [`Error::StepUnreadable`], [`Error::BrepUnreadable`] if no face can be read, [`Error::TooManyFaces`],
+    /// [`Error::StepTriangles`] of a file of triangles alone, [`Error::StepEmpty`] without faces.
     pub fn from_step(bytes: &[u8]) -> Result<(Self, ReadReport)> {
         validation::into_model(read_step(bytes, None)?)
     }
@@ -107,7 +112,27 @@ pub(crate) fn read_brep(text: &str, on_face: Option<OnFace<'_>>) -> Result<Assem
 /// Those of [`Model::from_step`] on the file.
 pub(crate) fn read_step(bytes: &[u8], on_face: Option<OnFace<'_>>) -> Result<Assembled> {
     check_length(bytes.len())?;
-    assembly::assemble(&step::parse(bytes)?, on_face)
+    match assembly::assemble(&step::parse(bytes)?, on_face) {
+        Err(Error::EmptyModel) => Err(Error::StepEmpty { found: step::contents_of(bytes)? }),
+        assembled => assembled,
+    }
+}
+
+/// Reads the triangles of a STEP file without faces: calls a function for each mesh, with its name and its place,
+/// and returns the unit.
+///
+/// # Errors
+/// [`Error::FileTooLarge`], [`Error::StepSyntax`]; [`Error::StepUnreadable`] for a file with faces; those of the
+/// function.
+#[cfg(feature = "mesh")]
+pub(crate) fn read_step_meshes(
+    bytes: &[u8],
+    on_mesh: impl FnMut(Option<&str>, &topology::Mesh, &DAffine3) -> Result<()>,
+) -> Result<Option<f64>> {
+    check_length(bytes.len())?;
+    let file = step::parse(bytes)?;
+    meshes::each_mesh(&file, on_mesh)?;
+    Ok(file.unit)
 }
 
 /// Reads an IGES file. The model is not yet validated.

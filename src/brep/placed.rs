@@ -20,6 +20,7 @@ impl Placed {
     pub(super) fn label<'a>(&self, file: &'a Topology) -> Option<&'a FaceLabel> {
         match &file.shapes[self.shape].kind {
             ShapeKind::Face(face) => Some(&face.label),
+            ShapeKind::Mesh(mesh) => Some(&mesh.label),
             _ => None,
         }
     }

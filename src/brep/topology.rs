@@ -2,7 +2,7 @@
 
 use super::nurbs::{Curve, Surface};
 use super::report::{FaceFault, Remark};
-use glam::DAffine3;
+use glam::{DAffine3, DVec3};
 use std::collections::HashMap;
 
 /// Red, green and blue of sRGB, each from 0 to 1.
@@ -38,6 +38,7 @@ pub(crate) enum ShapeKind {
     Edge(Edge),
     Wire,
     Face(Face),
+    Mesh(Mesh),
     /// Any set of shapes, with the name of the part that it is.
     Group(Option<String>),
     /// A place of a part, with its name.
@@ -106,6 +107,8 @@ pub(crate) struct PCurve {
 pub(crate) struct Face {
     /// The index in [`Topology::surfaces`], or the reason for which the face cannot be read.
     pub(crate) surface: Result<usize, FaceFault>,
+    /// The surface that the face is on if its edges are not on the one stated: that of an offset to the other side.
+    pub(crate) other_side: Option<usize>,
     pub(crate) location: DAffine3,
     pub(crate) label: FaceLabel,
     /// What the report says of the face.
@@ -117,11 +120,25 @@ impl Face {
     pub(crate) fn on(surface: usize) -> Self {
         Self {
             surface: Ok(surface),
+            other_side: None,
             location: DAffine3::IDENTITY,
             label: FaceLabel::default(),
             remarks: Vec::new(),
         }
     }
+}
+
+/// Triangles of a file.
+#[derive(Debug, Default)]
+pub(crate) struct Mesh {
+    pub(crate) vertices: Vec<DVec3>,
+    /// The indices of the vertices of each.
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// The kind of entity that they are in the file.
+    pub(crate) kind: String,
+    pub(crate) label: FaceLabel,
+    /// Whether faces that were read stand for all of it.
+    pub(crate) is_picture: bool,
 }
 
 /// The identification of a face in its file.

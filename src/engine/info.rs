@@ -15,8 +15,7 @@ use serde::Serialize;
 pub struct ModelInfo {
     /// The model's name.
     pub name: Option<String>,
-    /// Metres per model unit, if they are known.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Metres per model unit; null where they are not known.
     pub unit: Option<f64>,
     /// The number of trimmed faces.
     pub trimmed: usize,

@@ -211,10 +211,10 @@ pub enum Error {
         /// The property that is invalid.
         found: String,
     },
-    /// The instances of a model place too many faces.
-    #[error("the instances place {found} faces, expected at most {expected}")]
+    /// The instances of a model place too many faces, or an assembly faces and groups of these.
+    #[error("the instances place {found} faces, or faces and their groups, expected at most {expected}")]
     TooManyFaces {
-        /// The number of faces placed.
+        /// The number of faces placed, or of these and their groups.
         found: usize,
         /// The largest number allowed.
         expected: usize,
@@ -314,6 +314,24 @@ pub enum Error {
     #[error("the STEP file cannot be read: {found}")]
     StepUnreadable {
         /// The reason.
+        found: String,
+    },
+    /// A STEP file of triangles alone.
+    #[error(
+        "the STEP file has {found} triangles and no faces, expected faces: the native command and Python read it as a \
+         mesh, and in Rust `MeshFile` does"
+    )]
+    StepTriangles {
+        /// The number of triangles.
+        found: usize,
+    },
+    /// A STEP file without faces in what it represents.
+    #[error(
+        "the STEP file represents no faces, expected at least 1: {found}; export solids or surfaces from the \
+         program that made it"
+    )]
+    StepEmpty {
+        /// What the file has instead.
         found: String,
     },
     /// Text that is not in the format of IGES, or a file that ends early.
@@ -491,7 +509,7 @@ impl Error {
             Self::TooFewControlPoints { .. } => "TOO_FEW_CONTROL_POINTS",
             Self::DegreeOutOfRange { .. } => "DEGREE_OUT_OF_RANGE",
             Self::FaceNotCut { .. } => "FACE_NOT_CUT",
-            Self::EmptyModel | Self::EmptyDocument { .. } => "EMPTY_MODEL",
+            Self::EmptyModel | Self::EmptyDocument { .. } | Self::StepEmpty { .. } => "EMPTY_MODEL",
             Self::Trim { fault, .. } => fault.code(),
             Self::ModelTrimmed { .. } => "MODEL_TRIMMED",
             Self::GapInvalid { .. } => "GAP_INVALID",
@@ -511,6 +529,7 @@ impl Error {
             Self::BrepSyntax { .. } => "BREP_SYNTAX",
             Self::StepSyntax { .. } => "STEP_SYNTAX",
             Self::StepUnreadable { .. } => "STEP_UNREADABLE",
+            Self::StepTriangles { .. } => "STEP_TRIANGLES",
             Self::IgesSyntax { .. } => "IGES_SYNTAX",
             Self::IgesUnreadable { .. } => "IGES_UNREADABLE",
             Self::TransferInvalid { .. } => "TRANSFER_INVALID",

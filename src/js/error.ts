@@ -54,6 +54,7 @@ export type ErrorCode =
   | "BREP_SYNTAX"
   | "STEP_SYNTAX"
   | "STEP_UNREADABLE"
+  | "STEP_TRIANGLES"
   | "IGES_SYNTAX"
   | "IGES_UNREADABLE"
   | "TRANSFER_INVALID"

@@ -94,6 +94,8 @@ impl MeshFile {
             MeshFormat::Text => text::read(bytes)?,
             MeshFormat::Pcd => pcd::read(bytes)?,
             MeshFormat::Ptx => ptx::read(bytes)?,
+            #[cfg(feature = "cad")]
+            MeshFormat::Step => scenes::step::read(bytes)?,
             MeshFormat::Las | MeshFormat::E57 => return Err(format.syntax("expected a mesh")),
         };
         Self::of_soup(soup, format)

@@ -44,7 +44,7 @@ pub struct Model {
 const UNITS: std::ops::RangeInclusive<f64> = 1e-30..=1e30;
 
 /// The largest number of faces of a model after the placement of its instances.
-const MAX_FACES: usize = 1 << 20;
+pub(crate) const MAX_FACES: usize = 1 << 20;
 
 /// Returns whether a number of metres is a unit that a model may have.
 pub(crate) fn is_unit(metres: f64) -> bool {

@@ -71,7 +71,7 @@ fn errors_name_the_file() {
     assert_refused(&run(&["info", &cut]), "JSON_SHAPE", &[&cut, "line 1"]);
     let folder = env!("CARGO_TARGET_TMPDIR");
     assert_refused(&run(&["info", folder]), "FILE_UNREADABLE", &[folder]);
-    let binary = file("binary", &[0xff, 0xfe, 0x00]);
+    let binary = file("binary", &[0xff, 0x00]);
     assert_refused(&run(&["info", &binary]), "FORMAT_UNSUPPORTED", &[&binary]);
 }
 
@@ -82,6 +82,73 @@ fn binary_brep_is_named() {
         b"\nOpen CASCADE Topology V4, (c) Open Cascade\nLocations 0\nCurve2ds 1\n\x01\xff",
     );
     assert_refused(&run(&["info", &path]), "BREP_SYNTAX", &["in binary", "BRepTools::Write"]);
+}
+
+/// What is no model is called by its name, with what to do.
+#[test]
+fn files_of_other_kinds_are_named() {
+    let step = |schema: &str| {
+        format!("ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('{schema}'));\nENDSEC;\nDATA;\nENDSEC;\n")
+    };
+    let ifc = step("IFC4");
+    let tar = [vec![b'a'; 257], b"ustar".to_vec()].concat();
+    let cases: [(&[u8], &[&str]); 12] = [
+        (ifc.as_bytes(), &["an IFC file", "IFC4", "IfcConvert"]),
+        (b"iso-10303-21;\nheader;\n", &["STEP file in lower case", "upper case"]),
+        (b"<?xml version='1.0'?>\n<iso_10303_28 xmlns='x'/>", &["in XML"]),
+        (b"\n<!DOCTYPE html>\n<html></html>", &["a page in HTML", "fetch the file itself"]),
+        (b"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", &["Git LFS", "git lfs pull"]),
+        (b"", &["an empty file"]),
+        (b" \r\n", &["an empty file"]),
+        (b"\xff\xfeI\0S\0", &["UTF-16"]),
+        (b"BZh91AY", &["bzip2", "unpack"]),
+        (&tar, &["a tar archive", "unpack"]),
+        (b"PS\0\0", &["Parasolid", "STEP"]),
+        (b"AC1027", &["DWG", "STEP"]),
+    ];
+    for (index, (content, words)) in cases.into_iter().enumerate() {
+        let path = file(&format!("foreign-{index}"), content);
+        assert_refused(&run(&["info", &path]), "FORMAT_UNSUPPORTED", words);
+    }
+}
+
+/// A unit that the file does not state is null, and the notes on faces are stated beside what was skipped.
+#[test]
+fn info_has_the_unit_and_the_notes() {
+    let path = shape_file("no-unit", "cone");
+    let json: Value = serde_json::from_str(&run(&["info", "--json", &path]).stdout).unwrap();
+    assert_eq!((&json["unit"], &json["notes"]), (&Value::Null, &serde_json::json!([])));
+    assert!(json.as_object().unwrap().contains_key("unit"));
+}
+
+/// Triangles of a STEP file without faces are a mesh; beside faces they are left out, and a verdict is undecided.
+#[test]
+fn triangles_of_a_step_file_are_a_mesh_or_named() {
+    let square = |with_face: bool, height: f64| {
+        let mut text = StepText::new();
+        let points = text.add(format!(
+            "COORDINATES_LIST('',4,((0.,0.,{height:?}),(1.,0.,{height:?}),(1.,1.,{height:?}),(0.,1.,{height:?})))"
+        ));
+        let triangles = text.add(format!("TRIANGULATED_FACE('',#{points},4,(),$,(),((1,2,3),(1,3,4)))"));
+        let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        let corners: Vec<String> = corners.iter().map(|&corner| format!("#{}", text.point(corner))).collect();
+        let path = text.add(format!("POLY_LOOP('',({}))", corners.join(",")));
+        let bound = text.add(format!("FACE_OUTER_BOUND('',#{path},.T.)"));
+        let items = if with_face {
+            let face = text.add(format!("FACE('',(#{bound}))"));
+            vec![text.open_shell(&[face]), triangles]
+        } else {
+            vec![triangles]
+        };
+        file(&format!("tessellated-{with_face}-{height}"), text.of(&items, UnitsOf::Millimetres).as_bytes())
+    };
+    let [mesh, both, plain] = [square(false, 5.0), square(true, 5.0), square(false, 0.0)];
+    let json: Value = serde_json::from_str(&run(&["distance", &mesh, &plain, "--json"]).stdout).unwrap();
+    let end = |name: &str| json[name].as_f64().unwrap();
+    assert!(end("lower") <= 5.0 && end("upper") >= 5.0 && json["unit"] == 1e-3, "{json}");
+    let judged = run(&["distance", &both, &plain, "--limit", "0.001"]);
+    assert_eq!(judged.status, 3, "{}", judged.stderr);
+    assert!(judged.stderr.contains("2 triangles, which are not measured beside faces"), "{}", judged.stderr);
 }
 
 /// A triangle in millimetres, and a face without a surface, which is named by its number.

@@ -271,3 +271,36 @@ fn matrices_are_chained() {
     let bounds = read(&text).0.bounding_box();
     assert_eq!((bounds.min.to_array(), bounds.max.to_array()), ([7.0, 0.0, 0.0], [10.0, 2.0, 0.0]));
 }
+
+/// The square [0, 4]² moved along z, whose edges lie at 1: some writers state the wrong side, and the report says so.
+#[test]
+fn an_offset_is_on_the_side_of_its_edges() {
+    for side in [1.0, -1.0] {
+        let mut text = IgesText::new();
+        let basis = text.bilinear([[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [4.0, 4.0, 0.0]]);
+        let offset = text.add(140, 0, format!("0.,0.,{side:?},1.,{basis}"));
+        let edges = text.polygon(&crate::rectangle([1.0, 1.0], [3.0, 3.5], 1.0));
+        text.trimmed(offset, Some((0, edges)), &[]);
+        let (model, report) = read(&text);
+        assert_near(areas(&model)[0], 5.0, 1e-7);
+        assert_near(model.bounding_box().max[2], 1.0, 1e-9);
+        let notes: Vec<_> = report.notes.iter().map(|note| note.code).collect();
+        assert_eq!(notes, if side > 0.0 { vec![] } else { vec!["BREP_OFFSET_SIDE"] });
+    }
+}
+
+/// A file of OpenCASCADE 7.9, which states the wrong side of the torus of radii 5 and 1.5 that is moved by 0.6
+/// outwards. The face has 3.7 of the angle u, and from -1 to 2 of v.
+#[test]
+fn an_offset_torus_of_another_writer_is_read() {
+    let Some(folder) = crate::support::models::faults("an_offset_torus_of_another_writer_is_read") else {
+        return;
+    };
+    let content = std::fs::read(folder.join("step/face_on_offset_torus.0.igs")).unwrap();
+    let (model, report) = nurbs_hausdorff::Model::from_iges(&content).unwrap();
+    assert_eq!(model.faces().len(), 1);
+    assert!(report.notes.iter().any(|note| note.code == "BREP_OFFSET_SIDE"), "{report:?}");
+    let expected = 3.7 * 2.1 * (5.0 * 3.0 + 2.1 * (2.0_f64.sin() + 1.0_f64.sin()));
+    assert_near(areas(&model)[0], expected, 1e-6);
+    assert!(report.gap < 1e-6, "{}", report.gap);
+}

@@ -11,8 +11,10 @@ mod support;
 mod assemblies;
 mod colors;
 mod damage;
+mod dialects;
 mod faces;
-mod left_out;
+mod faults;
+mod items;
 mod real_files;
 mod units;
 

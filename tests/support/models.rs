@@ -1,4 +1,4 @@
-//! The models of `../shared/models`.
+//! The models of `../shared/models`, and the small files of `../shared/faults`.
 
 use nurbs_hausdorff::Model;
 use std::io::Write;
@@ -7,11 +7,20 @@ use std::path::PathBuf;
 /// The folder of models beside the project, if it is there. If not, says so on
 /// a line of its own that begins with SKIPPED, past libtest's capturing.
 pub fn folder(test: &str) -> Option<PathBuf> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/models");
+    shared(test, "models")
+}
+
+/// The folder of files of one matter each, as [`folder`].
+pub fn faults(test: &str) -> Option<PathBuf> {
+    shared(test, "faults")
+}
+
+fn shared(test: &str, name: &str) -> Option<PathBuf> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared").join(name);
     if folder.is_dir() {
         return Some(folder);
     }
-    let line = format!("\nSKIPPED {test}: there is no ../shared/models\n");
+    let line = format!("\nSKIPPED {test}: there is no ../shared/{name}\n");
     std::io::stderr().write_all(line.as_bytes()).unwrap();
     None
 }

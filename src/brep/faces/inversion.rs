@@ -20,7 +20,7 @@ const LINE_TOLERANCE: f64 = 1e-7;
 /// `reversed` is whether the loop uses the edge against its direction.
 ///
 /// # Errors
-/// `BREP_NO_P_CURVE` if the edge does not lie on the surface, else those of the edge's own
+/// `BREP_NO_P_CURVE` if the edge does not lie on the surface, a plane or another one, else those of the edge's own
 /// curve.
 pub(super) fn invert(
     file: &Topology,
@@ -36,7 +36,10 @@ pub(super) fn invert(
     let curve = &file.curves[space.curve];
     let to_face = face.location.inverse() * *location * space.location;
     let scale = face.location.matrix3.determinant().abs().cbrt();
+    let traced = Traced::new(curve, space, to_face, edge, 1.0 / scale)?;
     if let Surface::Plane(frame) = surface.elementary() {
+        let distances = samples(space.range).map(|t| frame.local_point(traced.point(t)).z.abs());
+        traced.check(distances.fold(0.0, f64::max))?;
         let (spline, _, error) = curve.spline(space.range)?;
         let (curve, gap) = on_plane(spline, frame, &to_face, scale);
         // The error is one of the edge's own coordinates.
@@ -52,7 +55,6 @@ pub(super) fn invert(
             is_placed: false,
         });
     }
-    let traced = Traced::new(curve, space, to_face, edge, 1.0 / scale)?;
     let points: Vec<DVec3> = samples(space.range).map(|t| traced.point(t)).collect();
     let mut projector = Projector::new(surface, traced.size);
     let line = match surface.elementary() {

@@ -20,7 +20,7 @@ mod uses;
 
 use super::nurbs::{Surface, SurfaceNet};
 use super::report::{FaceFault, Remark};
-use super::topology::{ShapeKind, Topology};
+use super::topology::{Face, ShapeKind, Topology};
 use crate::model::trim::{FaceArrays, TrimCurveArrays};
 use glam::DVec3;
 use loops::Loops;
@@ -55,9 +55,10 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
         return Err(FaceFault::new("BREP_FACE", "the shape is not a face"));
     };
     let stated = &file.surfaces[*face.surface.as_ref().map_err(FaceFault::clone)?];
-    let (surface, Loops { loops, remarks, complement_fits }) = loops_of(file, shape, stated)?;
+    let (surface, Loops { loops, remarks, complement_fits }, turned) =
+        on_either_side(file, shape, face, stated)?;
     let surface = surface.as_ref();
-    let remarks = face.remarks.iter().cloned().chain(remarks).collect();
+    let remarks = face.remarks.iter().cloned().chain(remarks).chain(turned).collect();
     let scale = face.location.matrix3.determinant().abs().cbrt();
     let arrays = |net: SurfaceNet, trim, is_measured: bool| FaceArrays {
         gap: scale * net.error,
@@ -98,6 +99,28 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
     let is_measured = curves().any(|curve| curve.gap.is_measured);
     let trim = mapped.iter().map(|curves| curves.iter().map(curve_arrays).collect()).collect();
     Ok(Converted { face: arrays(net, Some(trim), is_measured), exact, fitted, remarks, complement_fits })
+}
+
+/// Returns the surface and the loops of a face; if its edges lie on the offset to the other side alone, those
+/// there and the remark on it.
+fn on_either_side<'a>(
+    file: &'a Topology,
+    shape: usize,
+    face: &Face,
+    stated: &'a Surface,
+) -> Result<(Cow<'a, Surface>, Loops, Option<Remark>), FaceFault> {
+    let fault = match loops_of(file, shape, stated) {
+        Ok((surface, loops)) => return Ok((surface, loops, None)),
+        Err(fault) => fault,
+    };
+    let Some(other) = face.other_side else { return Err(fault) };
+    match loops_of(file, shape, &file.surfaces[other]) {
+        Ok((surface, loops)) => {
+            let why = "the edges are not on the offset to the side that the file states, but on that to the other one";
+            Ok((surface, loops, Some(Remark::new("BREP_OFFSET_SIDE", why))))
+        }
+        Err(_) => Err(fault),
+    }
 }
 
 /// Returns the loops of a face, and its surface: as the file states it, or, if an edge crosses the seam of

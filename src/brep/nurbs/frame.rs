@@ -24,6 +24,19 @@ impl Frame {
         self.x.cross(self.y).dot(self.z).signum()
     }
 
+    /// Returns the frame whose coordinates are those of space for what has coordinates of this one: what
+    /// [`Self::local_point`] takes there, it takes back.
+    pub(crate) fn inverse(&self) -> Self {
+        let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| self.local_vector(axis));
+        Self { origin: self.local_point(DVec3::ZERO), x, y, z }
+    }
+
+    /// Returns the frame turned about its z axis.
+    pub(crate) fn turned_by(&self, angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self { x: cos * self.x + sin * self.y, y: cos * self.y - sin * self.x, ..*self }
+    }
+
     /// Returns the point of local coordinates that are turned about z by an angle.
     pub(crate) fn turned(&self, local: DVec3, angle: f64) -> DVec3 {
         let (sin, cos) = angle.sin_cos();

@@ -5,6 +5,7 @@ mod conic;
 mod conversion;
 mod curve;
 mod frame;
+mod image;
 mod nearest;
 mod net;
 mod parameter_map;

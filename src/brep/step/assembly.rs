@@ -16,36 +16,44 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 const MAX_NESTING: usize = 64;
 
 /// A group of representations in one coordinate system, by the first of them.
-type Group = u64;
+pub(super) type Group = u64;
 
 /// A group placed in another one.
-struct Placement {
-    /// The relationship that places it.
-    relationship: u64,
+pub(super) struct Placement {
+    /// The relationship that places it, or the use that nothing places.
+    pub(super) entity: u64,
     /// The name of the place, if the file gives it a telling one.
-    name: Option<String>,
-    child: Group,
-    transform: Result<DAffine3, FaceFault>,
+    pub(super) name: Option<String>,
+    pub(super) child: Group,
+    pub(super) transform: Result<DAffine3, FaceFault>,
 }
 
 /// The representations of a file and how they refer to each other.
-struct Assembly<'a> {
-    shapes: Shapes<'a>,
+pub(super) struct Assembly<'a> {
+    pub(super) shapes: Shapes<'a>,
     /// The units of each representation.
     units: HashMap<u64, Result<Units, FaceFault>>,
     /// The representations of each group, in the order of the file.
-    groups: BTreeMap<Group, Vec<u64>>,
-    group_of: HashMap<u64, Group>,
-    placements: HashMap<Group, Vec<Placement>>,
-    names: HashMap<Group, String>,
-    built: HashMap<Group, Option<usize>>,
+    pub(super) groups: BTreeMap<Group, Vec<u64>>,
+    pub(super) group_of: HashMap<u64, Group>,
+    /// The groups of which each item is one.
+    members: HashMap<u64, Vec<Group>>,
+    pub(super) placements: HashMap<Group, Vec<Placement>>,
+    /// The groups in which others are placed.
+    pub(super) assemblies: HashSet<Group>,
+    /// Groups of parts with a use that nothing places.
+    pub(super) unplaced: HashSet<Group>,
+    pub(super) names: HashMap<Group, String>,
+    pub(super) built: HashMap<Group, Option<usize>>,
     /// Groups under construction, in which they cannot stand again.
     open: HashSet<Group>,
+    /// The mapped items of representations.
+    pub(super) met: HashSet<u64>,
     /// Representations of aspects of shapes. Their items are read only if no other representation has them.
     of_aspects: HashSet<u64>,
     unit_missing: bool,
     /// Relationships that place nothing.
-    faults: Vec<(u64, FaceFault)>,
+    pub(super) faults: Vec<(u64, FaceFault)>,
 }
 
 /// Reads the bodies of all representations where their assemblies place them.
@@ -56,13 +64,17 @@ pub(super) fn read(file: &Exchange<'_>) -> Result<Topology, FaceFault> {
     let relations = Relations::of(file);
     let mut assembly = Assembly::new(file, &relations);
     assembly.place(&relations);
+    assembly.find_unplaced(&relations);
+    assembly.assemblies = assembly.placements.keys().copied().collect();
     let children: HashSet<Group> =
         assembly.placements.values().flatten().map(|placement| placement.child).collect();
     let mapped = assembly.mapped(file);
     let all: Vec<Group> = assembly.groups.keys().copied().collect();
     let of_aspects = assembly.groups_of_aspects();
-    let is_root =
-        |group: &&Group| ![&children, &mapped, &of_aspects].iter().any(|groups| groups.contains(*group));
+    let unplaced = std::mem::take(&mut assembly.unplaced);
+    let is_root = |group: &&Group| {
+        ![&children, &mapped, &of_aspects, &unplaced].iter().any(|groups| groups.contains(*group))
+    };
     let mut uses = Vec::new();
     for &root in all.iter().filter(is_root) {
         uses.extend(assembly.group(root, 0)?);
@@ -70,10 +82,12 @@ pub(super) fn read(file: &Exchange<'_>) -> Result<Topology, FaceFault> {
     // Groups that only stand in each other have no root, and those of aspects come last.
     for group in all {
         if !assembly.built.contains_key(&group) {
-            uses.extend(assembly.group(group, 0)?);
+            let shape = assembly.group(group, 0)?;
+            uses.extend(shape.filter(|_| !unplaced.contains(&group)));
         }
     }
     uses.extend(assembly.left_over()?);
+    assembly.shapes.mark_pictures();
     let root = assembly.shapes.push(ShapeKind::Group(None), uses)?;
     let mut topology = assembly.shapes.topology;
     topology.root = used(root, true);
@@ -105,6 +119,12 @@ impl<'a> Assembly<'a> {
                 group_of.insert(record.number, group);
             }
         }
+        let mut members: HashMap<u64, Vec<Group>> = HashMap::new();
+        for record in &relations.representations {
+            for item in items(record).map(|(items, _)| items).unwrap_or_default() {
+                members.entry(item).or_default().extend(group_of.get(&record.number));
+            }
+        }
         for group in groups.values_mut() {
             group.sort_by_key(|representation| relations.of_aspects.contains(representation));
         }
@@ -116,22 +136,22 @@ impl<'a> Assembly<'a> {
                 names.entry(group).or_insert(name);
             }
         }
-        let shapes = Shapes::new(file);
-        let faults = relations.faults.clone();
-        let (placements, built, open) = (HashMap::new(), HashMap::new(), HashSet::new());
-        let of_aspects = relations.of_aspects.clone();
         Self {
-            shapes,
+            shapes: Shapes::new(file),
             units,
             groups,
             group_of,
-            placements,
+            members,
+            placements: HashMap::new(),
+            assemblies: HashSet::new(),
+            unplaced: HashSet::new(),
             names,
-            built,
-            open,
-            of_aspects,
+            built: HashMap::new(),
+            open: HashSet::new(),
+            met: HashSet::new(),
+            of_aspects: relations.of_aspects.clone(),
             unit_missing: false,
-            faults,
+            faults: relations.faults.clone(),
         }
     }
 
@@ -152,7 +172,7 @@ impl<'a> Assembly<'a> {
             let (child, parent) = if swapped { (b, a) } else { (a, b) };
             let name = relations.occurrences.get(&record.number);
             let name = name.and_then(|&occurrence| occurrence_name(self.shapes.file, occurrence));
-            let placement = Placement { relationship: record.number, name, child, transform };
+            let placement = Placement { entity: record.number, name, child, transform };
             self.placements.entry(parent).or_default().push(placement);
         }
     }
@@ -186,15 +206,30 @@ impl<'a> Assembly<'a> {
         let entity = file.entity(operation)?;
         let map = match entity.kind.as_str() {
             "ITEM_DEFINED_TRANSFORMATION" => {
+                let items = self.in_order(related, [entity.reference(2)?, entity.reference(3)?]);
                 let mut maps = [DAffine3::IDENTITY; 2];
                 for side in [0, 1] {
-                    maps[side] = operator(file, entity.reference(2 + side)?, &self.scale(related[side])?)?;
+                    maps[side] = operator(file, items[side], &self.scale(related[side])?)?;
                 }
                 maps[1] * maps[0].inverse()
             }
             _ => operator(file, operation, &self.scale(related[1])?)?,
         };
         Ok(if swapped { map.inverse() } else { map })
+    }
+
+    /// Returns the items of a transformation in the order of the representations that they relate: some writers
+    /// exchange them, which is seen where each is an item of the other representation alone.
+    fn in_order(&self, [first, second]: [u64; 2], [a, b]: [u64; 2]) -> [u64; 2] {
+        let is_in = |item: u64, representation: u64| match (
+            self.members.get(&item),
+            self.group_of.get(&representation),
+        ) {
+            (Some(groups), Some(group)) => groups.contains(group),
+            _ => false,
+        };
+        let is_exchanged = is_in(a, second) && is_in(b, first) && !is_in(a, first) && !is_in(b, second);
+        if is_exchanged { [b, a] } else { [a, b] }
     }
 
     /// Returns the groups that have representations of aspects alone.
@@ -229,13 +264,14 @@ impl<'a> Assembly<'a> {
             self.items(representation, nesting, &mut children)?;
         }
         for placement in self.placements.remove(&group).unwrap_or_default() {
-            let Placement { relationship, name, child, transform } = placement;
+            let Placement { entity, name, child, transform } = placement;
             match transform {
-                Ok(location) => {
-                    let Some(part) = self.group(child, nesting + 1)? else { continue };
-                    children.push(self.shapes.place(relationship, name, part, location)?);
+                Ok(location) => self.place_group(child, (entity, name, location), nesting, &mut children)?,
+                Err(fault) => {
+                    // The part is read and stands nowhere.
+                    self.group(child, nesting + 1)?;
+                    children.push(used(self.shapes.unreadable(entity, fault)?, true));
                 }
-                Err(fault) => children.push(used(self.shapes.unreadable(child, fault)?, true)),
             }
         }
         self.open.remove(&group);
@@ -244,6 +280,26 @@ impl<'a> Assembly<'a> {
         let shape = if empty { None } else { Some(self.shapes.push(ShapeKind::Group(name), children)?) };
         self.built.insert(group, shape);
         Ok(shape.map(|shape| used(shape, true)))
+    }
+
+    /// Appends the use of a group at the place that an instance gives it; of a part of which the file has nothing
+    /// a face with that reason.
+    fn place_group(
+        &mut self,
+        group: Group,
+        (instance, name, location): (u64, Option<String>, DAffine3),
+        nesting: usize,
+        children: &mut Vec<Use>,
+    ) -> Result<(), FaceFault> {
+        match self.group(group, nesting + 1)? {
+            Some(part) => children.push(self.shapes.place(instance, name, part, location)?),
+            None => {
+                if let Some(fault) = self.blank(group, instance) {
+                    children.push(used(self.shapes.unreadable(instance, fault)?, true));
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Appends the bodies and mapped items of a representation.
@@ -261,11 +317,11 @@ impl<'a> Assembly<'a> {
                 continue;
             }
             if self.shapes.file.keyword(item) == "MAPPED_ITEM" {
+                self.met.insert(item);
                 match self.mapping(item, representation) {
                     Ok((child, location)) => {
-                        let Some(part) = self.group(child, nesting + 1)? else { continue };
                         let name = self.shapes.file.entity(item).ok().and_then(|item| item.name());
-                        children.push(self.shapes.place(item, name, part, location)?);
+                        self.place_group(child, (item, name, location), nesting, children)?;
                     }
                     Err(fault) => children.push(used(self.shapes.unreadable(item, fault)?, true)),
                 }
@@ -281,7 +337,7 @@ impl<'a> Assembly<'a> {
                 None => Units::NONE,
             };
             self.shapes.set_units(units);
-            if let Some(body) = self.shapes.body(item)? {
+            if let Some(body) = self.shapes.item(item)? {
                 self.unit_missing |= units.length.is_none();
                 children.push(body);
             }
@@ -299,25 +355,6 @@ impl<'a> Assembly<'a> {
         let from = operator(file, map.reference(0)?, &self.scale(source)?)?;
         let to = operator(file, entity.reference(2)?, &self.scale(representation)?)?;
         Ok((group, to * from.inverse()))
-    }
-
-    /// Returns the shells that no representation contains, and the relationships that place
-    /// nothing, as faces that cannot be read.
-    fn left_over(&mut self) -> Result<Vec<Use>, FaceFault> {
-        let file = self.shapes.file;
-        let is_shell = |number: &u64| matches!(file.keyword(*number), "CLOSED_SHELL" | "OPEN_SHELL");
-        let mut left = Vec::new();
-        for (relationship, fault) in std::mem::take(&mut self.faults) {
-            left.push(used(self.shapes.unreadable(relationship, fault)?, true));
-        }
-        for &number in file.numbers.iter().filter(|number| is_shell(number)) {
-            if !self.shapes.was_reached(number) {
-                let fault =
-                    FaceFault::new("STEP_LOOSE", format!("no representation contains the shell #{number}"));
-                left.push(used(self.shapes.unreadable(number, fault)?, true));
-            }
-        }
-        Ok(left)
     }
 }
 

@@ -2,18 +2,23 @@
 //!
 //! The stages: [`exchange`] finds and parses instances; [`units`] and [`geometry`] read what
 //! they describe; [`shapes`] makes vertices, edges, faces and bodies of them; [`assembly`]
-//! places the representations of products as their [`relations`] state. [`styles`] gives them colours.
+//! places the representations of products as their [`relations`] and [`usages`] state. [`styles`] gives them
+//! colours. What is [`left_over`] is named, and of a file without faces its [`contents`] are.
 
 mod assembly;
+mod contents;
 mod exchange;
 mod geometry;
+mod left_over;
 mod relations;
 mod shapes;
 mod styles;
 mod units;
+mod usages;
 
 use super::topology::Topology;
 use crate::error::{Error, Result};
+use exchange::Exchange;
 
 /// Parses a file. O(length).
 ///
@@ -24,6 +29,11 @@ use crate::error::{Error, Result};
 /// [`Error::StepSyntax`] with the line of the first token that the format does not allow, also
 /// for a file that ends early.
 pub(super) fn parse(bytes: &[u8]) -> Result<Topology> {
-    let file = exchange::Exchange::parse(bytes)?;
+    let file = Exchange::parse(bytes)?;
     assembly::read(&file).map_err(|fault| Error::StepUnreadable { found: fault.why })
+}
+
+/// Returns what a file without faces has instead, in words. O(length).
+pub(super) fn contents_of(bytes: &[u8]) -> Result<String> {
+    Ok(contents::contents(&Exchange::parse(bytes)?))
 }

@@ -91,9 +91,7 @@ pub(super) fn transformation(record: &Record<'_>) -> Option<u64> {
 pub(super) fn items(record: &Record<'_>) -> Option<(Vec<u64>, u64)> {
     let attributes = record.part("REPRESENTATION").or_else(|| {
         let kind = record.kind();
-        let of_shape =
-            kind.ends_with("SHAPE_REPRESENTATION") || kind == "SHAPE_REPRESENTATION_WITH_PARAMETERS";
-        record.part(&kind).filter(|_| of_shape)
+        record.part(&kind).filter(|_| kind.contains("SHAPE_REPRESENTATION"))
     });
     match attributes? {
         [_, Value::List(items), Value::Reference(context), ..] => {

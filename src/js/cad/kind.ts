@@ -17,6 +17,9 @@ const BY_MESH = "readMesh reads it, as the command does by the ending of its nam
 const TRIANGLES = `it holds triangles: ${BY_MESH}`;
 const POINTS = `it holds points: ${BY_MESH}`;
 
+/** Bytes in which a STEP file's schema is searched. */
+const HEADER_LENGTH = 1 << 14;
+
 const EXPORT_STEP = "export it as STEP from the program that made it";
 
 /** Formats that are recognised and not read: signature, name, advice. */
@@ -26,6 +29,23 @@ const OTHERS: readonly (readonly [signature: RegExp, name: string, advice: strin
     "an OpenCASCADE BREP file in binary",
     "write it with BRepTools.Write",
   ],
+  [
+    /^version https:\/\/git-lfs/,
+    "a pointer of Git LFS",
+    "fetch the file that it stands for: git lfs pull",
+  ],
+  [
+    /^\s*<(!doctype html|html)/i,
+    "a page in HTML",
+    "fetch the file itself, and not the page that shows it",
+  ],
+  [
+    /^\s*iso-10303-21/i,
+    "a STEP file in lower case",
+    "ISO 10303-21 has its keywords in upper case: write it again with another exporter",
+  ],
+  [/iso[_-]10303[_-]28/i, "a STEP file in XML (ISO 10303-28)", "write it as text of ISO 10303-21"],
+  [/^(\xFF\xFE|\xFE\xFF)/, "a text in UTF-16", "write it in ASCII or UTF-8"],
   [/^(\*\*ABCDEFG|PS\0)/, "a Parasolid file", EXPORT_STEP],
   [/^(ACIS BinaryFile|ASM BinaryFile|\d{2,5} \d+ \d+ \d+\s)/, "an ACIS file", EXPORT_STEP],
   [/^Version \d+\.\d+ JT/, "a JT file", EXPORT_STEP],
@@ -48,9 +68,9 @@ export function unsupported(found: string, advice: string): HausdorffError {
 }
 
 /** The first bytes, one character each. */
-export function head(bytes: Uint8Array): string {
+export function head(bytes: Uint8Array, length = HEAD_LENGTH): string {
   let text = "";
-  for (const byte of bytes.subarray(0, HEAD_LENGTH)) text += String.fromCharCode(byte);
+  for (const byte of bytes.subarray(0, length)) text += String.fromCharCode(byte);
   return text;
 }
 
@@ -85,9 +105,20 @@ export function kindByContent(bytes: Uint8Array): CadKind {
   const text = head(bytes).replace(/^\xEF\xBB\xBF/, "");
   if (text.startsWith("3D Geometry File Format")) return "3dm";
   const kind = kindOfText(text);
+  if (kind === "step") refuseBuildings(head(bytes, HEADER_LENGTH));
   if (kind !== undefined) return kind;
   if (/^\s*\{/.test(text)) return "json";
   const other = OTHERS.find(([signature]) => signature.test(text));
   if (other) throw unsupported(other[1], other[2]);
   throw unsupported("an unknown format", EXPORT_STEP);
+}
+
+/** Refuses IFC files, which are of the syntax of STEP alone. */
+function refuseBuildings(header: string): void {
+  const schema = /FILE_SCHEMA\s*\(\s*\(\s*'(IFC[^']*)'/i.exec(header)?.[1];
+  if (schema === undefined) return;
+  throw unsupported(
+    "an IFC file, as of buildings",
+    `its schema is ${schema}, and IfcConvert of IfcOpenShell writes its shapes as STEP`,
+  );
 }

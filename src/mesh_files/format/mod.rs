@@ -35,6 +35,10 @@ pub enum MeshFormat {
     Las,
     /// E57, in metres: the points of all scans, with their poses.
     E57,
+    /// Triangles of a STEP file without faces, in millimetres, where its assemblies place them. No name's ending
+    /// says so: [`crate::Model::from_step`] refuses such a file with [`Error::StepTriangles`].
+    #[cfg(feature = "cad")]
+    Step,
 }
 
 impl MeshFormat {
@@ -92,12 +96,19 @@ impl MeshFormat {
             Self::Ptx => "PTX",
             Self::Las => "LAS",
             Self::E57 => "E57",
+            #[cfg(feature = "cad")]
+            Self::Step => "STEP",
         }
     }
 
     /// Whether a file of the format that has no triangles is a cloud of points.
     pub(super) fn may_be_cloud(self) -> bool {
-        !matches!(self, Self::Stl | Self::Obj | Self::Gltf | Self::ThreeMf)
+        match self {
+            Self::Stl | Self::Obj | Self::Gltf | Self::ThreeMf => false,
+            #[cfg(feature = "cad")]
+            Self::Step => false,
+            _ => true,
+        }
     }
 
     /// Returns [`Error::MeshSyntax`] of this format.

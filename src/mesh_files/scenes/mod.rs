@@ -1,6 +1,8 @@
-//! The readers of scenes, glTF and 3MF: meshes that are placed, each at any number of places.
+//! The readers of scenes, glTF, 3MF and STEP: meshes that are placed, each at any number of places.
 
 pub(super) mod gltf;
+#[cfg(feature = "cad")]
+pub(super) mod step;
 pub(super) mod three_mf;
 
 use super::{MeshFormat, Soup};

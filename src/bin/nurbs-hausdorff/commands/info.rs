@@ -6,7 +6,7 @@ use crate::input::{Input, read};
 use crate::output::json::{OfFile, print_json};
 use crate::output::print;
 use crate::output::report::short;
-use nurbs_hausdorff::{ModelInfo, Skipped};
+use nurbs_hausdorff::{ModelInfo, Note, ReadReport, Skipped};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -16,7 +16,8 @@ pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     let info = ModelInfo::of_prepared(input.surfaces("the table of faces")?, &input.prepared);
     let Input { report, source, .. } = input;
     if arguments.json {
-        let info = Info { info: &info, skipped: &report.read.skipped };
+        let ReadReport { skipped, notes, .. } = &report.read;
+        let info = Info { info: &info, skipped, notes };
         return print_json(&OfFile::new("info", &info, &source));
     }
     let mut text = String::new();
@@ -25,12 +26,13 @@ pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     print(&text)
 }
 
-/// A model in numbers, with the faces that were left out of it.
+/// A model in numbers, with the faces that were left out of it and the notes on others.
 #[derive(Serialize)]
 struct Info<'a> {
     #[serde(flatten)]
     info: &'a ModelInfo,
     skipped: &'a [Skipped],
+    notes: &'a [Note],
 }
 
 fn lines(out: &mut String, info: &ModelInfo) -> std::fmt::Result {

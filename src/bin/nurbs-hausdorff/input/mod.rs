@@ -129,7 +129,14 @@ fn parse(
 
 /// Prepares the model of a file that the library reads.
 fn of_file(source: Source, bytes: Vec<u8>, name: &str) -> Result<Input> {
-    let (model, mut read, kind) = Model::from_file(bytes, name)?;
+    // Triangles of a STEP file without faces are a mesh.
+    let triangles = holds_triangles(&bytes).then(|| bytes.clone());
+    let (model, mut read, kind) = match (Model::from_file(bytes, name), triangles) {
+        (Err(Error::StepTriangles { .. }), Some(bytes)) => {
+            return of_mesh(source, MeshFile::read(&bytes, MeshFormat::Step)?);
+        }
+        (read, _) => read?,
+    };
     let (model, prepared) = match kind {
         FileKind::Json => {
             let prepared = PreparedModel::new(&model)?;
@@ -140,6 +147,12 @@ fn of_file(source: Source, bytes: Vec<u8>, name: &str) -> Result<Input> {
     };
     let report = CadReport { kind: kind.name(), reader: READER, read };
     Ok(Input { model: Some(model), prepared, report, source })
+}
+
+/// Whether a STEP file may hold triangles, of whose entities' names all have this word.
+fn holds_triangles(bytes: &[u8]) -> bool {
+    const WORD: &[u8] = b"TRIANGULATED";
+    bytes.windows(WORD.len()).any(|window| window == WORD)
 }
 
 /// Prepares a mesh or a cloud of points.

@@ -152,10 +152,20 @@ impl<'a> Traced<'a> {
         let found = projector
             .project(self.point(t), near, NEAR * self.size)
             .ok_or_else(|| fault("no curve in the parameters, and no points to make one of".to_owned()))?;
-        if found.distance.is_nan() || found.distance > (FARTHEST * self.size).max(self.tolerance) {
-            return Err(fault(format!("the edge is {} from the surface", three_digits(found.distance))));
-        }
+        self.check(found.distance)?;
         Ok(found)
+    }
+
+    /// Checks the distance of a point of the edge from the surface.
+    ///
+    /// # Errors
+    /// `BREP_NO_P_CURVE` for one that no edge of the surface has.
+    pub(in crate::brep::faces) fn check(&self, distance: f64) -> Result<(), FaceFault> {
+        if distance <= (FARTHEST * self.size).max(self.tolerance) {
+            return Ok(());
+        }
+        let why = format!("the edge is {} from the surface", three_digits(distance));
+        Err(FaceFault::new("BREP_NO_P_CURVE", why))
     }
 
     /// Returns the cubic spline of the parameters that passes through points of the edge with

@@ -17,6 +17,8 @@ pub(in crate::brep::iges) struct Carrier {
     /// The map from the file's parameters to ours, which keeps the side of the normal; `None`
     /// where the file has no parameters.
     pub(in crate::brep::iges) parameters: Option<DAffine2>,
+    /// The offset to the other side, of one whose side the file states.
+    pub(in crate::brep::iges) other_side: Option<Surface>,
 }
 
 /// Part of a turn by which a range of angles is a whole one.
@@ -50,16 +52,17 @@ fn nested(file: &File<'_>, number: u64, scale: Scale, nesting: usize) -> Found<C
         128 => (splines::surface(&entity, scale)?, same),
         140 => {
             let basis = nested(file, entity.reference(5)?, scale, nesting + 1)?;
-            let surface = offset(&entity, &basis, scale)?;
+            let [surface, other] = offset(&entity, &basis, scale)?;
             return Ok(Carrier {
                 surface,
                 location: location * basis.location,
                 parameters: basis.parameters,
+                other_side: Some(other),
             });
         }
         _ => elementary::surface(file, &entity, scale)?,
     };
-    Ok(Carrier { surface, location, parameters })
+    Ok(Carrier { surface, location, parameters, other_side: None })
 }
 
 /// Reads the curve that a parameter names, in the coordinates of the entity.
@@ -207,8 +210,8 @@ fn between([first, second]: [Spline; 2]) -> SplineSurface {
     SplineSurface::new(bases, poles)
 }
 
-/// Reads an offset surface, type 140. The vector stated points to the side of the offset.
-fn offset(entity: &Entity, basis: &Carrier, scale: Scale) -> Found<Surface> {
+/// Reads an offset surface, type 140: to the side to which the vector stated points, and to the other one.
+fn offset(entity: &Entity, basis: &Carrier, scale: Scale) -> Found<[Surface; 2]> {
     let distance = scale.0 * entity.real(4)?;
     let side = frame_before(&basis.location).vector(entity.point(1)?);
     let middle = basis.surface.natural_ranges().map(|range| range.map_or(0.0, |[a, b]| 0.5 * (a + b)));
@@ -218,5 +221,6 @@ fn offset(entity: &Entity, basis: &Carrier, scale: Scale) -> Found<Surface> {
         return Err(entity.fault(4, "a distance other than 0 from a surface with a normal"));
     }
     let away = moved.dot(side) * distance.signum() < 0.0;
-    Ok(offset(if away { -distance } else { distance }))
+    let distance = if away { -distance } else { distance };
+    Ok([distance, -distance].map(offset))
 }

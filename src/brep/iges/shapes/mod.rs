@@ -57,6 +57,8 @@ struct Sheet {
     surface: usize,
     location: DAffine3,
     parameters: Option<DAffine2>,
+    /// The offset to the other side.
+    other_side: Option<usize>,
 }
 
 impl<'a> Shapes<'a> {
@@ -104,7 +106,8 @@ impl<'a> Shapes<'a> {
     ) -> Found<usize> {
         let label = FaceLabel { entity: Some(entry.number), name: entry.name() };
         let location = *above * sheet.location;
-        self.push(ShapeKind::Face(Face { surface: Ok(sheet.surface), location, label, remarks }), wires)
+        let Sheet { surface, other_side, .. } = *sheet;
+        self.push(ShapeKind::Face(Face { location, label, remarks, other_side, ..Face::on(surface) }), wires)
     }
 
     /// Appends a face that cannot be read.
@@ -120,9 +123,12 @@ impl<'a> Shapes<'a> {
             return known.clone();
         }
         let found = carrier(self.file, number, self.scale);
-        let found = found.map(|Carrier { surface, location, parameters }| {
-            self.topology.surfaces.push(surface);
-            Sheet { surface: self.topology.surfaces.len() - 1, location, parameters }
+        let found = found.map(|Carrier { surface, location, parameters, other_side }| {
+            let mut index = |surface: Surface| {
+                self.topology.surfaces.push(surface);
+                self.topology.surfaces.len() - 1
+            };
+            Sheet { surface: index(surface), location, parameters, other_side: other_side.map(index) }
         });
         self.surfaces.insert(number, found.clone());
         found

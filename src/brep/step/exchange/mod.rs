@@ -1,10 +1,11 @@
 //! The instances of an exchange file by their numbers.
 
+mod inherited;
 mod lexer;
 mod record;
 mod text;
 
-pub(super) use record::{Entity, Record, Value, count, number, reference};
+pub(super) use record::{Entity, Record, Value, count, number, numbers_of, reference};
 pub(super) use text::decoded;
 
 use crate::brep::report::FaceFault;
@@ -14,6 +15,9 @@ use std::collections::HashMap;
 
 /// The result of reading an instance.
 pub(in crate::brep::step) type Found<T> = std::result::Result<T, FaceFault>;
+
+/// The word with which a file begins.
+const FIRST_WORD: &str = "ISO-10303-21";
 
 /// A file whose instances are found by number and parsed when they are needed, so that its
 /// memory is little more than that of the text.
@@ -41,14 +45,14 @@ impl<'a> Exchange<'a> {
     pub(super) fn parse(bytes: &'a [u8]) -> Result<Self> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let mut lexer = Lexer::new(bytes);
-        section(&mut lexer, |word| word == "ISO-10303-21")?;
+        section(&mut lexer, |word| word == FIRST_WORD)?;
         let mut exchange = Self { lexer: lexer.clone(), positions: HashMap::new(), numbers: Vec::new() };
         loop {
             const SECTIONS: [&str; 6] =
                 ["HEADER", "DATA", "ANCHOR", "REFERENCE", "SIGNATURE", "END-ISO-10303-21"];
             match section(&mut lexer, |word| SECTIONS.contains(&word))? {
                 "DATA" => exchange.data(&mut lexer)?,
-                "END-ISO-10303-21" => return Ok(exchange),
+                "END-ISO-10303-21" => return exchange.ended(&mut lexer),
                 _ => {
                     let start = lexer.position();
                     if !lexer.skip_behind(b"ENDSEC") {
@@ -58,6 +62,16 @@ impl<'a> Exchange<'a> {
                 }
             }
         }
+    }
+
+    /// Returns the file, behind whose end no other one may stand: its instances would be lost. A signature may.
+    fn ended(self, lexer: &mut Lexer<'a>) -> Result<Self> {
+        let start = lexer.position();
+        if !lexer.skip_behind(FIRST_WORD.as_bytes()) {
+            return Ok(self);
+        }
+        let second = (lexer.position() - FIRST_WORD.len()).max(start);
+        Err(lexer.error(second, "one file; behind its end another one begins"))
     }
 
     /// Reads a section of data behind its keyword.

@@ -1,5 +1,6 @@
 //! An instance: its entities and their attributes.
 
+use super::inherited::INHERITED;
 use super::lexer::{Lexer, Token};
 use super::{Found, text};
 use crate::brep::report::FaceFault;
@@ -94,28 +95,6 @@ impl<'a> Record<'a> {
     }
 }
 
-/// The entities of complex instances, before those that they inherit from, and the parts
-/// whose attributes follow the name.
-const INHERITED: [(&str, &[&str]); 17] = [
-    ("B_SPLINE_SURFACE_WITH_KNOTS", &["B_SPLINE_SURFACE", "B_SPLINE_SURFACE_WITH_KNOTS"]),
-    ("BEZIER_SURFACE", &["B_SPLINE_SURFACE"]),
-    ("QUASI_UNIFORM_SURFACE", &["B_SPLINE_SURFACE"]),
-    ("UNIFORM_SURFACE", &["B_SPLINE_SURFACE"]),
-    ("B_SPLINE_CURVE_WITH_KNOTS", &["B_SPLINE_CURVE", "B_SPLINE_CURVE_WITH_KNOTS"]),
-    ("BEZIER_CURVE", &["B_SPLINE_CURVE"]),
-    ("QUASI_UNIFORM_CURVE", &["B_SPLINE_CURVE"]),
-    ("UNIFORM_CURVE", &["B_SPLINE_CURVE"]),
-    ("PCURVE", &["PCURVE"]),
-    ("SURFACE_CURVE", &["SURFACE_CURVE"]),
-    ("TRIMMED_CURVE", &["TRIMMED_CURVE"]),
-    ("POLYLINE", &["POLYLINE"]),
-    ("EDGE_CURVE", &["EDGE", "EDGE_CURVE"]),
-    ("ADVANCED_FACE", &["FACE", "FACE_SURFACE"]),
-    ("FACE_SURFACE", &["FACE", "FACE_SURFACE"]),
-    ("FACE_OUTER_BOUND", &["FACE_BOUND"]),
-    ("MANIFOLD_SOLID_BREP", &["MANIFOLD_SOLID_BREP"]),
-];
-
 /// Reads `( … )`.
 fn attributes<'a>(lexer: &mut Lexer<'a>, nesting: usize) -> Result<Vec<Value<'a>>> {
     lexer.mark(b'(', "( before attributes")?;
@@ -191,10 +170,11 @@ impl<'a> Entity<'a> {
             .ok_or_else(|| self.fault(index, &format!("an integer, 0 to {largest}")))
     }
 
+    /// Returns a logical value, also one in full, as some writers state it.
     pub(in crate::brep::step) fn flag(&self, index: usize) -> Found<bool> {
         match self.value(index) {
-            Value::Enumeration("T") => Ok(true),
-            Value::Enumeration("F") => Ok(false),
+            Value::Enumeration("T" | "TRUE") => Ok(true),
+            Value::Enumeration("F" | "FALSE") => Ok(false),
             _ => Err(self.fault(index, ".T. or .F.")),
         }
     }
@@ -221,8 +201,7 @@ impl<'a> Entity<'a> {
     }
 
     pub(in crate::brep::step) fn numbers(&self, index: usize) -> Found<Vec<f64>> {
-        let numbers = self.list(index)?.iter().map(number).collect::<Option<Vec<f64>>>();
-        numbers.ok_or_else(|| self.fault(index, "a list of numbers"))
+        numbers_of(self.value(index)).ok_or_else(|| self.fault(index, "a list of numbers"))
     }
 
     /// Returns the text of the first attribute, the name, unless it is empty.
@@ -237,6 +216,14 @@ impl<'a> Entity<'a> {
 pub(in crate::brep::step) fn reference(value: &Value<'_>) -> Option<u64> {
     match value {
         Value::Reference(number) => Some(*number),
+        _ => None,
+    }
+}
+
+/// Returns the numbers of a list of them.
+pub(in crate::brep::step) fn numbers_of(value: &Value<'_>) -> Option<Vec<f64>> {
+    match value {
+        Value::List(values) => values.iter().map(number).collect(),
         _ => None,
     }
 }

@@ -7,7 +7,7 @@ mod surfaces;
 
 pub(super) use curves::{curve, trimmed};
 pub(super) use placement::{operator, placement};
-pub(super) use surfaces::{plane_through, surface};
+pub(super) use surfaces::{circle, cylinder, plane_through, surface};
 
 use super::exchange::{Exchange, number};
 use super::units::Units;
@@ -95,7 +95,11 @@ fn triple(numbers: &[f64]) -> Option<DVec3> {
 }
 
 /// Reads a length above 0.
-fn length(entity: &super::exchange::Entity<'_>, attribute: usize, scale: &Scale) -> Result<f64, FaceFault> {
+pub(super) fn length(
+    entity: &super::exchange::Entity<'_>,
+    attribute: usize,
+    scale: &Scale,
+) -> Result<f64, FaceFault> {
     let found = number(entity.value(attribute)).map(|length| length * scale.length());
     let found = found.filter(|&length| length > 0.0 && length <= LARGEST_COORDINATE);
     found.ok_or_else(|| entity.fault(attribute, "a length above 0"))

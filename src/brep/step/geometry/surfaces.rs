@@ -64,18 +64,8 @@ fn nested(file: &Exchange<'_>, instance: u64, scale: &Scale, nesting: usize) -> 
 /// frame's plane y = 0.
 fn elementary(file: &Exchange<'_>, entity: &Entity<'_>, scale: &Scale) -> Result<Surface, FaceFault> {
     let frame = placement(file, entity.reference(1)?, scale)?;
-    let line = |radius: f64, slope: f64| Curve::Line {
-        point: radius * DVec3::X,
-        direction: DVec3::new(slope, 0.0, 1.0),
-    };
-    let circle = |center: f64, radius: f64| Curve::Conic {
-        conic: Conic::Elliptic,
-        center: center * DVec3::X,
-        x: radius * DVec3::X,
-        y: radius * DVec3::Z,
-    };
     let (profile, kind) = match entity.kind.as_str() {
-        "CYLINDRICAL_SURFACE" => (line(length(entity, 2, scale)?, 0.0), "cylinder"),
+        "CYLINDRICAL_SURFACE" => return Ok(cylinder(frame, length(entity, 2, scale)?)),
         "CONICAL_SURFACE" => {
             let half_angle = entity.number(3)? * scale.angle;
             // A cone may begin at its apex, of radius 0.
@@ -89,20 +79,44 @@ fn elementary(file: &Exchange<'_>, entity: &Entity<'_>, scale: &Scale) -> Result
             (line(radius, half_angle.tan()), "cone")
         }
         "SPHERICAL_SURFACE" => (circle(0.0, length(entity, 2, scale)?), "sphere"),
-        kind => {
-            let (major, minor) = (entity.number(2)? * scale.length(), length(entity, 3, scale)?);
-            let ratio = major / minor;
-            let whole = circle(major, minor);
-            let profile = match kind {
-                // Systems state the inner sheet of a degenerate torus by a major radius below 0, which
-                // the standard excludes: the part on the positive side of the axis.
-                "TOROIDAL_SURFACE" if -1.0 < ratio && ratio < 0.0 => sheet(whole, ratio, true),
-                _ if !(major > 0.0 && major.is_finite()) => return Err(entity.fault(2, "a length above 0")),
-                "DEGENERATE_TOROIDAL_SURFACE" if ratio < 1.0 => sheet(whole, ratio, entity.flag(4)?),
-                _ => whole,
-            };
-            (profile, "torus")
-        }
+        _ => return torus(entity, frame, scale),
+    };
+    Ok(Surface::Revolution { frame, profile, kind })
+}
+
+/// The cylinder about the z axis of a frame.
+pub(in crate::brep::step) fn cylinder(frame: Frame, radius: f64) -> Surface {
+    Surface::Revolution { frame, profile: line(radius, 0.0), kind: "cylinder" }
+}
+
+/// A line of the plane y = 0 from a point of the x axis, which leaves the axis by `slope`.
+fn line(radius: f64, slope: f64) -> Curve {
+    Curve::Line { point: radius * DVec3::X, direction: DVec3::new(slope, 0.0, 1.0) }
+}
+
+/// A circle of the plane y = 0 about a point of the x axis, which begins along x.
+pub(in crate::brep::step) fn circle(center: f64, radius: f64) -> Curve {
+    let (center, x, y) = (center * DVec3::X, radius * DVec3::X, radius.abs() * DVec3::Z);
+    Curve::Conic { conic: Conic::Elliptic, center, x, y }
+}
+
+/// Reads a torus. Systems state a major radius below 0, which the standard excludes.
+fn torus(entity: &Entity<'_>, frame: Frame, scale: &Scale) -> Result<Surface, FaceFault> {
+    let (major, minor) = (entity.number(2)? * scale.length(), length(entity, 3, scale)?);
+    let ratio = major / minor;
+    let whole = circle(major, minor);
+    let kind = "torus";
+    if entity.kind == "TOROIDAL_SURFACE" && ratio <= -1.0 && major.is_finite() {
+        // The same formula with radii above 0: each meridian is the one across the axis, from its inner side.
+        let frame = Frame { x: -frame.x, y: -frame.y, ..frame };
+        return Ok(Surface::Revolution { frame, profile: circle(-major, -minor), kind });
+    }
+    let profile = match entity.kind.as_str() {
+        // The inner sheet of a degenerate torus: the part on the positive side of the axis.
+        "TOROIDAL_SURFACE" if -1.0 < ratio && ratio < 0.0 => sheet(whole, ratio, true),
+        _ if !(major > 0.0 && major.is_finite()) => return Err(entity.fault(2, "a length above 0")),
+        "DEGENERATE_TOROIDAL_SURFACE" if ratio < 1.0 => sheet(whole, ratio, entity.flag(4)?),
+        _ => whole,
     };
     Ok(Surface::Revolution { frame, profile, kind })
 }

@@ -4,7 +4,7 @@ use super::{Shapes, used};
 use crate::brep::digits::three_digits;
 use crate::brep::nurbs::{Curve, CurvePart, nearest_parameter};
 use crate::brep::report::FaceFault;
-use crate::brep::step::geometry::{curve, point, trimmed};
+use crate::brep::step::geometry::{Scale, curve, point, trimmed};
 use crate::brep::topology::{Edge, PCurve, ShapeKind, SpaceCurve, Use};
 use glam::{DAffine3, DVec3};
 
@@ -25,9 +25,9 @@ const UNCERTAINTIES: f64 = 10.0;
 
 /// A vertex: its shape and its point.
 #[derive(Debug, Clone, Copy)]
-struct Vertex {
-    shape: usize,
-    point: DVec3,
+pub(super) struct Vertex {
+    pub(super) shape: usize,
+    pub(super) point: DVec3,
 }
 
 impl Shapes<'_> {
@@ -50,7 +50,7 @@ impl Shapes<'_> {
             return Err(entity.unknown("an edge with a curve"));
         }
         let [start, end] = [self.vertex(entity.reference(1)?)?, self.vertex(entity.reference(2)?)?];
-        let geometry = trimmed(curve(self.file, entity.reference(3)?, &self.scale())?);
+        let geometry = trimmed(self.edge_geometry(entity.reference(3)?)?);
         let forward = entity.flag(4)?;
         let ends = if forward { [start, end] } else { [end, start] };
         let fault = |why: &str| FaceFault::new("STEP_EDGE", format!("edge #{instance}: {why}"));
@@ -82,6 +82,23 @@ impl Shapes<'_> {
         Ok(vec![Segment { shape, forward: forward != turned }])
     }
 
+    /// Returns the curve of an edge. The standard asks for one in space; of a curve in the parameters of a surface
+    /// alone, as some writers have, it is the exact image.
+    fn edge_geometry(&mut self, instance: u64) -> Result<Curve, FaceFault> {
+        let entity = self.file.entity(instance)?;
+        if entity.kind != "PCURVE" {
+            return curve(self.file, instance, &self.scale());
+        }
+        let (surface, drawing) = self.p_curve(&entity)?;
+        let surface = self.surface(surface)?;
+        let scale = Scale::of_parameters(&self.topology.surfaces[surface], &self.units);
+        let drawn = curve(self.file, drawing, &scale)?;
+        let image = self.topology.surfaces[surface].image(&drawn);
+        image.ok_or_else(|| {
+            entity.unknown("a curve in space, or one along a parameter of an elementary surface")
+        })
+    }
+
     /// Appends an edge of this curve.
     pub(super) fn push_edge(
         &mut self,
@@ -97,16 +114,25 @@ impl Shapes<'_> {
     /// Appends the straight edge between two points, each the instance of a point, which
     /// stands for a vertex; none between equal points.
     pub(super) fn straight(&mut self, points: [u64; 2]) -> Result<Option<Segment>, FaceFault> {
-        let [start, end] = [self.vertex_at(points[0])?, self.vertex_at(points[1])?];
-        if start.point == end.point {
+        let ends = [self.vertex_at(points[0])?, self.vertex_at(points[1])?];
+        if ends[0].point == ends[1].point {
             return Ok(None);
         }
+        Ok(Some(Segment { shape: self.segment(ends)?, forward: true }))
+    }
+
+    /// Appends the straight edge between two vertices at different points.
+    pub(super) fn segment(&mut self, [start, end]: [Vertex; 2]) -> Result<usize, FaceFault> {
         self.topology.curves.push(Curve::Line { point: start.point, direction: end.point - start.point });
         let curve = self.topology.curves.len() - 1;
         let space = SpaceCurve { curve, location: DAffine3::IDENTITY, range: [0.0, 1.0] };
-        let shape =
-            self.push_edge(space, Vec::new(), vec![used(start.shape, true), used(end.shape, false)])?;
-        Ok(Some(Segment { shape, forward: true }))
+        self.push_edge(space, Vec::new(), vec![used(start.shape, true), used(end.shape, false)])
+    }
+
+    /// Appends a vertex at a point.
+    pub(super) fn new_vertex(&mut self, point: DVec3) -> Result<Vertex, FaceFault> {
+        let tolerance = self.units.uncertainty.max(TOLERANCE);
+        Ok(Vertex { shape: self.push(ShapeKind::Vertex(tolerance), Vec::new())?, point })
     }
 
     fn vertex(&mut self, instance: u64) -> Result<Vertex, FaceFault> {
@@ -127,8 +153,7 @@ impl Shapes<'_> {
         let shape = match self.vertices.get(&instance) {
             Some(known) => known.clone()?,
             None => {
-                let tolerance = self.units.uncertainty.max(TOLERANCE);
-                let made = self.push(ShapeKind::Vertex(tolerance), Vec::new());
+                let made = self.new_vertex(point).map(|vertex| vertex.shape);
                 self.vertices.insert(instance, made.clone());
                 made?
             }

@@ -1,5 +1,6 @@
 //! Faces.
 
+use super::loops::ORIENTED_FACE;
 use super::{Shapes, used};
 use crate::brep::nurbs::Surface;
 use crate::brep::report::FaceFault;
@@ -14,13 +15,7 @@ impl Shapes<'_> {
     /// # Errors
     /// If the file has too many shapes.
     pub(super) fn face(&mut self, instance: u64) -> Result<Use, FaceFault> {
-        let oriented = match self.file.entity(instance) {
-            Ok(entity) if entity.kind == "ORIENTED_FACE" => {
-                entity.reference(2).and_then(|face| Ok((face, entity.flag(3)?)))
-            }
-            _ => Ok((instance, true)),
-        };
-        let (face, forward) = match oriented {
+        let (face, forward) = match self.oriented(instance, ORIENTED_FACE) {
             Ok(oriented) => oriented,
             Err(fault) => return Ok(used(self.unreadable(instance, fault)?, true)),
         };
@@ -53,6 +48,7 @@ impl Shapes<'_> {
     ) -> Result<usize, FaceFault> {
         let name = self.file.entity(instance).ok().and_then(|entity| entity.name());
         let label = FaceLabel { entity: Some(instance), name };
+        self.refused.insert(instance);
         self.push(ShapeKind::Face(Face { surface: Err(fault), label, ..Face::on(0) }), Vec::new())
     }
 

@@ -7,6 +7,13 @@ use crate::brep::step::geometry::point;
 use crate::brep::topology::{ShapeKind, Use};
 use glam::DVec3;
 
+/// The kinds of oriented uses, with the attribute that is the element; the one behind it is the orientation.
+pub(super) const ORIENTED_EDGE: (&str, usize) = ("ORIENTED_EDGE", 3);
+pub(super) const ORIENTED_FACE: (&str, usize) = ("ORIENTED_FACE", 2);
+
+/// The most uses of uses: more are damage.
+const MAX_USES: usize = 8;
+
 impl Shapes<'_> {
     /// Returns the wire of a bound of a face, oriented with the material on its left seen along
     /// the normal of the face; none for the bound that is a vertex.
@@ -32,12 +39,11 @@ impl Shapes<'_> {
     fn oriented_edges(&mut self, instances: &[u64]) -> Result<Vec<Use>, FaceFault> {
         let mut uses = Vec::with_capacity(instances.len());
         for &instance in instances {
-            let oriented = self.file.entity(instance)?;
-            if oriented.kind != "ORIENTED_EDGE" {
-                return Err(oriented.unknown("an oriented edge"));
+            let (edge, forward) = self.oriented(instance, ORIENTED_EDGE)?;
+            if edge == instance {
+                return Err(self.file.entity(instance)?.unknown("an oriented edge"));
             }
-            let forward = oriented.flag(4)?;
-            let segments = self.edge(oriented.reference(3)?)?;
+            let segments = self.edge(edge)?;
             let along = |segment: &Segment| used(segment.shape, segment.forward == forward);
             if forward {
                 uses.extend(segments.iter().map(along));
@@ -46,6 +52,29 @@ impl Shapes<'_> {
             }
         }
         Ok(uses)
+    }
+
+    /// Returns the edge or face of an oriented use, and whether it is used as it is. The standard has no use of a
+    /// use, but some writers do; an instance of another kind is itself.
+    ///
+    /// # Errors
+    /// `STEP_NESTING` for uses of each other, and those of entities.
+    pub(super) fn oriented(
+        &self,
+        instance: u64,
+        (kind, element): (&str, usize),
+    ) -> Result<(u64, bool), FaceFault> {
+        let (mut at, mut forward) = (instance, true);
+        for _ in 0..MAX_USES {
+            let entity = self.file.entity(at)?;
+            if entity.kind != kind {
+                return Ok((at, forward));
+            }
+            forward ^= !entity.flag(element + 1)?;
+            at = entity.reference(element)?;
+        }
+        let why = format!("#{instance}, {kind}, is a use of more than {MAX_USES} uses of each other");
+        Err(FaceFault::new("STEP_NESTING", why))
     }
 
     fn polygon(&mut self, points: &[u64]) -> Result<Vec<Use>, FaceFault> {

@@ -1,26 +1,20 @@
-//! Surfaces of sets, which no topology bounds.
+//! Surfaces of sets and representations, which no topology bounds.
 
 use super::edges::TOLERANCE;
 use super::{Shapes, used};
 use crate::brep::nurbs::{Curve, Spline};
 use crate::brep::report::FaceFault;
-use crate::brep::step::exchange::{Entity, Value, reference};
+use crate::brep::step::exchange::Entity;
 use crate::brep::step::geometry::curve;
 use crate::brep::topology::{Edge, Face, FaceLabel, PCurve, ShapeKind, SpaceCurve, Use};
 use glam::{DAffine3, DVec3};
 
 impl Shapes<'_> {
-    /// Returns the face that a surface of a set is, whole or within boundary curves; `None` for
-    /// points and curves.
+    /// Returns the face that a surface of a set or a representation is, whole or within boundary curves.
     ///
     /// # Errors
     /// If the file has too many shapes.
-    pub(super) fn loose_surface(&mut self, instance: u64) -> Result<Option<Use>, FaceFault> {
-        let keyword = self.file.keyword(instance);
-        // A reference to nothing may have been one to a surface.
-        if !keyword.is_empty() && (!keyword.contains("SURFACE") || keyword.ends_with("_CURVE")) {
-            return Ok(None);
-        }
+    pub(super) fn loose_surface(&mut self, instance: u64) -> Result<Use, FaceFault> {
         let shape = match self.loose_face(instance) {
             Ok((surface, wires)) => {
                 let name = self.file.entity(instance)?.name();
@@ -29,7 +23,8 @@ impl Shapes<'_> {
             }
             Err(fault) => self.unreadable(instance, fault)?,
         };
-        Ok(Some(used(shape, true)))
+        self.reach(instance, shape);
+        Ok(used(shape, true))
     }
 
     /// Returns the surface of a face and the wires that bound it.
@@ -89,10 +84,7 @@ impl Shapes<'_> {
         let mut edges = Vec::new();
         for segment in entity.references(1)? {
             let segment = self.file.entity(segment)?;
-            let (Some(parent), Value::Enumeration(sense)) = (reference(segment.value(2)), segment.value(1))
-            else {
-                return Err(segment.unknown("a segment with a sense and a curve"));
-            };
+            let (parent, forward) = (segment.reference(2)?, segment.flag(1)?);
             let geometry = curve(self.file, parent, &self.scale())?;
             let range = geometry.natural_range();
             let range = range.ok_or_else(|| segment.fault(2, "a curve with ends"))?;
@@ -100,7 +92,7 @@ impl Shapes<'_> {
             let curve = self.topology.curves.len() - 1;
             let space = SpaceCurve { curve, location: DAffine3::IDENTITY, range };
             let edge = self.push_edge(space, Vec::new(), Vec::new())?;
-            edges.push(used(edge, *sense != "F"));
+            edges.push(used(edge, forward));
         }
         if edges.is_empty() {
             return Err(entity.fault(1, "a list of segments"));

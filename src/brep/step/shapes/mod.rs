@@ -3,10 +3,13 @@
 mod bodies;
 mod edges;
 mod faces;
+mod items;
 mod loops;
 mod loose;
 mod p_curves;
+mod primitives;
 mod spheres;
+mod triangles;
 
 use super::exchange::Exchange;
 use super::geometry::{Scale, surface};
@@ -14,9 +17,12 @@ use super::styles::colors;
 use super::units::Units;
 use crate::brep::report::FaceFault;
 use crate::brep::topology::{Color, Orientation, Shape, ShapeKind, Topology, Use};
+use bodies::{BODIES, SHELLS};
 use edges::Segment;
 use glam::DAffine3;
+use items::{FACES, SETS, is_surface};
 use std::collections::{HashMap, HashSet};
+use triangles::{Coordinates, TESSELLATED, TRIANGULATED};
 
 /// The most shapes of a topology. An entity may be used by many others, so that a short file
 /// could describe more than memory holds.
@@ -36,6 +42,11 @@ pub(super) struct Shapes<'a> {
     vertices: HashMap<u64, Result<usize, FaceFault>>,
     edges: HashMap<u64, Result<Vec<Segment>, FaceFault>>,
     surfaces: HashMap<u64, Result<usize, FaceFault>>,
+    coordinates: HashMap<u64, Coordinates>,
+    /// Meshes, each with what its parts are pictures of.
+    pictures: Vec<(usize, Vec<Option<u64>>)>,
+    /// The instances that could not be read, whose parts are named with them.
+    refused: HashSet<u64>,
 }
 
 impl<'a> Shapes<'a> {
@@ -60,6 +71,9 @@ impl<'a> Shapes<'a> {
             vertices: HashMap::new(),
             edges: HashMap::new(),
             surfaces: HashMap::new(),
+            coordinates: HashMap::new(),
+            pictures: Vec::new(),
+            refused: HashSet::new(),
         }
     }
 
@@ -72,12 +86,18 @@ impl<'a> Shapes<'a> {
             self.vertices.clear();
             self.edges.clear();
             self.surfaces.clear();
+            self.coordinates.clear();
         }
     }
 
     /// Returns whether a face or body stands in a representation.
     pub(super) fn was_reached(&self, instance: u64) -> bool {
         self.reached.contains_key(&instance) || self.elsewhere.contains(&instance)
+    }
+
+    /// Returns whether an instance was named as one that cannot be read.
+    pub(super) fn was_refused(&self, instance: u64) -> bool {
+        self.refused.contains(&instance)
     }
 
     /// States the shape of a face or body.
@@ -131,6 +151,36 @@ impl<'a> Shapes<'a> {
         self.surfaces.insert(instance, found.clone());
         found
     }
+}
+
+/// Other solids of constructive geometry, which a representation may hold by themselves.
+const SOLIDS: [&str; 9] = [
+    "CSG_SOLID",
+    "BLOCK",
+    "SPHERE",
+    "TORUS",
+    "RIGHT_CIRCULAR_CYLINDER",
+    "RIGHT_CIRCULAR_CONE",
+    "RIGHT_ANGULAR_WEDGE",
+    "ELLIPSOID",
+    "BOOLEAN_RESULT",
+];
+
+/// Returns whether an entity is a face, and no use of one.
+pub(super) fn is_face(kind: &str) -> bool {
+    FACES.contains(&kind) && kind != "ORIENTED_FACE"
+}
+
+/// Returns whether an instance is a body, a mesh, or a set with a surface.
+pub(super) fn is_body(file: &Exchange<'_>, instance: u64) -> bool {
+    let kind = file.keyword(instance);
+    if SETS.contains(&kind) {
+        let elements = file.entity(instance).and_then(|set| set.references(1));
+        return elements
+            .is_ok_and(|elements| elements.iter().any(|&element| is_surface(file.keyword(element))));
+    }
+    [&SHELLS[..], &BODIES, &TESSELLATED, &SOLIDS].iter().any(|kinds| kinds.contains(&kind))
+        || TRIANGULATED.iter().any(|(known, ..)| *known == kind)
 }
 
 /// The use of a shape where it is.

@@ -4,6 +4,7 @@ use super::Shapes;
 use crate::brep::gap::Lifted;
 use crate::brep::nurbs::{Curve, Surface};
 use crate::brep::report::FaceFault;
+use crate::brep::step::exchange::Entity;
 use crate::brep::step::geometry::{Scale, curve};
 use crate::brep::topology::{PCurve, SpaceCurve};
 use glam::DAffine3;
@@ -61,18 +62,20 @@ impl Shapes<'_> {
         if !is_on_surfaces {
             return Ok(Vec::new());
         }
-        let of_p_curve = |&instance: &u64| -> Result<(u64, u64), FaceFault> {
-            let p_curve = self.file.entity(instance)?;
-            if p_curve.kind != "PCURVE" {
-                return Err(p_curve.unknown("a curve in the parameters"));
-            }
-            let drawing = self.file.entity(p_curve.reference(2)?)?;
-            let items = drawing.references(1)?;
-            let curve = items.first().ok_or_else(|| drawing.fault(1, "a curve"))?;
-            Ok((p_curve.reference(1)?, *curve))
-        };
+        let of_p_curve = |&instance: &u64| self.p_curve(&self.file.entity(instance)?);
         // An associated surface alone states no curve.
         Ok(entity.references(2)?.iter().filter_map(|instance| of_p_curve(instance).ok()).collect())
+    }
+
+    /// Returns the surface of a curve in parameters, and the curve in its plane.
+    pub(super) fn p_curve(&self, p_curve: &Entity<'_>) -> Result<(u64, u64), FaceFault> {
+        if p_curve.kind != "PCURVE" {
+            return Err(p_curve.unknown("a curve in the parameters"));
+        }
+        let drawing = self.file.entity(p_curve.reference(2)?)?;
+        let items = drawing.references(1)?;
+        let curve = items.first().ok_or_else(|| drawing.fault(1, "a curve"))?;
+        Ok((p_curve.reference(1)?, *curve))
     }
 
     /// Returns the range over which a curve on a surface runs along a curve in space: that of the latter, a

@@ -1,5 +1,7 @@
 //! Products, their placements and names.
 
+mod usages;
+
 use crate::faces::polygons::box_faces;
 use crate::support::step::{Id, StepText, UnitsOf};
 use crate::{areas, assert_near, read};
