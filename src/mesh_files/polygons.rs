@@ -94,12 +94,11 @@ impl Flat {
         let heights = offsets.iter().map(|offset| offset.dot(normal));
         let (low, high) =
             heights.fold((0.0_f64, 0.0_f64), |(low, high), height| (low.min(height), high.max(height)));
-        let deviation = extent * (high - low) / 2.0;
-        let is_flat = deviation <= CORNER_ROUNDING * size(corners);
+        let (deviation, rounding) = (extent * (high - low) / 2.0, CORNER_ROUNDING * size(corners));
         Some(Self {
             points: offsets.iter().map(|offset| DVec2::new(offset.dot(u), offset.dot(v))).collect(),
             area: length / 2.0,
-            deviation: if is_flat { 0.0 } else { deviation },
+            deviation: if deviation <= rounding { 0.0 } else { deviation + rounding },
         })
     }
 

@@ -16,8 +16,11 @@ use std::borrow::Cow;
 
 const FORMAT: MeshFormat = MeshFormat::Text;
 
+/// The number of two bytes, by their order.
+type Number = fn([u8; 2]) -> u16;
+
 /// The marks of UTF-16 in its two orders of bytes.
-const UTF_16: [([u8; 2], fn([u8; 2]) -> u16); 2] =
+const UTF_16: [([u8; 2], Number); 2] =
     [([0xff, 0xfe], u16::from_le_bytes), ([0xfe, 0xff], u16::from_be_bytes)];
 
 /// Reads the points of all lines: their first three numbers, those after a label, or, after a line or a comment
