@@ -213,7 +213,8 @@ fn icosphere(subdivisions: usize) -> Mesh {
     let mut triangles = Vec::new();
     for a in 0..12 {
         for b in a + 1..12 {
-            triangles.extend((b + 1..12).filter(|&c| edge(a, b) && edge(b, c) && edge(c, a)).map(|c| [a, b, c]));
+            triangles
+                .extend((b + 1..12).filter(|&c| edge(a, b) && edge(b, c) && edge(c, a)).map(|c| [a, b, c]));
         }
     }
     let mut mesh = Mesh { vertices, triangles };
@@ -280,9 +281,10 @@ fn reordered(mesh: &Mesh) -> Mesh {
 
 /// The vertices moved to those of a grid of a hundredth of the diagonal, without the triangles that collapse.
 fn clustered(mesh: &Mesh) -> Mesh {
-    let all = mesh.vertices.iter().fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], &p| {
-        [low.min(p), high.max(p)]
-    });
+    let all = mesh
+        .vertices
+        .iter()
+        .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], &p| [low.min(p), high.max(p)]);
     let size = 0.01 * (all[1] - all[0]).length();
     let moved = mesh.mapped(|p| (p / size).round() * size);
     let mut triangles = moved.triangles;
