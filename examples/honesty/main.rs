@@ -43,7 +43,7 @@
 //!
 //! With `--facets`, at least one model of each pair is a mesh or a cloud of points: tessellations, near
 //! copies, sheets, slivers and degenerate triangles. Distances to facets are compared with all of them
-//! one by one; faces are compared with the whole.
+//! one by one; faces are compared with the whole. Every bound that drops a part is audited at points of it.
 //!
 //! Progress is printed every 250 pairs, violations and computations of over 10 s at once. The exit status is 1 if any
 //! interval is violated or any computation takes more than 60 s.
@@ -63,6 +63,7 @@ use fuzzer::check::{Outcome, check, check_attack, check_collapsed, check_reparam
 use fuzzer::clearance::{Subjects, check_clearance};
 use fuzzer::facets::check_facets;
 use nurbs_hausdorff::result::Lemma;
+use nurbs_hausdorff::internals::facets::audit_facet_searches;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
@@ -159,6 +160,7 @@ fn main() -> ExitCode {
     let seeds = arguments.seed..arguments.seed + arguments.pairs;
     let summary = Mutex::new(Summary::default());
     let subjects = arguments.clearance.then(|| Subjects::new(true));
+    let audit = arguments.facets.then(audit_facet_searches);
     seeds.into_par_iter().for_each(|seed| {
         // Ordinary pairs and the attack's families by turns.
         let outcome = if let Some(subjects) = &subjects {
@@ -186,6 +188,11 @@ fn main() -> ExitCode {
         }
     });
     let mut summary = summary.into_inner().unwrap();
+    if let Some(audit) = audit {
+        let ([parts, points], refuted) = (audit.counts(), audit.refuted());
+        println!("audited: {points} points of {parts} parts, {} beyond their bounds", refuted.len());
+        summary.violations.extend(refuted.into_iter().inspect(|line| println!("{line}")));
+    }
     summary.print();
     ExitCode::from(u8::from(!summary.violations.is_empty() || summary.endless > 0))
 }

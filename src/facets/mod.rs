@@ -21,10 +21,13 @@ pub use point_cloud::PointCloud;
 pub(crate) use prepared::{Group, PreparedFacets};
 pub(crate) use rounding::facet_rounding;
 pub(crate) use samples::FacetSamples;
+#[cfg(feature = "internals")]
+pub use search::{Audit, audit_facet_searches};
 pub(crate) use search::{
     Certified, Domain, End, FacetSearch, Measured, Parts, Source, Spread, StandIn, Start, Weighted,
     WeightedPart,
 };
+use target::NONE;
 pub(crate) use target::{FacetFoot, FacetTarget};
 pub use triangle_mesh::{MeshGroup, MeshReport, TriangleMesh};
 

@@ -202,13 +202,14 @@ fn endless_files_end_at_the_limit() {
     assert_refused(&run(&["info", "/dev/zero"]), "FILE_TOO_LARGE", &["/dev/zero"]);
 }
 
+/// The line about a search that stalls is for those who wait: it comes after seconds.
 #[test]
-fn a_search_that_gains_nothing_prints_a_line() {
+fn a_short_search_that_gains_nothing_prints_no_line() {
     let [peaked, even] = [1e8, 1.0].map(|weight| {
         file(&format!("peaked-{weight:e}"), peaked_sheet(weight).to_json().unwrap().as_bytes())
     });
-    let stalled = run(&["distance", &peaked, &even, "--max-cells", "400000"]);
-    assert_eq!(stalled.stderr.matches("the interval has not halved").count(), 1, "{}", stalled.stderr);
+    let stalled = run(&["distance", &peaked, &even, "--max-cells", "40000"]);
+    assert!(!stalled.stderr.contains("the interval has not halved"), "{}", stalled.stderr);
     assert_eq!(run(&["distance", &even, &even]).stderr, "");
 }
 

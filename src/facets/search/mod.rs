@@ -4,6 +4,9 @@
 //! docs/meshes.md. Any choice of nearest facets and of cuts is valid: it decides only the number of
 //! nodes.
 
+#[cfg(any(test, feature = "internals"))]
+mod audit;
+mod cover;
 mod explore;
 mod node;
 mod part;
@@ -19,6 +22,8 @@ mod tests;
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod step_tests;
 
+#[cfg(feature = "internals")]
+pub use audit::{Audit, audit_facet_searches};
 pub(crate) use node::Domain;
 pub(crate) use source::{Certified, Measured, Source, Start};
 pub(crate) use spread::{Parts, Spread, Weighted, WeightedPart};
@@ -116,6 +121,8 @@ pub(crate) struct FacetSearch<'a> {
     witness: Option<Witness>,
     exhausted: bool,
     work: Work,
+    #[cfg(any(test, feature = "internals"))]
+    audit: Option<std::sync::Arc<audit::Audit>>,
 }
 
 impl<'a> FacetSearch<'a> {
@@ -139,6 +146,8 @@ impl<'a> FacetSearch<'a> {
             witness: None,
             exhausted: false,
             work: Work::default(),
+            #[cfg(any(test, feature = "internals"))]
+            audit: audit::of_all(),
         };
         search.find_first_incumbent();
         let upper = search.bound_of_box();
@@ -251,8 +260,12 @@ impl<'a> FacetSearch<'a> {
             if !(sample.distance > self.lower_bound() + self.gap()) {
                 return;
             }
-            let Sample { point, domain, start, .. } = sample;
-            let Some(closest) = self.b.certified(point, start, self.gap(), self.goal.length) else { return };
+            let Sample { point, domain, start, moved, .. } = sample;
+            let Some(mut closest) = self.b.certified(point, start, self.gap(), self.goal.length) else {
+                return;
+            };
+            let lower = closest.lower - moved;
+            closest.lower = if lower > 0.0 { lower } else { 0.0 };
             if self.witness.is_none_or(|witness| closest.lower > witness.closest.lower) {
                 self.witness = Some(Witness { point, domain, closest });
             }
@@ -272,7 +285,7 @@ impl<'a> FacetSearch<'a> {
         };
         let point = self.transform.apply(point);
         let (distance, start) = self.b.nearest(point, start, self.gap(), 0.0);
-        Sample { point, domain, start, distance }
+        Sample { point, domain, start, distance, moved: 0.0 }
     }
 
     /// Certifies the farthest of a few points of A.

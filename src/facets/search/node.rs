@@ -70,4 +70,6 @@ pub(super) struct Sample {
     pub(super) domain: Domain,
     pub(super) start: Start,
     pub(super) distance: f64,
+    /// How far rounding may have moved the point from A.
+    pub(super) moved: f64,
 }

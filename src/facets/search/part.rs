@@ -1,6 +1,7 @@
 //! Parts of triangles: their upper bounds, and cuts along the reach of a facet of B.
 
 use super::super::{FacetFoot, FacetTarget};
+use super::cover::{MAX_CLIPS, cover, inner_point};
 use crate::rounding::{upper_max, upper_min};
 use glam::DVec3;
 
@@ -12,7 +13,7 @@ const MIN_DECIDED_SHARE: f64 = 0.25;
 /// and any end is valid.
 const MAX_REACH_STEPS: usize = 8;
 
-/// The part of the threshold that an end of a facet's reach should have.
+/// The part that an end of a facet's reach should take of what is left below the threshold.
 const REACH_PART: f64 = 0.5;
 
 /// The largest number of cuts of a triangle after each other: rounding moves its points at each.
@@ -37,10 +38,11 @@ pub(super) struct TrianglePart {
 pub(super) enum Step {
     /// The whole part is within this distance, at most the threshold.
     Decided(f64),
-    /// The corner of this index is farther than the threshold.
-    Far(usize),
-    /// What is left; the rest is within this distance, at most the threshold.
-    Split { decided: f64, parts: [Option<TrianglePart>; 2] },
+    /// This point of the part is farther than the threshold, and no point farther than `upper`.
+    Far { point: DVec3, foot: FacetFoot, upper: f64 },
+    /// What is left, no point of which is farther than `upper`; the rest is within this distance, at
+    /// most the threshold.
+    Split { decided: f64, upper: f64, parts: [Option<TrianglePart>; 2] },
 }
 
 /// A cut along the reach of one facet of B: the points within the threshold of it, which are
@@ -69,26 +71,33 @@ impl TrianglePart {
 
     /// Returns the least bound on the distance of the part by the facets of its corners.
     pub(super) fn upper(&self, b: &FacetTarget) -> f64 {
-        let bound = |foot: FacetFoot| self.squares_to(b, foot.facet).into_iter().fold(0.0, upper_max);
+        let bound = |foot: FacetFoot| largest(self.squares_to(b, foot.facet));
         self.feet.map(bound).into_iter().fold(f64::INFINITY, upper_min).sqrt()
     }
 
-    /// Bounds the part, or splits it where its corners have different facets.
+    /// Bounds the part, or splits it where no facet and no cover bounds all of it.
     pub(super) fn step(&mut self, b: &FacetTarget, threshold: f64) -> Step {
         let threshold_squared = threshold * threshold;
-        let largest = |squares: [f64; 3]| squares.into_iter().fold(0.0, upper_max);
+        let mut upper = f64::INFINITY;
         let first = self.feet[0].facet;
-        let mut tried = [first; 3];
         let to_first = self.squares_to(b, first);
         if largest(to_first) <= threshold_squared {
             return Step::Decided(largest(to_first).sqrt());
         }
+        if let Some(step) = self.covered(b, threshold, &mut upper) {
+            return step;
+        }
         self.find_feet(b);
+        let mut tried = [first; 3];
         let mut cut = self.cut(b, first, to_first, threshold);
         for corner in 0..3 {
             let foot = self.feet[corner];
             if !(foot.distance_squared <= threshold_squared) {
-                return Step::Far(corner);
+                return Step::Far {
+                    point: self.corners[corner],
+                    foot,
+                    upper: upper_min(upper, self.upper(b)),
+                };
             }
             if tried.contains(&foot.facet) {
                 continue;
@@ -98,15 +107,45 @@ impl TrianglePart {
             if largest(squares) <= threshold_squared {
                 return Step::Decided(largest(squares).sqrt());
             }
+            upper = upper_min(upper, largest(squares).sqrt());
             let other = self.cut(b, foot.facet, squares, threshold);
             if other.as_ref().map_or(0.0, |cut| cut.share) > cut.as_ref().map_or(0.0, |cut| cut.share) {
                 cut = other;
             }
         }
         match cut {
-            Some(cut) if cut.share >= MIN_DECIDED_SHARE && self.may_be_cut() => self.split(&cut, b),
-            _ => Step::Split { decided: 0.0, parts: self.halves(b).map(Some) },
+            Some(cut) if cut.share >= MIN_DECIDED_SHARE && self.may_be_cut() => self.split(&cut, b, upper),
+            _ => Step::Split { decided: 0.0, upper, parts: self.halves(b).map(Some) },
         }
+    }
+
+    /// Bounds the part by the facet that is nearest to a point within it, and by the facets around that one;
+    /// `upper` becomes what these prove where it is beyond the threshold.
+    fn covered(&mut self, b: &FacetTarget, threshold: f64, upper: &mut f64) -> Option<Step> {
+        let inner = inner_point(&self.corners);
+        let foot = b.nearest(inner, self.feet[0].facet, 0.0);
+        for of_corner in self.feet.iter_mut().filter(|foot| foot.distance_squared == f64::INFINITY) {
+            of_corner.facet = foot.facet;
+        }
+        let squares = self.squares_to(b, foot.facet);
+        *upper = largest(squares).sqrt();
+        if *upper <= threshold {
+            return Some(Step::Decided(*upper));
+        }
+        if !(foot.distance_squared.sqrt() <= threshold) {
+            return Some(Step::Far { point: inner, foot, upper: *upper });
+        }
+        if self.level + MAX_CLIPS > MAX_LEVELS {
+            return None;
+        }
+        let cover = cover(b, &self.corners, foot.facet, threshold)?;
+        *upper = upper_min(*upper, cover.upper);
+        if *upper <= threshold {
+            return Some(Step::Decided(*upper));
+        }
+        let foot = b.nearest(cover.farthest, cover.facet, 0.0);
+        let is_far = !(foot.distance_squared.sqrt() <= threshold);
+        is_far.then_some(Step::Far { point: cover.farthest, foot, upper: *upper })
     }
 
     /// Whether a cut along a reach is tried: deep parts are halved in turn, so that they become short.
@@ -151,7 +190,7 @@ impl TrianglePart {
     }
 
     /// Returns what a cut leaves of the part.
-    fn split(&self, cut: &Cut, b: &FacetTarget) -> Step {
+    fn split(&self, cut: &Cut, b: &FacetTarget, upper: f64) -> Step {
         let Cut { turned: [single, left, right], ends: [to_left, to_right], .. } = *cut;
         let level = self.level + 1;
         // The points beyond the reach have their nearest facet where the far corners have theirs.
@@ -178,7 +217,7 @@ impl TrianglePart {
             let corners = [self.corners[single], to_left, to_right];
             [Some(Self { corners, feet: [self.feet[single], feet[0], feet[1]], level }), None]
         };
-        Step::Split { decided: cut.decided, parts }
+        Step::Split { decided: cut.decided, upper, parts }
     }
 
     /// Returns the halves at the middle of the longest edge.
@@ -198,6 +237,10 @@ impl TrianglePart {
     }
 }
 
+fn largest(squares: [f64; 3]) -> f64 {
+    squares.into_iter().fold(0.0, upper_max)
+}
+
 /// Returns about the last point on the way from a point within the threshold of a facet to one
 /// beyond it that is within it: its fraction of the way, itself, and its distance.
 ///
@@ -215,10 +258,11 @@ fn reach(b: &FacetTarget, facet: u32, [inner, outer]: [DVec3; 2], threshold: f64
     };
     let (point, distance, _) = at(0.0);
     let mut end = (0.0, point, distance);
+    let sufficient = distance + REACH_PART * (threshold - distance);
     let (_, distance, slope) = at(1.0);
     let mut beyond = (1.0, distance, slope);
     for _ in 0..MAX_REACH_STEPS {
-        if end.2 >= REACH_PART * threshold {
+        if end.2 >= sufficient {
             break;
         }
         let by_tangent = beyond.0 - (beyond.1 - threshold) / beyond.2;

@@ -137,8 +137,8 @@ fn cover(corners: &[Corner; 4], b: &FacetTarget, threshold: f64) -> Option<f64> 
         }
         match part.step(b, threshold) {
             Step::Decided(bound) => decided = upper_max(decided, bound),
-            Step::Far(_) => return None,
-            Step::Split { decided: bound, parts } => {
+            Step::Far { .. } => return None,
+            Step::Split { decided: bound, parts, .. } => {
                 decided = upper_max(decided, bound);
                 stack.extend(parts.into_iter().flatten());
             }

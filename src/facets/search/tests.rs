@@ -233,3 +233,109 @@ fn a_cylinder_is_a_sagitta_above_its_chords() {
     contains(&found, 0.0);
     assert!(found.cells < 1000, "{}", found.cells);
 }
+
+/// Planes in other triangles, at any height, are decided by covers: a cell a triangle and, where boxes
+/// may be decided, a node. Cuts along the reach of single facets took three millions.
+#[test]
+fn parallel_planes_take_few_cells() {
+    for apart in [1e-6, 1e-5, 1e-4, 1e-3, 0.1, 1.0] {
+        for [[m, n], [k, l]] in [[[2, 2], [3, 3]], [[7, 5], [3, 11]], [[1, 1], [9, 9]]] {
+            let (a, b) = (sheet([m, n], false, |_, _| 0.0), sheet([k, l], true, |_, _| apart));
+            let found = between(&a, &b);
+            contains(&found, apart);
+            let most = 4 * m * n + 16;
+            assert!(found.cells <= most, "{} of {most} cells at {apart}", found.cells);
+        }
+    }
+}
+
+/// A sphere's triangles, subdivided.
+fn shell(subdivisions: usize, radius: f64) -> TriangleMesh {
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z, -DVec3::X, -DVec3::Y, -DVec3::Z];
+    let mut triangles: Vec<[DVec3; 3]> = Vec::new();
+    for octant in 0..8 {
+        let [x, y, z] = [0, 1, 2].map(|axis| axes[axis + 3 * (octant >> axis & 1)]);
+        triangles.push([x, y, z]);
+    }
+    for _ in 0..subdivisions {
+        let middle = |one: DVec3, other: DVec3| (0.5 * (one + other)).normalize();
+        triangles = triangles
+            .into_iter()
+            .flat_map(|[a, b, c]| {
+                let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+                [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+            })
+            .collect();
+    }
+    let vertices: Vec<DVec3> = triangles.iter().flatten().map(|&corner| radius * corner).collect();
+    let corners: Vec<[u32; 3]> = (0..triangles.len() as u32).map(|k| [0, 1, 2].map(|c| 3 * k + c)).collect();
+    TriangleMesh::new(&vertices, &corners).unwrap()
+}
+
+/// The vertices moved, the triangles in four or in another order.
+fn changed(mesh: &TriangleMesh, map: impl Fn(DVec3) -> DVec3, is_divided: bool, order: usize) -> FacetTarget {
+    let mut triangles: Vec<[DVec3; 3]> = (0..mesh.triangles().len()).map(|k| mesh.corners(k)).collect();
+    if is_divided {
+        triangles = triangles
+            .into_iter()
+            .flat_map(|[a, b, c]| {
+                let [ab, bc, ca] = [0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)];
+                [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
+            })
+            .collect();
+    }
+    triangles
+        .sort_by_key(|[a, ..]| (a.to_array().map(f64::to_bits)[order % 3]).wrapping_mul(order as u64 | 1));
+    let vertices: Vec<DVec3> = triangles.iter().flatten().map(|&corner| map(corner)).collect();
+    let corners: Vec<[u32; 3]> =
+        (0..triangles.len() as u32).map(|k| [0, 1, 2].map(|c| 3 * k + (c + order as u32) % 3)).collect();
+    FacetTarget::of_mesh(&TriangleMesh::new(&vertices, &corners).unwrap())
+}
+
+/// Identical, re-ordered, rounded, subdivided and offset copies: at most about one cell a triangle, and a
+/// few for the nodes of many.
+#[test]
+fn copies_and_offsets_take_a_cell_a_triangle() {
+    let mesh = shell(4, 1.0);
+    let a = FacetTarget::of_mesh(&mesh);
+    let rounded = |p: DVec3| p.as_vec3().as_dvec3();
+    let copies = [
+        (changed(&mesh, |p| p, false, 0), 0.0),
+        (changed(&mesh, |p| p, false, 7), 0.0),
+        (changed(&mesh, rounded, false, 1), 0.0),
+        (changed(&mesh, |p| p, true, 5), 0.0),
+        (changed(&mesh, |p| 1.01 * p, false, 2), 0.01),
+        (changed(&mesh, |p| 1.5 * p, false, 0), 0.5),
+    ];
+    for (b, apart) in &copies {
+        for [from, to] in [[&a, b], [b, &a]] {
+            let found = between(from, to);
+            // Facets of a sphere are nearer than its corners by their sagitta.
+            assert!((found.lower - apart).abs() <= 2e-3 + 1e-2 * apart, "{} {apart}", found.lower);
+            // Boxes smaller than the distance are bounded too.
+            let nodes = if *apart < 0.1 { from.len() / 64 } else { from.len() };
+            let most = from.len() + nodes + 16;
+            assert!(found.cells <= most, "{} of {most} cells at {apart}", found.cells);
+        }
+    }
+}
+
+/// Every part and node that a bound drops is audited at points of it, by all facets one by one.
+#[test]
+fn no_point_of_what_a_search_drops_is_beyond_its_bound() {
+    let random = &mut fastrand::Rng::with_seed(83);
+    let mut counts = [0; 2];
+    for _ in 0..300 {
+        let a = FacetTarget::of_mesh(&random_mesh(random));
+        let b = if random.bool() { FacetTarget::of_mesh(&random_mesh(random)) } else { a.clone() };
+        let shift = 10.0_f64.powi(random.i32(-8..0)) * random_point(random);
+        let transform = RigidTransform::new(DQuat::from_rotation_z(0.1 * random.f64()), shift).unwrap();
+        let mut search = FacetSearch::new(of_facets(&a), to_facets(&b), transform, 1e-4, None);
+        let audit = std::sync::Arc::new(audit::Audit::default());
+        search.audit = Some(std::sync::Arc::clone(&audit));
+        while search.advance(usize::MAX).is_none() && search.work().cells < 20_000 {}
+        assert_eq!(audit.refuted(), Vec::<String>::new());
+        counts = [0, 1].map(|index| counts[index] + audit.counts()[index]);
+    }
+    assert!(counts[0] > 3000 && counts[1] > 30_000, "{counts:?}");
+}

@@ -64,7 +64,7 @@ impl FacetPair {
 }
 
 fn drawn(rng: &mut Rng, base: &Model, other: Option<&Drawn>) -> Drawn {
-    match rng.u8(0..12) {
+    match rng.u8(0..14) {
         0..3 => Drawn::Surfaces(base.clone()),
         3..6 => Drawn::Mesh(tessellated(rng, base)),
         6 => Drawn::Mesh(soup(rng, base)),
@@ -74,6 +74,10 @@ fn drawn(rng: &mut Rng, base: &Model, other: Option<&Drawn>) -> Drawn {
             _ => Drawn::Mesh(tessellated(rng, base)),
         },
         9 => Drawn::Mesh(sheets(rng)),
+        12 | 13 => match other {
+            Some(Drawn::Mesh(mesh)) => Drawn::Mesh(other_triangles(rng, mesh)),
+            _ => Drawn::Mesh(tessellated(rng, base)),
+        },
         10 => {
             let points = samples(rng, base);
             Drawn::Cloud(jittered(rng, &points))
@@ -177,6 +181,50 @@ fn near_copy(rng: &mut Rng, mesh: &TriangleMesh) -> TriangleMesh {
     let mut triangles = mesh.triangles().to_vec();
     if rng.bool() && triangles.len() > 1 {
         triangles.truncate(triangles.len() - 1);
+    }
+    TriangleMesh::new(&vertices, &triangles).unwrap()
+}
+
+/// About the same surface in other triangles: each in three or in four, in another order, some left out,
+/// with vertices rounded to float32, scaled, or as they were.
+fn other_triangles(rng: &mut Rng, mesh: &TriangleMesh) -> TriangleMesh {
+    let mut vertices = mesh.vertices().to_vec();
+    let mut triangles = Vec::new();
+    let (is_in_four, share) = (rng.bool(), rng.f64());
+    for &[a, b, c] in mesh.triangles() {
+        let at = |k: u32| mesh.vertices()[k as usize];
+        let mut new = |point: DVec3| {
+            vertices.push(point);
+            vertices.len() as u32 - 1
+        };
+        if rng.f64() > share {
+            triangles.push([a, b, c]);
+        } else if is_in_four {
+            // Neighbours that are not divided have the whole edge: T-junctions.
+            let [ab, bc, ca] = [[a, b], [b, c], [c, a]].map(|[p, q]| new(0.5 * (at(p) + at(q))));
+            triangles.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+        } else {
+            let inner = new(at(a).lerp(at(b), rng.f64()).lerp(at(c), rng.f64()));
+            triangles.extend([[a, b, inner], [b, c, inner], [c, a, inner]]);
+        }
+    }
+    rng.shuffle(&mut triangles);
+    for corners in &mut triangles {
+        corners.rotate_left(rng.usize(0..3));
+        if rng.u8(0..8) == 0 {
+            corners.swap(0, 1);
+        }
+    }
+    if rng.bool() && triangles.len() > 1 {
+        triangles.truncate(triangles.len() - 1);
+    }
+    match rng.u8(0..3) {
+        0 => vertices.iter_mut().for_each(|vertex| *vertex = vertex.as_vec3().as_dvec3()),
+        1 => {
+            let scale = 1.0 + magnitude(rng, -9.0, -1.0);
+            vertices.iter_mut().for_each(|vertex| *vertex *= scale);
+        }
+        _ => {}
     }
     TriangleMesh::new(&vertices, &triangles).unwrap()
 }

@@ -1,12 +1,18 @@
 //! The facets of a model with their tree, and nearest-facet queries.
 
+mod neighbours;
+
+pub(super) use neighbours::NONE;
+
 use super::facet::Nearest;
 use super::{Facet, Group, PointCloud, TriangleMesh};
 use crate::area::Area;
 use crate::bvh::{Aabb, RangeTree};
 use crate::rounding::gamma;
+use crate::threads::computed;
 use crate::threads::parallel::map;
 use glam::DVec3;
+use std::sync::OnceLock;
 
 /// The number of triangles of a leaf: the test of a box takes about a third of the time of one.
 const TRIANGLES_A_LEAF: usize = 4;
@@ -26,6 +32,10 @@ const STACK: usize = 64;
 pub(crate) struct FacetTarget {
     facets: Facets,
     pub(crate) tree: RangeTree,
+    /// The indices of the corners of each triangle, equal for equal points; none of a cloud.
+    vertices: Vec<[u32; 3]>,
+    /// The triangles along the edges of each, made at their first use.
+    neighbours: OnceLock<Vec<[u32; 3]>>,
 }
 
 /// Facets of one kind.
@@ -58,7 +68,8 @@ impl FacetTarget {
         let boxes = |triangle: u32| Facet::Triangle(corners(triangle)).bounding_box();
         let tree = RangeTree::new(mesh.triangles().len(), TRIANGLES_A_LEAF, &boxes);
         let facets = Facets::Triangles(map(tree.order().len(), |place| corners(tree.order()[place])));
-        Self { facets, tree }
+        let vertices = tree.order().iter().map(|&index| mesh.triangles()[index as usize]).collect();
+        Self { facets, tree, vertices, neighbours: OnceLock::new() }
     }
 
     /// Builds the tree over a cloud. O(n log n).
@@ -67,7 +78,7 @@ impl FacetTarget {
         let boxes = |point: u32| Aabb::EMPTY.with(points[point as usize]);
         let tree = RangeTree::new(points.len(), POINTS_A_LEAF, &boxes);
         let facets = Facets::Points(map(points.len(), |place| points[tree.order()[place] as usize]));
-        Self { facets, tree }
+        Self { facets, tree, vertices: Vec::new(), neighbours: OnceLock::new() }
     }
 
     /// Returns the facets of each group with a tree of their own; the groups are ranges of indices
@@ -80,15 +91,18 @@ impl FacetTarget {
             let leaf = if self.is_cloud() { POINTS_A_LEAF } else { TRIANGLES_A_LEAF };
             let tree = RangeTree::new(places.len(), leaf, &boxes);
             let place = |&index: &u32| places[index as usize] as usize;
-            let facets = match &self.facets {
+            let (facets, vertices) = match &self.facets {
                 Facets::Points(points) => {
-                    Facets::Points(tree.order().iter().map(|index| points[place(index)]).collect())
+                    let points = tree.order().iter().map(|index| points[place(index)]);
+                    (Facets::Points(points.collect()), Vec::new())
                 }
                 Facets::Triangles(triangles) => {
-                    Facets::Triangles(tree.order().iter().map(|index| triangles[place(index)]).collect())
+                    let triangles = tree.order().iter().map(|index| triangles[place(index)]);
+                    let vertices = tree.order().iter().map(|index| self.vertices[place(index)]);
+                    (Facets::Triangles(triangles.collect()), vertices.collect())
                 }
             };
-            Self { facets, tree }
+            Self { facets, tree, vertices, neighbours: OnceLock::new() }
         })
     }
 
@@ -101,7 +115,17 @@ impl FacetTarget {
                 Facets::Triangles(triangles.iter().map(scaled).collect())
             }
         };
-        Self { facets, tree: self.tree.scaled(factor) }
+        let (vertices, neighbours) = (self.vertices.clone(), self.neighbours.clone());
+        Self { facets, tree: self.tree.scaled(factor), vertices, neighbours }
+    }
+
+    /// Returns the neighbours of each triangle along its edges, by their places; those of a cloud are
+    /// none. O(n) at first use.
+    pub(super) fn neighbours(&self) -> &[[u32; 3]] {
+        computed::<Vec<[u32; 3]>>(&self.neighbours, || {
+            let largest = self.vertices.iter().flatten().max();
+            neighbours::neighbours(&self.vertices, largest.map_or(0, |&vertex| vertex as usize + 1))
+        })
     }
 
     /// Returns the number of facets.
