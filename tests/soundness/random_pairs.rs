@@ -6,7 +6,9 @@ use crate::fuzzer::check::{
 };
 use crate::fuzzer::clearance::{Subjects, check_clearance};
 use crate::fuzzer::facets::check_facets;
+use nurbs_hausdorff::result::Lemma;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 
 /// Pairs, with two that a coarser brute force once raised alarms on.
 const SEEDS: [u64; 2] = [9032, 9145];
@@ -29,6 +31,10 @@ fn intervals_contain_what_brute_force_finds() {
     // Both kinds are tried: intervals as narrow as requested, and those that a budget ended.
     assert!((PAIRS / 4..PAIRS).contains(&converged), "{converged} converged");
     assert!(cells > 0);
+    // The bounds of the searches were audited, those of most lemmas among them.
+    let audited: BTreeSet<Lemma> =
+        outcomes.iter().flat_map(|outcome| outcome.audited.keys().copied()).collect();
+    assert!(audited.len() > 8 && audited.contains(&Lemma::Heights), "{audited:?}");
 }
 
 /// Pairs of the attack's families; the example draws thousands.
