@@ -174,7 +174,8 @@ fn notes(
     converted: &[std::result::Result<Converted, FaceFault>],
 ) -> Vec<Note> {
     let uses = LazyCell::new(|| EdgeUses::of(file, placed));
-    let mut notes = Vec::new();
+    let of_file = |Remark { code, why }: Remark| Note { face: 0.into(), code, why };
+    let mut notes: Vec<Note> = file.remarks.iter().cloned().map(of_file).collect();
     for (&(face, placed), converted) in distinct.iter().zip(converted) {
         let Ok(converted) = converted else { continue };
         let open = converted.complement_fits && !uses.confirm(file, placed);

@@ -22,6 +22,8 @@ pub(crate) struct Topology {
     pub(crate) unit: Option<f64>,
     /// The colours of shapes, which hold for what stands in them and has none of its own.
     pub(crate) colors: HashMap<usize, Color>,
+    /// What the report says of the file, with its first face.
+    pub(crate) remarks: Vec<Remark>,
 }
 
 /// A shape and its children.

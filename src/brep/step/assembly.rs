@@ -7,7 +7,8 @@ use super::relations::{
 };
 use super::shapes::{Shapes, used};
 use super::units::{METRES, Units};
-use crate::brep::report::FaceFault;
+use super::usages::{chain, documented};
+use crate::brep::report::{FaceFault, Remark};
 use crate::brep::topology::{ShapeKind, Topology, Use};
 use glam::DAffine3;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -43,6 +44,8 @@ pub(super) struct Assembly<'a> {
     pub(super) assemblies: HashSet<Group>,
     /// Groups of parts with a use that nothing places.
     pub(super) unplaced: HashSet<Group>,
+    /// Groups of products that refer to other files.
+    external: HashSet<Group>,
     pub(super) names: HashMap<Group, String>,
     pub(super) built: HashMap<Group, Option<usize>>,
     /// Groups under construction, in which they cannot stand again.
@@ -128,6 +131,12 @@ impl<'a> Assembly<'a> {
         for group in groups.values_mut() {
             group.sort_by_key(|representation| relations.of_aspects.contains(representation));
         }
+        let documented = documented(file);
+        let is_external = |(representation, definition): &(u64, u64)| {
+            let is_documented = chain(file, *definition).into_iter().any(|one| documented.contains(&one));
+            group_of.get(representation).copied().filter(|_| is_documented)
+        };
+        let external = relations.definitions.iter().filter_map(is_external).collect();
         let mut names = HashMap::new();
         for &(representation, definition) in &relations.definitions {
             if let (Some(&group), Some(name)) =
@@ -145,6 +154,7 @@ impl<'a> Assembly<'a> {
             placements: HashMap::new(),
             assemblies: HashSet::new(),
             unplaced: HashSet::new(),
+            external,
             names,
             built: HashMap::new(),
             open: HashSet::new(),
@@ -283,7 +293,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// Appends the use of a group at the place that an instance gives it; of a part of which the file has nothing
-    /// a face with that reason.
+    /// and that refers to another file, a face with that reason.
     fn place_group(
         &mut self,
         group: Group,
@@ -293,11 +303,15 @@ impl<'a> Assembly<'a> {
     ) -> Result<(), FaceFault> {
         match self.group(group, nesting + 1)? {
             Some(part) => children.push(self.shapes.place(instance, name, part, location)?),
-            None => {
-                if let Some(fault) = self.blank(group, instance) {
+            None => match self.blank(group, instance) {
+                Some(why) if self.external.contains(&group) => {
+                    let fault = FaceFault::new("STEP_PLACE", why);
                     children.push(used(self.shapes.unreadable(instance, fault)?, true));
                 }
-            }
+                // Systems write components without a body.
+                Some(why) => self.shapes.topology.remarks.push(Remark::new("STEP_EMPTY_PART", why)),
+                None => {}
+            },
         }
         Ok(())
     }

@@ -115,7 +115,7 @@ impl Assembly<'_> {
 
     /// Returns the reason for which a part that is placed has no shape: its representations hold placements
     /// alone, as those of parts in other files do. `None` for a part of curves or points.
-    pub(super) fn blank(&self, child: Group, entity: u64) -> Option<FaceFault> {
+    pub(super) fn blank(&self, child: Group, entity: u64) -> Option<String> {
         let file = self.shapes.file;
         let is_placement = |&item: &u64| file.keyword(item).contains("PLACEMENT");
         let holds_placements = |representation: &u64| {
@@ -125,9 +125,31 @@ impl Assembly<'_> {
         let representations = self.groups.get(&child)?;
         let is_blank = !self.assemblies.contains(&child) && representations.iter().all(holds_placements);
         let name = self.names.get(&child).map(|name| format!(" {name:?}")).unwrap_or_default();
-        is_blank.then(|| {
-            let why = format!("#{entity} places the part{name}, of whose shape the file has nothing");
-            FaceFault::new("STEP_PLACE", why)
-        })
+        is_blank.then(|| format!("#{entity} places the part{name}, of whose shape the file has nothing"))
     }
+}
+
+/// Returns the instances to which documents are assigned, as products whose shape is in another file.
+pub(super) fn documented(file: &Exchange<'_>) -> HashSet<u64> {
+    let mut found = HashSet::new();
+    for &number in &file.numbers {
+        let keyword = file.keyword(number);
+        if keyword == "PRODUCT_DEFINITION_WITH_ASSOCIATED_DOCUMENTS" {
+            found.insert(number);
+        }
+        let assigns = keyword.ends_with("DOCUMENT_REFERENCE")
+            || keyword.ends_with("EXTERNAL_IDENTIFICATION_ASSIGNMENT");
+        if let Some(entity) = assigns.then(|| file.entity(number).ok()).flatten() {
+            found.extend(entity.all_references());
+        }
+    }
+    found
+}
+
+/// Returns a definition of a product, its formation and its product.
+pub(super) fn chain(file: &Exchange<'_>, definition: u64) -> Vec<u64> {
+    let formation = referred(file, definition, "PRODUCT_DEFINITION", 2);
+    let product =
+        formation.and_then(|formation| referred(file, formation, "PRODUCT_DEFINITION_FORMATION", 2));
+    std::iter::once(definition).chain(formation).chain(product).collect()
 }

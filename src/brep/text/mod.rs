@@ -36,7 +36,7 @@ pub(super) fn parse(text: &str) -> Result<Topology> {
     };
     let (shapes, root) = topology::read(&mut lexer, &sections)?;
     let colors = HashMap::new();
-    Ok(Topology { p_curves, curves, surfaces, shapes, root, unit: None, colors })
+    Ok(Topology { p_curves, curves, surfaces, shapes, root, unit: None, colors, remarks: Vec::new() })
 }
 
 /// Reads the header, `CASCADE Topology V1` to `V3`, before which the name of a Draw

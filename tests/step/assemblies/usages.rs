@@ -59,7 +59,11 @@ fn a_part_without_a_shape_is_named() {
     let origin = text.axis([0.0; 3], [0.0, 0.0, 1.0]);
     let blank = text.representation(&[origin], context);
     let elsewhere = text.product("elsewhere", blank);
+    text.add(format!("APPLIED_DOCUMENT_REFERENCE($,'',(#{elsewhere}))"));
     place(&mut text, [blank, elsewhere], whole, 9.0, "");
+    let empty = text.representation(&[origin], context);
+    let nothing = text.product("nothing", empty);
+    place(&mut text, [empty, nothing], whole, 9.0, "");
     let line = text.line([0.0; 3], [1.0, 0.0, 0.0]);
     let wire = text.representation(&[line], context);
     let cable = text.product("cable", wire);
@@ -68,6 +72,9 @@ fn a_part_without_a_shape_is_named() {
     assert_eq!((report.skipped.len(), model.faces().len()), (1, 6));
     assert_eq!(report.skipped[0].code, "STEP_PLACE");
     assert!(report.skipped[0].why.contains("\"elsewhere\""), "{}", report.skipped[0].why);
+    // A component without a body is said too, and keeps no verdict back.
+    assert_eq!((report.notes.len(), report.notes[0].code), (1, "STEP_EMPTY_PART"));
+    assert!(report.notes[0].why.contains("\"nothing\""), "{}", report.notes[0].why);
 }
 
 /// The same of a part that a mapped item places.
@@ -79,7 +86,8 @@ fn a_mapped_part_without_a_shape_is_named() {
     let context = text.context(UnitsOf::Millimetres);
     let origin = text.axis([0.0; 3], [0.0, 0.0, 1.0]);
     let blank = text.representation(&[origin], context);
-    text.product("elsewhere", blank);
+    let elsewhere = text.product("elsewhere", blank);
+    text.add(format!("APPLIED_EXTERNAL_IDENTIFICATION_ASSIGNMENT('',$,$,(#{elsewhere}))"));
     let map = text.add(format!("REPRESENTATION_MAP(#{origin},#{blank})"));
     let item = text.add(format!("MAPPED_ITEM('',#{map},#{origin})"));
     let other = text.representation(&[item], context);

@@ -71,6 +71,7 @@ impl<'a> Shapes<'a> {
             root: used(0, true),
             unit: Some(METRES),
             colors: HashMap::new(),
+            remarks: Vec::new(),
         };
         Self {
             file,

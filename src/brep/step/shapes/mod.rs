@@ -60,6 +60,7 @@ impl<'a> Shapes<'a> {
             root,
             unit: None,
             colors: HashMap::new(),
+            remarks: Vec::new(),
         };
         Self {
             file,
