@@ -133,7 +133,7 @@ mod tests {
     }
 
     /// The side of a point of a model with one shell.
-    fn side(boundary: &Boundary, target: &Target, point: DVec3, error: f64) -> Side {
+    fn found_side(boundary: &Boundary, target: &Target, point: DVec3, error: f64) -> Side {
         let shells = boundary.enclosing(target, point, error);
         shells.map_or(Side::Undecided, |shells| shells.side(|_| Relation::Unknown))
     }
@@ -145,7 +145,7 @@ mod tests {
         let (target, boundary) = cube(6);
         for (x, side) in [(1.001, Side::Outside), (0.999, Side::Inside)] {
             for (error, expected) in [(0.0, side), (0.45e-3, side), (1.1e-3, Side::Undecided)] {
-                let found = side(&boundary, &target, DVec3::new(x, 0.2, -0.3), error);
+                let found = found_side(&boundary, &target, DVec3::new(x, 0.2, -0.3), error);
                 assert_eq!(found, expected, "{x} within {error}");
             }
         }
@@ -155,9 +155,9 @@ mod tests {
     fn a_model_that_is_open_has_no_sides() {
         let (target, boundary) = cube(5);
         assert_eq!(boundary.free_edges().len(), 4);
-        assert_eq!(side(&boundary, &target, DVec3::ZERO, 0.0), Side::Undecided);
+        assert_eq!(found_side(&boundary, &target, DVec3::ZERO, 0.0), Side::Undecided);
         let (target, boundary) = cube(6);
-        assert_eq!(side(&boundary, &target, DVec3::ZERO, 0.0), Side::Inside);
+        assert_eq!(found_side(&boundary, &target, DVec3::ZERO, 0.0), Side::Inside);
     }
 
     /// The last term of m in lemma S3, that of the point's own length.

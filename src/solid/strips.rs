@@ -157,7 +157,7 @@ const INTERIOR: [f64; 2] = [0.05, 0.95];
 
 /// The number of steps toward the partner of a middle: any place is valid, and nearer ones make
 /// narrower strips.
-const PARTNER_STEPS: u32 = 3;
+const PARTNER_STEPS: u32 = 6;
 
 impl Curve {
     /// Returns the parameter near the middle whose point is near this one.

@@ -182,17 +182,17 @@ fn bodies_that_stand_flush_in_each_other_are_united() {
 /// A mesh that stands twice in its file, and two overlapping boxes of one mesh.
 #[test]
 fn meshes_that_stand_twice_or_overlap_are_united() {
-    let at = |x: f64| -> Vec<[[f64; 3]; 3]> {
+    let at = |x: f64| -> Vec<[DVec3; 3]> {
         let faces = cube(1.0).into_iter().flat_map(|face| {
             let [a, b, c, d] = [0, 1, 2, 3].map(|k| {
                 let [px, y, z, _] = face.control_points[k];
-                [px + x, y, z]
+                DVec3::new(px + x, y, z)
             });
             [[a, b, d], [a, d, c]]
         });
         faces.collect()
     };
-    let model = |triangles: &[[[f64; 3]; 3]]| {
+    let model = |triangles: &[[DVec3; 3]]| {
         let vertices = triangles.concat();
         let indices: Vec<[u32; 3]> =
             (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
