@@ -22,7 +22,7 @@ mod tests;
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod step_tests;
 
-#[cfg(feature = "internals")]
+#[cfg(any(test, feature = "internals"))]
 pub use audit::{Audit, audit_facet_searches};
 pub(crate) use node::Domain;
 pub(crate) use source::{Certified, Measured, Source, Start};
@@ -122,7 +122,7 @@ pub(crate) struct FacetSearch<'a> {
     exhausted: bool,
     work: Work,
     #[cfg(any(test, feature = "internals"))]
-    audit: Option<std::sync::Arc<audit::Audit>>,
+    audit: Option<std::sync::Arc<Audit>>,
 }
 
 impl<'a> FacetSearch<'a> {

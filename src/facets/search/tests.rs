@@ -331,7 +331,7 @@ fn no_point_of_what_a_search_drops_is_beyond_its_bound() {
         let shift = 10.0_f64.powi(random.i32(-8..0)) * random_point(random);
         let transform = RigidTransform::new(DQuat::from_rotation_z(0.1 * random.f64()), shift).unwrap();
         let mut search = FacetSearch::new(of_facets(&a), to_facets(&b), transform, 1e-4, None);
-        let audit = std::sync::Arc::new(audit::Audit::default());
+        let audit = std::sync::Arc::new(Audit::default());
         search.audit = Some(std::sync::Arc::clone(&audit));
         while search.advance(usize::MAX).is_none() && search.work().cells < 20_000 {}
         assert_eq!(audit.refuted(), Vec::<String>::new());

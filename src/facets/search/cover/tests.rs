@@ -179,3 +179,11 @@ fn a_triangle_beyond_a_border_is_bounded_by_the_facets_there() {
         assert!(found.upper >= over && found.upper <= threshold, "{over} {found:?}");
     }
 }
+/// A cover that would need more facets than are walked is none: what is left is not bounded.
+#[test]
+fn a_triangle_above_too_many_facets_has_no_cover() {
+    let n = 16;
+    let b = mesh(&grid_points(&mut fastrand::Rng::with_seed(1), n, 0.0), &grid(n));
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.3, 1.0, 0.0]].map(DVec3::from_array);
+    assert!(covered(&b, &corners, 1e-9).is_none());
+}
