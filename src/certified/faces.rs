@@ -1,6 +1,6 @@
 //! The trimmed faces of a model as they are before they are cut: whole surfaces with regions.
 
-use super::sheets::{Chart, DomainPart, Pole, SheetCache, Sheets};
+use super::sheets::{Chart, SheetCache, Sheets};
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, extract};
 use crate::flatness::Places;
@@ -138,19 +138,6 @@ impl FaceChart<'_> {
         };
         let rims = self.region.rims(&ParamBox::new(us.range, vs.range), origin);
         rims.into_iter().map(of_chart).filter(|rim| rim.contains(box_)).collect()
-    }
-
-    /// Returns true only if all points of the surface around a pole belong to the face, up to this parameter of the
-    /// patches there. O(arcs of the loops).
-    pub(super) fn holds_around(&self, pole: &Pole<'_>, extent: f64) -> bool {
-        let axis = pole.axis;
-        let range = if pole.end == 0 { [0.0, extent] } else { [1.0 - extent, 1.0] };
-        let Some(ranges) = pole.chart.surface_ranges(axis, range) else { return false };
-        let all = pole.chart.domain(axis.other());
-        ranges.into_iter().all(|DomainPart { range, .. }| {
-            let [u, v] = if axis == Axis::U { [range, all] } else { [all, range] };
-            self.region.encloses(&ParamBox::new(u, v))
-        })
     }
 
     /// Returns true only if all points of the surface at a box of the chart's parameters belong to the face.

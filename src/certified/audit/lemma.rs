@@ -28,9 +28,9 @@ pub enum Lemma {
     PolynomialDifference,
     /// 3.13, the same over knot lines.
     DifferenceOverKnotLines,
-    /// 3.20, the same under projective maps.
+    /// 3.19, the same under projective maps.
     ProjectiveDifference,
-    /// 3.17 to 3.19, 3.21 and 3.22, heights over a tangent plane.
+    /// 3.17 and 3.18, heights over a tangent plane.
     Heights,
     /// 3.9, bilinear maps to one patch or two.
     Bilinear,
@@ -77,8 +77,8 @@ impl Lemma {
             Self::ConvexCombination => "3.7",
             Self::PolynomialDifference => "3.8",
             Self::DifferenceOverKnotLines => "3.13",
-            Self::ProjectiveDifference => "3.20",
-            Self::Heights => "3.17 to 3.22",
+            Self::ProjectiveDifference => "3.19",
+            Self::Heights => "3.17 and 3.18",
             Self::Bilinear => "3.9",
             Self::OneSpline => "3.16",
             Self::DifferenceByPieces => "3.14",
@@ -160,7 +160,7 @@ mod tests {
         }
         let mut one = Lemmas::default();
         one.insert(Lemma::Heights);
-        assert_eq!(serde_json::to_string(&one).ok().as_deref(), Some(r#"["3.17 to 3.22"]"#));
+        assert_eq!(serde_json::to_string(&one).ok().as_deref(), Some(r#"["3.17 and 3.18"]"#));
         assert_eq!(one.union(set), set);
     }
 }

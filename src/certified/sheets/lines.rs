@@ -103,12 +103,6 @@ impl Chart<'_> {
         }
     }
 
-    /// The surface's domain along an axis.
-    pub(in crate::certified) fn domain(&self, axis: Axis) -> [f64; 2] {
-        let breaks = &self.grid.breaks[axis];
-        [breaks[0], breaks[breaks.len() - 1]]
-    }
-
     /// The parts of the surface's domain along an axis that a range of the chart's parameters names, with
     /// its rounding: two where the range goes on at the other end. `None` for more than the domain.
     ///

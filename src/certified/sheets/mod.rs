@@ -2,12 +2,9 @@
 
 mod chart;
 mod lines;
-mod pole;
 mod slope;
 
 pub(super) use chart::{Chart, Over, Reach};
-pub(super) use lines::DomainPart;
-pub(super) use pole::Pole;
 
 use super::rounding::JetScale;
 use crate::axis::Axis;
@@ -15,7 +12,6 @@ use crate::bezier::{BezierModel, LocalDerivativeBounds, Patch, SeamJumps};
 use crate::flatness::Places;
 use crate::param_box::ParamBox;
 use crate::threads::LazyTable;
-use pole::PoleShape;
 use std::ops::Range;
 
 /// What the sheets of a model have, each computed at its first use.
@@ -25,8 +21,6 @@ pub(crate) struct SheetCache {
     bounds: LazyTable<LocalDerivativeBounds>,
     /// The jumps at the end of each patch along either axis.
     seams: [LazyTable<SeamJumps>; 2],
-    /// The poles, by surface, axis and end.
-    poles: LazyTable<Option<PoleShape>>,
 }
 
 /// The sheets of a model, and where its flat patches are in them.

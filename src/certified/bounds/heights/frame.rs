@@ -67,15 +67,15 @@ pub(super) struct Part {
 pub(super) struct Placement {
     pub(super) functions: [Quadric; 2],
     /// How far `g(a) - g(B(y))` can be from zero along each axis where y is the fixed point.
-    pub(super) overshoot: [f64; 2],
+    pub(super) overhang: [f64; 2],
     /// How far `y - β - g(B(y))` can, for all y of the box.
-    pub(super) bracket: [f64; 2],
+    pub(super) lag_of_b: [f64; 2],
     /// How far `y - β - g(a)` can.
     pub(super) lag: [f64; 2],
     /// The ranges of the fixed points' parameters.
     pub(super) feet: [[f64; 2]; 2],
     /// How far F can be beyond the start and the end of the box where y is there.
-    pub(super) beyond: [[f64; 2]; 2],
+    pub(super) overhang_at_ends: [[f64; 2]; 2],
     /// For a point a that is at most `offset - g(a)` and `offset + g(a)`.
     pub(super) offsets: [[f64; 2]; 2],
     /// What jumps and rounding add to it.
@@ -103,28 +103,27 @@ impl Image {
 
     /// The curves at an end of the box, in order.
     pub(super) fn end(&self, axis: Axis, end: usize) -> impl Iterator<Item = Piece> {
-        let parts = line_of_grid(&self.parts, self.columns, axis, end);
-        parts.into_iter().map(move |part| part.piece.side(axis, end))
-    }
-}
-
-/// The first line (`end` 0) or the last one (1) across an axis of a grid that is given by rows.
-pub(super) fn line_of_grid<T>(grid: &[T], columns: usize, axis: Axis, end: usize) -> Vec<&T> {
-    match axis {
-        Axis::U => grid[end * (grid.len() - columns)..][..columns].iter().collect(),
-        Axis::V => grid.iter().skip(end * (columns - 1)).step_by(columns).collect(),
+        let (first, step, count) = match axis {
+            Axis::U => (end * (self.parts.len() - self.columns), 1, self.columns),
+            Axis::V => (end * (self.columns - 1), self.columns, usize::MAX),
+        };
+        let parts = self.parts.iter().skip(first).step_by(step).take(count);
+        parts.map(move |part| part.piece.side(axis, end))
     }
 }
 
 impl Placement {
     /// The placement for those points of the cell for which F exceeds each end of the box by at most these limits.
     pub(super) fn limited(&self, limits: [[f64; 2]; 2]) -> Self {
-        let least = |axis: usize| [0, 1].map(|end| upper_min(self.beyond[axis][end], limits[axis][end]));
-        let beyond = [least(0), least(1)];
-        let overshoot = [0, 1]
-            .map(|axis| upper_max(upper_max(beyond[axis][0], beyond[axis][1]), 0.0) + self.margin[axis]);
-        let lag = [0, 1].map(|axis| self.bracket[axis] + overshoot[axis]);
-        Self { beyond, overshoot, lag, ..*self }
+        let least =
+            |axis: usize| [0, 1].map(|end| upper_min(self.overhang_at_ends[axis][end], limits[axis][end]));
+        let overhang_at_ends = [least(0), least(1)];
+        let overhang = [0, 1].map(|axis| {
+            upper_max(upper_max(overhang_at_ends[axis][0], overhang_at_ends[axis][1]), 0.0)
+                + self.margin[axis]
+        });
+        let lag = [0, 1].map(|axis| self.lag_of_b[axis] + overhang[axis]);
+        Self { overhang_at_ends, overhang, lag, ..*self }
     }
 }
 
@@ -144,26 +143,7 @@ impl<'a> Frame<'a> {
     pub(super) fn new(chart: Chart<'a>) -> Option<Self> {
         let jet = chart.jet();
         let tangents = [jet.s, jet.t];
-        Self::with(chart, jet, tangents, pseudo_inverse(tangents), unit(jet.s.cross(jet.t)))
-    }
-
-    /// A frame of a plane's axes, about a point of B with this normal: T P is the projection onto the plane.
-    pub(super) fn of_plane(chart: Chart<'a>, normal: DVec3) -> Option<Self> {
-        if normal == DVec3::ZERO {
-            return None;
-        }
-        let axes = normal.any_orthonormal_pair();
-        let axes = [axes.0, axes.1];
-        Self::with(chart, chart.jet(), axes, axes, normal)
-    }
-
-    fn with(
-        chart: Chart<'a>,
-        jet: Jet,
-        tangents: [DVec3; 2],
-        inverse: [DVec3; 2],
-        normal: DVec3,
-    ) -> Option<Self> {
+        let (inverse, normal) = (pseudo_inverse(tangents), unit(jet.s.cross(jet.t)));
         let rows = inverse.map(DVec3::length);
         let columns = tangents.map(DVec3::length);
         let mut rest = DMat3::IDENTITY - symmetric_product(normal, normal);
@@ -178,14 +158,8 @@ impl<'a> Frame<'a> {
         is_regular.then_some(Self { chart, jet, tangents, inverse, normal, skew })
     }
 
-    /// The largest steps of parameters to the points of a piece, to first order.
-    pub(super) fn steps_to(&self, a: &Piece) -> [f64; 2] {
-        let rows = pseudo_inverse([self.jet.s, self.jet.t]);
-        rows.map(|row| a.points().fold(0.0, |step, point| upper_max(step, row.dot(point).abs())))
-    }
-
     /// The part of B over a box of parameters that contains the fixed points for all points of a piece
-    /// of A, up to the overshoot at the ends of B's surface. `None` where B turns too far or has too
+    /// of A, up to the overhang at the ends of B's surface. `None` where B turns too far or has too
     /// many patches for it.
     pub(super) fn image(&self, a: &Piece) -> Option<(Image, Placement)> {
         let functions = self.inverse.map(Quadric::of_plane);
@@ -205,7 +179,7 @@ impl<'a> Frame<'a> {
             // Beyond an end of the surface there is nothing more.
             let lack = [0, 1].map(|axis| {
                 let ends = (0..2).filter(|end| !image.is_last(axis, *end));
-                ends.fold(0.0, |lack, end| upper_max(lack, placement.beyond[axis][end]))
+                ends.fold(0.0, |lack, end| upper_max(lack, placement.overhang_at_ends[axis][end]))
             });
             if lack == [0.0; 2] {
                 return Some((image, placement));
@@ -225,11 +199,11 @@ impl<'a> Frame<'a> {
         let radius = image.radius();
         let mut placement = Placement {
             functions,
-            overshoot: [0.0; 2],
-            bracket: [0.0; 2],
+            overhang: [0.0; 2],
+            lag_of_b: [0.0; 2],
             lag: [0.0; 2],
             feet: [[0.0; 2]; 2],
-            beyond: [[0.0; 2]; 2],
+            overhang_at_ends: [[0.0; 2]; 2],
             offsets: [[0.0; 2]; 2],
             margin: [0.0; 2],
         };
@@ -255,23 +229,17 @@ impl<'a> Frame<'a> {
                     let [least, largest] = image.range_at(axis, end, function);
                     *offset = upper_min(*offset, if end == 0 { largest } else { -least });
                 }
-                placement.beyond[index][end] = *offset + of_a;
+                placement.overhang_at_ends[index][end] = *offset + of_a;
             }
-            placement.bracket[index] = upper_max(-least, largest);
+            placement.lag_of_b[index] = upper_max(-least, largest);
             placement.feet[index] = [first, last].map(|parameter| clamped(parameter, [start, end]));
             placement.margin[index] = margin;
         }
         placement.limited([[f64::INFINITY; 2]; 2])
     }
 
-    /// How far the gradient of a placement's function is from its row of P within this distance of the foot.
-    pub(super) fn turn(&self, placement: &Placement, axis: usize, reach: f64) -> f64 {
-        let function = &placement.functions[axis];
-        (function.linear - self.inverse[axis]).length() + function.size() * reach
-    }
-
     /// The pieces of B over a box; `None` where they are many.
-    pub(super) fn parts(&self, reach: &Reach, extent: [f64; 2], ends: [[f64; 2]; 2]) -> Option<Vec<Part>> {
+    fn parts(&self, reach: &Reach, extent: [f64; 2], ends: [[f64; 2]; 2]) -> Option<Vec<Part>> {
         let chart = &self.chart;
         let [rows, columns] = chart.all_touched(extent, reach);
         if rows.clone().count() * columns.clone().count() > MAX_PATCHES {

@@ -24,7 +24,7 @@ const LINEAR_ROUNDINGS: f64 = 16.0;
 
 /// A piece of a patch about a point.
 pub(super) struct Piece {
-    degree: [usize; 2],
+    pub(super) degree: [usize; 2],
     /// Homogeneous, relative to the point.
     controls: Vec<DVec4>,
     /// The largest distance of a control point from the point.
@@ -56,10 +56,6 @@ impl Piece {
         let restriction = RESTRICTION_ROUNDINGS * (degree[0] + degree[1]) as f64 + SHIFT_ROUNDINGS;
         let error = gamma(restriction * patch_radius + SHIFT_ROUNDINGS * shift.length());
         Self { degree, controls, radius: radius + error, error }
-    }
-
-    pub(super) fn degree(&self) -> [usize; 2] {
-        self.degree
     }
 
     /// A quadratic function on it. O(p q) where it is linear, else O(p² q²).
@@ -127,20 +123,6 @@ impl Piece {
         Self { degree, controls, ..*self }
     }
 
-    /// Its points at the corners of its parameters, relative to the point.
-    pub(super) fn corners(&self) -> [DVec3; 4] {
-        let [rows, columns] = self.degree.map(|degree| degree + 1);
-        [0, columns - 1, (rows - 1) * columns, rows * columns - 1].map(|index| {
-            let control = self.controls[index];
-            control.xyz() / control.w
-        })
-    }
-
-    /// The control points, relative to the point.
-    pub(super) fn points(&self) -> impl Iterator<Item = DVec3> {
-        self.controls.iter().map(|control| control.xyz() / control.w)
-    }
-
     /// The range of a function of third order on it.
     pub(super) fn range(&self, function: &Cubic) -> [f64; 2] {
         if function.size() == 0.0 { self.values(&function.quadric) } else { self.values_of_cubic(function) }
@@ -171,16 +153,6 @@ impl Piece {
         }
         samples
     }
-}
-
-/// Points along curves that follow each other, this many in sum.
-pub(super) fn samples_along(curves: &[Piece], points: usize) -> Vec<DVec3> {
-    let count = curves.len();
-    let samples = curves.iter().enumerate().flat_map(|(index, curve)| {
-        let own = points * (index + 1) / count - points * index / count;
-        curve.samples(curve.degree().map(|degree| if degree == 0 { 1 } else { own }))
-    });
-    samples.collect()
 }
 
 impl Values {

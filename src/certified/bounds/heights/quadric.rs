@@ -51,13 +51,6 @@ impl Cubic {
         Self { quadric, forms: [DMat3::ZERO; 3] }
     }
 
-    /// Its value at a point.
-    pub(super) fn at(&self, y: DVec3) -> f64 {
-        let Self { quadric: Quadric { linear, form }, forms } = self;
-        let third = forms[0] * y.x + forms[1] * y.y + forms[2] * y.z;
-        y.dot(*linear + *form * y + third * y)
-    }
-
     /// The Frobenius norm of C, an upper bound on its norm and on that of its absolute values.
     pub(super) fn size(&self) -> f64 {
         norm(&self.forms)

@@ -1,6 +1,6 @@
 //! Cells over a loop of a face.
 //!
-//! Lemma (3.19 of `docs/method.md`). Let a face have no boundary where one or two conics of its parameters say so: in
+//! Lemma (3.18 of `docs/method.md`). Let a face have no boundary where one or two conics of its parameters say so: in
 //! a box of them each point within all sides, `e = ±η_v - a - b η_u - c η_u² - d η_u η_v - f η_v² < 0` with η relative
 //! to the foot and a derivative by ±η_v of at least σ, belongs to it. Let all fixed points of a cell be in the box. With
 //! the functions g and the lags λ of their placement, the lags κ of linear functions at its fixed points and the largest
@@ -9,15 +9,15 @@
 //! `max over the cell of (±g_v - b g_u - c (P_u·Y)² - d (P_u·Y) (P_v·Y) - f (P_v·Y)²) - a + λ_v + |b| λ_u`
 //! `+ |c| κ_u (2 q_u + κ_u) + |d| (κ_u q_v + (q_u + κ_u) κ_v) + |f| κ_v (2 q_v + κ_v)`.
 //!
-//! With these excesses over σ, x, and slopes s of both sides, a step along v of the largest x, or along both axes of
+//! With these overhangs over σ, x, and slopes s of both sides, a step along v of the largest x, or along both axes of
 //! `(x_1 + s_1 x_2) / (1 - s_1 s_2)` and `(x_2 + s_2 x_1) / (1 - s_1 s_2)`, leads to a point of the face.
 
+use super::cell_comparison::CellComparison;
 use super::frame::Placement;
-use super::over::Over;
 use super::piece::{Piece, Values};
 use super::quadric::{Quadric, symmetric_product};
 use crate::axis::Axis;
-use crate::certified::faces::{FaceChart, FaceRim};
+use crate::certified::faces::FaceRim;
 use crate::certified::rounding::gamma;
 use crate::model::trim::RimSide;
 use crate::rounding::upper_max;
@@ -25,39 +25,26 @@ use crate::rounding::upper_max;
 /// Roundings of the sums, relative to the sizes of their terms.
 const SUM_ROUNDINGS: f64 = 32.0;
 
-/// Roundings of the steps, relative to both excesses and slopes.
+/// Roundings of the steps, relative to both overhangs and slopes.
 const STEP_ROUNDINGS: f64 = 128.0;
 
-/// How far the fixed points' images may be from the face along the surface, for feet within the threshold; `None`
-/// where that is not known, or more than the threshold.
-pub(super) fn overrun(
-    over: &Over<'_>,
-    face: &FaceChart<'_>,
-    placement: &Placement,
-    threshold: f64,
-) -> Option<f64> {
-    face.rims(placement.feet).into_iter().find_map(|rim| {
-        let excesses: Vec<f64> =
-            rim.sides.iter().map(|side| excess(over, placement, side, threshold).highest()).collect();
-        overrun_of(over, placement, &rim, &excesses, threshold)
-    })
-}
-
-/// The same of fixed points that are beyond the sides of a rim by no more than these excesses.
-pub(super) fn overrun_of(
-    over: &Over<'_>,
+/// How far the images of fixed points may be from the face along the surface, where they are beyond the sides of a rim
+/// by no more than these overhangs, for feet within the threshold; `None` where that is not known, or more than the
+/// threshold.
+pub(super) fn drift(
+    cell: &CellComparison<'_>,
     placement: &Placement,
     rim: &FaceRim,
-    excesses: &[f64],
+    overhangs: &[f64],
     threshold: f64,
 ) -> Option<f64> {
-    let excesses: Vec<f64> = excesses.iter().map(|excess| upper_max(*excess, 0.0)).collect();
-    let steps = steps(&rim.sides, &excesses);
+    let overhangs: Vec<f64> = overhangs.iter().map(|overhang| upper_max(*overhang, 0.0)).collect();
+    let steps = steps(&rim.sides, &overhangs);
     if !stays_in_box(rim, placement.feet, steps) {
         return None;
     }
-    let overrun = over.frame.drift(&over.image, rim.parameters, steps)?;
-    (overrun <= threshold).then_some(overrun)
+    let drift = cell.frame.drift(&cell.image, rim.parameters, steps)?;
+    (drift <= threshold).then_some(drift)
 }
 
 /// Whether steps along both axes lead from all of these parameters to places in the rim's box. Steps along one do: the
@@ -72,7 +59,7 @@ pub(super) fn stays_in_box(rim: &FaceRim, feet: [[f64; 2]; 2], steps: [f64; 2]) 
 }
 
 /// A bound, for each point of a cell, on how far its fixed point is beyond a line.
-pub(super) struct Excess {
+pub(super) struct Overhang {
     pub(super) function: Quadric,
     /// Its values on the cell, of twice the cell's degrees.
     pub(super) values: Values,
@@ -80,7 +67,7 @@ pub(super) struct Excess {
     pub(super) constant: f64,
 }
 
-impl Excess {
+impl Overhang {
     pub(super) fn new(function: Quadric, a: &Piece, constant: f64) -> Self {
         Self { values: a.quadratic_values(&function), function, constant }
     }
@@ -92,8 +79,13 @@ impl Excess {
 }
 
 /// How far fixed points may be beyond a side, along its axis at most, for feet within the threshold.
-pub(super) fn excess(over: &Over<'_>, placement: &Placement, side: &RimSide, threshold: f64) -> Excess {
-    let frame = &over.frame;
+pub(super) fn overhang(
+    cell: &CellComparison<'_>,
+    placement: &Placement,
+    side: &RimSide,
+    threshold: f64,
+) -> Overhang {
+    let frame = &cell.frame;
     let axes = [side.axis.index(), side.axis.other().index()];
     // Relative to the least derivative across the side.
     let v = if side.is_upwards { 1.0 } else { -1.0 } / side.rate;
@@ -110,8 +102,8 @@ pub(super) fn excess(over: &Over<'_>, placement: &Placement, side: &RimSide, thr
         upper_max(at - low, high - at)
     });
     let [y_lag, x_lag] = axes.map(|axis| {
-        let turn = frame.turn(placement, axis, over.reach());
-        over.linear.bracket[axis] + placement.overshoot[axis] + turn * threshold
+        let turn = placement.functions[axis].size() * cell.reach();
+        cell.linear.lag_of_b[axis] + placement.overhang[axis] + turn * threshold
     });
     let [b, c, d, f] = [b, c, d, f].map(f64::abs);
     let lags = v.abs() * placement.lag[axes[0]]
@@ -119,16 +111,16 @@ pub(super) fn excess(over: &Over<'_>, placement: &Placement, side: &RimSide, thr
         + c * x_lag * (2.0 * x + x_lag)
         + d * (x_lag * y + (x + x_lag) * y_lag)
         + f * y_lag * (2.0 * y + y_lag);
-    let mut excess = Excess::new(function, &over.a, lags - a);
-    let sizes = a.abs() + x * (b + x * c + y * d) + y * y * f + excess.values.size + lags;
-    excess.constant += gamma(SUM_ROUNDINGS) * sizes;
-    excess
+    let mut overhang = Overhang::new(function, &cell.a, lags - a);
+    let sizes = a.abs() + x * (b + x * c + y * d) + y * y * f + overhang.values.size + lags;
+    overhang.constant += gamma(SUM_ROUNDINGS) * sizes;
+    overhang
 }
 
-/// Steps along both axes that lead from where all excesses are at most these to within all sides.
-pub(super) fn steps(sides: &[RimSide], excesses: &[f64]) -> [f64; 2] {
+/// Steps along both axes that lead from where all overhangs are at most these to within all sides.
+pub(super) fn steps(sides: &[RimSide], overhangs: &[f64]) -> [f64; 2] {
     let mut steps = [0.0; 2];
-    if let ([first, second], [x, y]) = (sides, excesses)
+    if let ([first, second], [x, y]) = (sides, overhangs)
         && first.axis != second.axis
     {
         let [s, t] = [first.slope, second.slope];
@@ -137,9 +129,9 @@ pub(super) fn steps(sides: &[RimSide], excesses: &[f64]) -> [f64; 2] {
         steps[first.axis.index()] = (x + s * y) / divisor;
         steps[second.axis.index()] = (y + t * x) / divisor;
     } else {
-        for (side, excess) in sides.iter().zip(excesses) {
+        for (side, overhang) in sides.iter().zip(overhangs) {
             let step: &mut f64 = &mut steps[side.axis.index()];
-            *step = upper_max(*step, *excess);
+            *step = upper_max(*step, *overhang);
         }
     }
     Axis::BOTH.map(|axis| steps[axis.index()])

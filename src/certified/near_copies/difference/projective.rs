@@ -1,6 +1,6 @@
 //! The difference of a cell and one patch of B under a projective map of each parameter.
 //!
-//! Lemma (3.20 of `docs/method.md`). The map `x = c t / (1 - t + c t)`, c > 0, takes [0, 1] onto itself, and a
+//! Lemma (3.19 of `docs/method.md`). The map `x = c t / (1 - t + c t)`, c > 0, takes [0, 1] onto itself, and a
 //! rational Bézier curve of x with homogeneous controls Y_i to that of t with the controls `c^i Y_i`. So under
 //! such a map of either parameter B has the degrees that it has without, and 3.8 applies: exactly where A and
 //! B are the same points with weights that are apart by a projective map, as those of conics and of surfaces

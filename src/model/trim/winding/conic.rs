@@ -33,12 +33,12 @@ pub(super) struct Conic {
 
 impl Conic {
     /// The conics nearest to points of these pieces for both axes, that across the one along which they run in the box
-    /// first, and where those are none the parabolas.
+    /// first.
     pub(super) fn through<'a>(
         pieces: impl Iterator<Item = &'a WindingPiece> + Clone,
         [low, high]: [DVec2; 2],
         origin: DVec2,
-    ) -> Vec<[Self; 2]> {
+    ) -> [Self; 2] {
         let size = 0.5 * (high - low);
         let run: DVec2 = pieces.clone().map(|arc| (arc.ends[1] - arc.ends[0]).abs() / size).sum();
         let axis = if run.x >= run.y { Axis::V } else { Axis::U };
@@ -49,27 +49,15 @@ impl Conic {
         let middle = 0.5 * (least + largest);
         let half = (0.5 * (largest - least)).max(MIN_EXTENT * size);
         let places: Vec<DVec2> = points.iter().map(|point| (*point - middle) / half).collect();
-        let conics = |is_parabola: bool| {
-            [axis, axis.other()].map(|axis| Self::over(axis, is_parabola, &places, [middle, half], origin))
-        };
-        let all = conics(false);
-        let are_parabolas = all.iter().all(|conic| conic.coefficients[3..] == [0.0; 2]);
-        if are_parabolas { vec![all] } else { vec![all, conics(true)] }
+        [axis, axis.other()].map(|axis| Self::over(axis, &places, [middle, half], origin))
     }
 
-    /// The conic or the parabola nearest to places relative to a box.
-    fn over(
-        axis: Axis,
-        is_parabola: bool,
-        places: &[DVec2],
-        [middle, half]: [DVec2; 2],
-        origin: DVec2,
-    ) -> Self {
+    /// The conic nearest to places relative to a box.
+    fn over(axis: Axis, places: &[DVec2], [middle, half]: [DVec2; 2], origin: DVec2) -> Self {
         let (v, u) = (axis.index(), axis.other().index());
         let of_place = |place: &DVec2| {
             let (x, y) = (place[u], place[v]);
-            let share = if is_parabola { 0.0 } else { y };
-            ([1.0, x, x * x, x * share, y * share], y)
+            ([1.0, x, x * x, x * y, y * y], y)
         };
         let rows: Vec<([f64; 5], f64)> = places.iter().map(of_place).collect();
         let [h0, h1, h2, h3, h4] = least_squares(&rows);

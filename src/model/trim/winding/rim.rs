@@ -77,22 +77,14 @@ impl Winding {
             let arcs = pieces.iter().filter(|(curve, _)| of.contains(curve)).map(|(_, arc)| arc);
             Conic::through(arcs, bounds, origin)
         };
-        let alone =
-            |conics: [Conic; 2], curve: Option<Curve>| conics.map(|conic| vec![(conic, curve)]).into();
-        let mut choices: Vec<Vec<Sides>> = Vec::new();
-        choices.extend(conics(&curves).into_iter().map(|conics| alone(conics, None)));
+        let alone = |conics: [Conic; 2]| conics.map(|conic| vec![(conic, None)]).into();
+        let mut choices: Vec<Vec<Sides>> = vec![alone(conics(&curves))];
         if let [first, second] = curves[..] {
-            let [of_first, of_second] = [conics(&[first]), conics(&[second])];
-            let kinds = of_first.len().max(of_second.len());
-            choices.extend((0..kinds).map(|kind| {
-                // A straight curve has one kind.
-                let [one, other] = [&of_first, &of_second].map(|kinds| &kinds[kind.min(kinds.len() - 1)]);
-                let both = |x: usize, y: usize| {
-                    vec![(one[x].clone(), Some(first)), (other[y].clone(), Some(second))]
-                };
-                vec![both(0, 0), both(0, 1), both(1, 0), both(1, 1)]
-            }));
-            choices.extend(of_first.into_iter().chain(of_second).map(|conics| alone(conics, None)));
+            let [one, other] = [conics(&[first]), conics(&[second])];
+            let both =
+                |x: usize, y: usize| vec![(one[x].clone(), Some(first)), (other[y].clone(), Some(second))];
+            choices.push(vec![both(0, 0), both(0, 1), both(1, 0), both(1, 1)]);
+            choices.extend([one, other].map(alone));
         }
         let rim_of = |sides: &Sides| {
             let of_axes = if sides.len() == 1 || sides[0].0.axis == sides[1].0.axis { 2 } else { 4 };

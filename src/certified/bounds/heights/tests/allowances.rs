@@ -1,5 +1,6 @@
 //! Allowances of the lemmas that are as small as rounding, or that need several patches of B.
 
+use super::super::faces::FaceOver;
 use super::over_faces::{cut_all, face, flat_side, plane, plate};
 use super::terms::{curved, with_over};
 use super::*;
@@ -45,12 +46,12 @@ fn skewness_is_that_of_the_frame() {
     assert!(off > 5 && along[0] > 5 && along[1] > 5, "{off} {along:?}");
 }
 
-/// The rounding of the lines of B's patches is added to the bracket at both of its ends.
+/// The rounding of the lines of B's patches is added to the lag of B at both of its ends.
 #[test]
 fn the_rounding_of_lines_widens_a_placement() {
     const ERRORS: [f64; 2] = [5e-4, 1e-3];
     with_over(&curved(), |over| {
-        let Over { frame, a, mut image, linear, .. } = over;
+        let CellComparison { frame, a, mut image, linear, .. } = over;
         for before in [linear, frame.closer_placement(&a, &image)] {
             image.parts[0].errors = ERRORS;
             let after = frame.placement(&a, &image, before.functions);
@@ -61,7 +62,7 @@ fn the_rounding_of_lines_widens_a_placement() {
                     let sign = [-1.0, 1.0][end];
                     assert_close(after.feet[axis][end] - before.feet[axis][end], sign * error, 1e-9);
                 }
-                assert_close(after.bracket[axis] - before.bracket[axis], error, 1e-9);
+                assert_close(after.lag_of_b[axis] - before.lag_of_b[axis], error, 1e-9);
             }
         }
     });
@@ -103,14 +104,14 @@ fn over_several(frame: &Frame<'_>) -> (Image, Piece) {
 #[test]
 fn the_rounding_of_places_widens_a_placement() {
     with_over(&curved(), |over| {
-        let Over { frame, a, image, linear, .. } = over;
+        let CellComparison { frame, a, image, linear, .. } = over;
         for placement in [linear, frame.closer_placement(&a, &image)] {
             for axis in 0..2 {
                 let [start, end] = image.ends[axis];
                 let margin = gamma(32.0) * (1.0 + (end - start));
-                assert!(placement.beyond[axis].iter().all(|beyond| *beyond < 0.0));
-                assert_close(placement.overshoot[axis], margin, 1e-9);
-                assert_close(placement.lag[axis] - placement.bracket[axis], margin, 0.1);
+                assert!(placement.overhang_at_ends[axis].iter().all(|beyond| *beyond < 0.0));
+                assert_close(placement.overhang[axis], margin, 1e-9);
+                assert_close(placement.lag[axis] - placement.lag_of_b[axis], margin, 0.1);
                 let [low, high] = a.values(&placement.functions[axis]).range();
                 let [first, last] = placement.offsets[axis];
                 assert_close(start + low - first - placement.feet[axis][0], margin, 0.2);
@@ -132,7 +133,7 @@ fn the_largest_radius_of_several_pieces_counts() {
     image.gap = GAP;
     let linear = frame.placement(&a, &image, frame.inverse.map(Quadric::of_plane));
     let own = a.radius;
-    let mut over = Over::of(frame, None, a, image, linear);
+    let mut over = CellComparison { frame, face: None, a, image, linear };
     for farthest in 0..over.image.parts.len() {
         for (index, part) in over.image.parts.iter_mut().enumerate() {
             part.piece.radius = if index == farthest { RADIUS } else { 1.0 };
@@ -141,8 +142,8 @@ fn the_largest_radius_of_several_pieces_counts() {
         let placement = over.frame.placement(&over.a, &over.image, functions);
         for (axis, function) in functions.iter().enumerate() {
             let slope = function.linear.length() + 2.0 * function.size() * RADIUS;
-            let [first, last] = placement.beyond[axis];
-            assert_close(placement.overshoot[axis] - first.max(last).max(0.0), slope * GAP, 1e-9);
+            let [first, last] = placement.overhang_at_ends[axis];
+            assert_close(placement.overhang[axis] - first.max(last).max(0.0), slope * GAP, 1e-9);
         }
     }
 }
@@ -223,7 +224,8 @@ fn the_error_of_a_faces_points_is_added() {
         let raised = through(|s, t| frame.jet.point + DVec3::new(HEIGHT * s, HEIGHT * t, HEIGHT));
         let a = Piece::new([2, 2], raised.to_vec(), frame.jet.point, 1.0);
         let (image, linear) = frame.image(&a).unwrap();
-        let bound = Over::of(frame, Some(face), a, image, linear).upper_bound(1.0).unwrap();
+        let cell = CellComparison { frame, face: Some(face), a, image, linear };
+        let bound = FaceOver::new(cell, 1.0).upper_bound(1.0).unwrap();
         assert_close(bound, HEIGHT + error, 1e-9);
     }
 }
@@ -235,17 +237,17 @@ fn every_piece_counts_in_the_difference() {
     let frame = Frame::new(Chart::new(b.sheets(), 0, [0.5; 2])).unwrap();
     let (image, a) = over_several(&frame);
     let linear = frame.placement(&a, &image, frame.inverse.map(Quadric::of_plane));
-    let mut over = Over::of(frame, None, a, image, linear);
+    let mut over = CellComparison { frame, face: None, a, image, linear };
     let plane = Cubic::of(Quadric::of_plane(over.frame.normal));
-    let first = over.comparison(&over.linear).bound_by(&of_cell(&plane, &over.a));
+    let first = over.bound_by(&over.linear, &of_cell(&plane, &over.a));
     assert!(first.is_finite());
     for _ in 0..over.image.parts.len() {
         over.image.parts.rotate_left(1);
-        assert_close(over.comparison(&over.linear).bound_by(&of_cell(&plane, &over.a)), first, 1e-12);
+        assert_close(over.bound_by(&over.linear, &of_cell(&plane, &over.a)), first, 1e-12);
     }
 }
 
-/// The bracket has 16 roundings of each of its terms: both parameters and the function.
+/// The lag of B has 16 roundings of each of its terms: both parameters and the function.
 #[test]
 fn a_lag_has_the_rounding_of_every_term() {
     for (ends, size) in [([8.0, 0.0], 0.0), ([0.0, 8.0], 0.0), ([0.0, 0.0], 8.0)] {
@@ -256,15 +258,15 @@ fn a_lag_has_the_rounding_of_every_term() {
     }
 }
 
-/// An excess has 32 roundings of each of its terms: the side's five, and the function's on the cell.
+/// An overhang has 32 roundings of each of its terms: the side's five, and the function's on the cell.
 #[test]
-fn an_excess_has_the_rounding_of_every_term() {
+fn an_overhang_has_the_rounding_of_every_term() {
     const REACH: f64 = 0.5;
     with_over(&curved(), |mut over| {
         let mut placement = over.linear;
         let at = over.frame.chart.parameters;
         placement.feet = at.map(|at| [at - REACH, at + REACH]);
-        [placement.lag, placement.overshoot, over.linear.bracket] = [[0.0; 2]; 3];
+        [placement.lag, placement.overhang, over.linear.lag_of_b] = [[0.0; 2]; 3];
         for (x, coefficients, sizes) in [
             (0.0, [1.0, 0.0, 0.0, 0.0, 0.0], 1.0),
             (0.0, [0.0, 8.0, 0.0, 0.0, 0.0], 8.0 * REACH),
@@ -277,13 +279,13 @@ fn an_excess_has_the_rounding_of_every_term() {
             over.frame.inverse = [if x > 0.0 { DVec3::X } else { DVec3::ZERO }; 2];
             placement.functions = over.frame.inverse.map(Quadric::of_plane);
             let side = RimSide { axis: Axis::V, is_upwards: true, coefficients, rate: 1.0, slope: 0.0 };
-            let constant = rim::excess(&over, &placement, &side, 1.0).constant;
+            let constant = rim::overhang(&over, &placement, &side, 1.0).constant;
             assert_close(constant + coefficients[0], gamma(32.0) * sizes, 0.1);
         }
     });
 }
 
-/// Excesses of two sides are larger by 128 roundings before the steps are made of them.
+/// Overhangs of two sides are larger by 128 roundings before the steps are made of them.
 #[test]
 fn steps_along_both_axes_have_their_rounding() {
     let side = |axis: Axis, slope: f64| RimSide { slope, ..flat_side(axis) };
@@ -296,17 +298,17 @@ fn steps_along_both_axes_have_their_rounding() {
 
 /// Points that are within a side count as on it: no step is made shorter by that.
 #[test]
-fn a_point_within_a_side_is_no_negative_excess() {
+fn a_point_within_a_side_is_no_negative_overhang() {
     with_over(&curved(), |over| {
         let side = |axis: Axis| RimSide { slope: 0.5, ..flat_side(axis) };
         let rim = FaceRim { sides: Axis::BOTH.map(side).to_vec(), parameters: [[0.3, 0.7]; 2] };
         let mut placement = over.linear;
         placement.feet = [[0.45, 0.55]; 2];
-        let overrun = |excesses: [f64; 2]| rim::overrun_of(&over, &placement, &rim, &excesses, 1.0).unwrap();
-        let on_it = overrun([1e-3, 0.0]);
-        assert_eq!(overrun([1e-3, -1e-3]), on_it);
-        assert_eq!(overrun([1e-3, -1.0]), on_it);
-        assert_eq!(overrun([-1e-3, 1e-3]), overrun([0.0, 1e-3]));
+        let drift = |overhangs: [f64; 2]| rim::drift(&over, &placement, &rim, &overhangs, 1.0).unwrap();
+        let on_it = drift([1e-3, 0.0]);
+        assert_eq!(drift([1e-3, -1e-3]), on_it);
+        assert_eq!(drift([1e-3, -1.0]), on_it);
+        assert_eq!(drift([-1e-3, 1e-3]), drift([0.0, 1e-3]));
     });
 }
 

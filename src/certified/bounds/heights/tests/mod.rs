@@ -1,17 +1,16 @@
 //! The bound is attained, no point is farther, and each term is that of its lemma.
 
 mod allowances;
-mod around;
 mod ends;
 mod over_faces;
 mod several_faces;
 mod terms;
 mod whole_cells;
 
-use super::comparison::Candidate;
+use super::candidate::Candidate;
+use super::cell_comparison::CellComparison;
 use super::fit::{Fit, ORDERS, POINTS_ALONG};
 use super::frame::{Frame, Image};
-use super::over::Over;
 use super::piece::{Piece, Values};
 use super::quadric::{Cubic, Quadric};
 use super::{Heights, rim};

@@ -204,10 +204,10 @@ fn a_height_over_a_face_is_the_distance() {
     assert!((1e-4..=1e-4 * (1.0 + 1e-9)).contains(&bound), "{bound:e}");
 }
 
-/// The bound of a cell that ends beyond an edge of the plate is the overrun; beyond a corner it is at most the sum
-/// of both overruns.
+/// The bound of a cell that ends beyond an edge of the plate is its overhang; beyond a corner it is at most the
+/// sum of both.
 #[test]
-fn a_cell_beyond_a_loop_is_at_its_overrun() {
+fn a_cell_beyond_a_loop_is_at_its_overhang() {
     const BEYOND: f64 = 1e-4;
     let plate = plate();
     let at = |x: [f64; 2], y: [f64; 2]| flat_between(x, y, 0.0);

@@ -164,9 +164,9 @@ fn a_cell_over_a_step_is_at_its_height() {
     }
 }
 
-/// A cell over the line between two faces that ends beyond a loop of both is at least at that overrun.
+/// A cell over the line between two faces that ends beyond a loop of both is at least at that overhang.
 #[test]
-fn a_cell_over_two_faces_is_at_the_overrun_of_their_loops() {
+fn a_cell_over_two_faces_is_at_the_overhang_of_their_loops() {
     const BEYOND: f64 = 1e-5;
     let b = faces(&[rectangle([-0.8, 0.0], [-0.8, 0.8]), rectangle([0.0, 0.8], [-0.8, 0.8])]);
     for x in [[-0.05, 0.04], [-0.04, 0.05]] {

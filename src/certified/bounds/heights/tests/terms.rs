@@ -195,42 +195,38 @@ fn lags_contain_the_differences() {
 }
 
 /// A piece of A about the foot in the middle of a patch, and the patch over it.
-pub(super) fn with_over(b: &Surfaces, check: impl FnOnce(Over<'_>)) {
+pub(super) fn with_over(b: &Surfaces, check: impl FnOnce(CellComparison<'_>)) {
     let frame = Frame::new(Chart::new(b.sheets(), 0, [0.4, 0.6])).unwrap();
     let a = through(|s, t| frame.jet.point + 0.05 * DVec3::new(s - 0.5, t - 0.4, 0.1 * s * t));
     let a = Piece::new([2, 2], a.to_vec(), frame.jet.point, 1.0);
     let (image, linear) = frame.image(&a).unwrap();
-    check(Over::of(frame, None, a, image, linear));
+    check(CellComparison { frame, face: None, a, image, linear });
 }
 
 pub(super) fn curved() -> Surfaces {
     patch(through(|s, t| DVec3::new(s + 0.1 * s * t, t - 0.1 * s * s, 0.2 * s * t + 0.1 * s * s)))
 }
 
-/// Every term of lemma 3.17: the difference, the overshoot, the turns of the function, also by its tilt, and
+/// Every term of lemma 3.17: the difference, the overhang, the turns of the function, also by its tilt, and
 /// of the parameters, and the frame's skewness.
 #[test]
 fn the_bound_has_every_term_of_the_lemma() {
     with_over(&curved(), |mut over| {
         let (own_skew, mut placement) = (over.frame.skew, over.linear);
-        for overshoot in [[0.0; 2], [1e-3, 0.0], [0.0, 2e-3]] {
-            for (bend, skew, turned) in
-                [(0.0, own_skew, 0.0), (0.05, own_skew, 0.0), (0.0, 1e-3, 0.01), (0.05, 1e-3, 0.02)]
-            {
+        for overhang in [[0.0; 2], [1e-3, 0.0], [0.0, 2e-3]] {
+            for (bend, skew) in [(0.0, own_skew), (0.05, own_skew), (0.0, 1e-3), (0.05, 1e-3)] {
                 over.frame.skew = skew;
                 let (frame, a, image) = (&over.frame, &over.a, &over.image);
                 let [first, second] = frame.tangents.map(DVec3::normalize);
-                placement.overshoot = overshoot;
+                placement.overhang = overhang;
                 placement.functions[0].form = DMat3::IDENTITY * bend;
                 placement.functions[1].form = DMat3::IDENTITY * (2.0 * bend);
-                placement.functions[0].linear = frame.inverse[0] + turned * second;
-                placement.functions[1].linear = frame.inverse[1] - 2.0 * turned * frame.normal;
                 let mut function =
                     Cubic::of(Quadric::of_plane(frame.normal + 0.01 * first + 0.02 * frame.normal));
                 function.add_product(0.3, frame.normal, second);
                 function.add_product(0.4, first, first);
                 function.add_triple_product(0.5, frame.normal, first, second);
-                let bound = over.comparison(&placement).bound_by(&of_cell(&function, a));
+                let bound = over.bound_by(&placement, &of_cell(&function, a));
                 let [low, high] = a.values_of_cubic(&function).range();
                 let ranges = image.parts.iter().map(|part| part.piece.values_of_cubic(&function).range());
                 let difference = ranges
@@ -244,22 +240,22 @@ fn the_bound_has_every_term_of_the_lemma() {
                     + (function.quadric.form * n).length() * r
                     + function.size_along(n) * r * r;
                 let lengths = frame.tangents.map(DVec3::length);
-                let beyond = lengths[0] * overshoot[0] + lengths[1] * overshoot[1];
-                let bending = (3.0_f64.sqrt() * bend * r + turned) * (lengths[0] + 2.0 * lengths[1]);
+                let length = lengths[0] * overhang[0] + lengths[1] * overhang[1];
+                let bending = 3.0_f64.sqrt() * bend * r * (lengths[0] + 2.0 * lengths[1]);
                 let (nu, shrunk) = (frame.skew, 1.0 - of_normal);
-                let height = (difference + (nu + turn) * beyond) / shrunk;
+                let height = (difference + (nu + turn) * length) / shrunk;
                 let rest = 1.0 - bending - nu - (nu * (1.0 + bending) + turn * (bending + nu)) / shrunk;
-                let expected = (height + beyond) / rest;
-                assert!((bound / expected - 1.0).abs() < 1e-9, "{bound:e} {expected:e} {overshoot:?} {bend}");
+                let expected = (height + length) / rest;
+                assert!((bound / expected - 1.0).abs() < 1e-9, "{bound:e} {expected:e} {overhang:?} {bend}");
                 assert!(bound > expected, "The rounding of the turns is left out.");
             }
         }
     });
 }
 
-/// Every term of the lemma on overruns (3.19), for a cell of one point, and the rounding of its sum.
+/// Every term of the lemma on overhangs (3.18), for a cell of one point, and the rounding of its sum.
 #[test]
-fn an_excess_has_every_term_of_the_lemma() {
+fn an_overhang_has_every_term_of_the_lemma() {
     let random = &mut fastrand::Rng::with_seed(319);
     with_over(&curved(), |mut over| {
         let mut placement = over.linear;
@@ -269,17 +265,17 @@ fn an_excess_has_every_term_of_the_lemma() {
             over.a = Piece::new([1, 1], vec![point.extend(1.0); 4], DVec3::ZERO, 0.0);
             placement.functions = [0; 2].map(|_| quadric(random));
             placement.lag = [0; 2].map(|_| random.f64());
-            placement.overshoot = [0; 2].map(|_| random.f64());
+            placement.overhang = [0; 2].map(|_| random.f64());
             let frame = &over.frame;
             placement.feet = frame.chart.parameters.map(|at| [at - random.f64(), at + random.f64()]);
-            over.linear.bracket = [0; 2].map(|_| random.f64());
+            over.linear.lag_of_b = [0; 2].map(|_| random.f64());
             let threshold = random.f64();
             let [axis, other] = if case % 2 == 0 { [0, 1] } else { [1, 0] };
             let (is_upwards, rate) = (case % 4 < 2, 0.5 + random.f64());
             let coefficients = [0; 5].map(|_| random.f64() - 0.5);
             let axes = [axis, other];
             let side = RimSide { axis: Axis::BOTH[axis], is_upwards, coefficients, rate, slope: 0.0 };
-            let found = rim::excess(&over, &placement, &side, threshold).highest();
+            let found = rim::overhang(&over, &placement, &side, threshold).highest();
             let [a, b, c, d, f] = coefficients;
             let [g_v, g_u] = axes.map(|axis| value(&Cubic::of(placement.functions[axis]), point));
             let [y_reach, x_reach] = axes.map(|axis| {
@@ -289,10 +285,8 @@ fn an_excess_has_every_term_of_the_lemma() {
             let [y, x] = axes.map(|axis| frame.inverse[axis].dot(point));
             let height = if is_upwards { g_v } else { -g_v } - b * g_u - c * x * x - d * x * y - f * y * y;
             let [y_lag, x_lag] = axes.map(|axis| {
-                let turned = (placement.functions[axis].linear - frame.inverse[axis]).length();
-                let size = placement.functions[axis].size();
-                let turn = (turned + size * (point.length() + of_b)) * threshold;
-                over.linear.bracket[axis] + placement.overshoot[axis] + turn
+                let turn = placement.functions[axis].size() * (point.length() + of_b) * threshold;
+                over.linear.lag_of_b[axis] + placement.overhang[axis] + turn
             });
             let [b, c, d, f] = [b, c, d, f].map(f64::abs);
             let lags = placement.lag[axis]
@@ -343,7 +337,7 @@ fn a_function_that_turns_too_far_bounds_nothing() {
         let bound = |share: f64, x: DVec3| {
             let mut function = Cubic::of(Quadric::of_plane(frame.normal));
             function.add_product(share, x, first);
-            over.comparison(&over.linear).bound_by(&of_cell(&function, a))
+            over.bound_by(&over.linear, &of_cell(&function, a))
         };
         let reach = a.radius + image.parts.iter().map(|part| part.piece.radius).fold(0.0, upper_max);
         assert!(bound(0.99 / reach, first).is_finite());
@@ -420,10 +414,10 @@ fn offsets_contain_what_is_beyond_the_ends() {
                 // With the whole range of the function on the cell.
                 let of_range = [offsets[0] - low, offsets[1] + high];
                 for end in 0..2 {
-                    assert!((placement.beyond[axis][end] - of_range[end]).abs() < 1e-12);
+                    assert!((placement.overhang_at_ends[axis][end] - of_range[end]).abs() < 1e-12);
                     let mut farthest = f64::NEG_INFINITY;
                     for curve in image.end(Axis::BOTH[axis], end) {
-                        let counts = curve.degree().map(|degree| if degree == 0 { 1 } else { 9 });
+                        let counts = curve.degree.map(|degree| if degree == 0 { 1 } else { 9 });
                         for y in curve.samples(counts) {
                             for x in a.samples([POINTS_ALONG; 2]) {
                                 let sign = [-1.0, 1.0][end];
@@ -446,25 +440,25 @@ fn offsets_contain_what_is_beyond_the_ends() {
 /// Over a rim a bound counts only within what the threshold leaves, as the lags of linear functions hold for feet
 /// within it.
 #[test]
-fn an_overrun_counts_only_within_the_threshold() {
+fn a_drift_counts_only_within_the_threshold() {
     const HEIGHT: f64 = 1e-3;
     with_over(&patch(through(|s, t| DVec3::new(s, t, 0.0))), |mut over| {
         let raised = through(|s, t| over.frame.jet.point + DVec3::new(0.1 * s, 0.1 * t, HEIGHT));
         over.a = Piece::new([2, 2], raised.to_vec(), over.frame.jet.point, 1.0);
         let (image, linear) = over.frame.image(&over.a).unwrap();
         (over.image, over.linear) = (image, linear);
-        let bound = |overrun: Option<f64>| over.with_overrun(&over.linear, overrun, 1.25 * HEIGHT);
+        let bound = |drift: Option<f64>| over.upper_bound(&over.linear, drift, 1.25 * HEIGHT);
         assert!(bound(None).is_some_and(|bound| (HEIGHT..=HEIGHT * 1.01).contains(&bound)));
         assert!(bound(Some(0.2 * HEIGHT)).is_some_and(|bound| bound >= 1.2 * HEIGHT));
         assert!(bound(Some(0.3 * HEIGHT)).is_none());
     });
 }
 
-/// Jumps of points count in the overshoot and in the ranges of feet, by the function's slope.
+/// Jumps of points count in the overhang and in the ranges of feet, by the function's slope.
 #[test]
 fn gaps_widen_a_placement() {
     with_over(&curved(), |over| {
-        let Over { frame, a, mut image, linear, .. } = over;
+        let CellComparison { frame, a, mut image, linear, .. } = over;
         let a = &a;
         let closer = frame.closer_placement(a, &image);
         image.gap = 1e-3;
@@ -477,7 +471,7 @@ fn gaps_widen_a_placement() {
                 let close = |found: f64, expected: f64| {
                     assert!((found - expected).abs() < 1e-12, "{found} {expected}")
                 };
-                close(after.overshoot[axis], before.overshoot[axis] + step);
+                close(after.overhang[axis], before.overhang[axis] + step);
                 close(after.lag[axis], before.lag[axis] + step);
                 close(after.feet[axis][0], before.feet[axis][0] - step);
                 close(after.feet[axis][1], before.feet[axis][1] + step);

@@ -60,7 +60,7 @@ fn quadrics_are_at_no_distance_from_themselves() {
 
 /// A cell that leaves B's end by some length is at that length.
 #[test]
-fn a_cell_beyond_the_end_is_at_the_overshoot() {
+fn a_cell_beyond_the_end_is_at_its_overhang() {
     const BEYOND: f64 = 1e-3;
     let b = patch(through(|s, t| DVec3::new(s, t, 0.0)));
     for axis in 0..2 {
