@@ -287,3 +287,21 @@ fn reach(b: &FacetTarget, facet: u32, [inner, outer]: [DVec3; 2], threshold: f64
     }
     end
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::facets::TriangleMesh;
+
+    /// Above a facet, where the distance is almost the threshold, its reach goes on beyond its edge: to
+    /// the root of 1.01² − 1 at the threshold, and of 1.005² − 1 at least.
+    #[test]
+    fn a_reach_that_begins_near_the_threshold_takes_half_of_what_is_left() {
+        let corners = [DVec3::new(0.0, -9.0, 0.0), DVec3::new(0.0, 9.0, 0.0), DVec3::NEG_X * 20.0];
+        let b = FacetTarget::of_mesh(&TriangleMesh::new(&corners, &[[0, 1, 2]]).unwrap());
+        let (fraction, end, distance) = reach(&b, 0, [-1.0, 1.0].map(|x| DVec3::new(x, 0.0, 1.0)), 1.01);
+        assert!((1.005..=1.01).contains(&distance), "{distance}");
+        assert!(end.x >= 0.1 && end.x <= 0.1418 && (2.0 * fraction - 1.0 - end.x).abs() < 1e-12, "{end}");
+    }
+}
