@@ -118,8 +118,11 @@ fn pairs() -> Vec<(String, Made)> {
     pairs
 }
 
+/// A name, and what makes the copy of a mesh.
+type MeshCopy = (&'static str, fn(&Mesh) -> Mesh);
+
 /// Copies of a mesh, with their names.
-const COPIES: [(&str, fn(&Mesh) -> Mesh); 8] = [
+const COPIES: [MeshCopy; 8] = [
     ("itself", Mesh::clone),
     ("itself re-ordered", reordered),
     ("itself in float32, moved by 1e-4", |mesh| {

@@ -269,7 +269,7 @@ fn a_search_goes_on_without_a_refuted_lemma() {
         assert_eq!(search.refutations().len(), 1);
         assert_eq!(run(&mut search), Stop::Converged);
         let Interval { lower, upper } = search.interval();
-        assert!(lower <= 1.0 && 1.0 <= upper && upper < 1.01, "[{lower}, {upper}]");
+        assert!(lower <= 1.0 && (1.0..1.01).contains(&upper), "[{lower}, {upper}]");
     });
 }
 
