@@ -130,6 +130,13 @@ impl<'a> Pieces<'a> {
 }
 
 impl Piece {
+    /// Returns the corners of the piece, which are control points and points of the surface.
+    pub(super) fn corners(&self, degree: [usize; 2]) -> [DVec3; 4] {
+        let [rows, columns] = degree.map(|degree| degree + 1);
+        let last = (rows - 1) * columns;
+        [0, columns - 1, last, last + columns - 1].map(|index| self.points[index])
+    }
+
     /// Returns the patch's parameters at the mean of the control points' own, with these weights.
     pub(super) fn parameters(
         &self,

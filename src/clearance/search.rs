@@ -101,6 +101,8 @@ pub(crate) struct Search<'a> {
     nearest: Option<Nearest>,
     /// The number of pairs bounded.
     pairs: usize,
+    /// The number of bounds that corners of both pieces refuted.
+    refuted: usize,
 }
 
 impl<'a> Search<'a> {
@@ -174,12 +176,18 @@ impl<'a> Search<'a> {
             stuck: f64::INFINITY,
             nearest: None,
             pairs: 0,
+            refuted: 0,
         }
     }
 
     /// Returns the number of pairs bounded.
     pub(crate) fn pairs(&self) -> usize {
         self.pairs
+    }
+
+    /// Returns the number of bounds that were refuted, and not relied on: none, unless there is a fault.
+    pub(crate) fn refuted(&self) -> usize {
+        self.refuted
     }
 
     /// Returns the nearest pair of points; `None` before there is one.
@@ -363,13 +371,29 @@ impl<'a> Search<'a> {
         let gap = HULL_GAP * self.goal.tolerance;
         let [a, b] = [0, 1].map(|side| self.pieces[side].piece(pieces[side]));
         let found = hull_distance(&a.points, &b.points, direction, enough, gap);
-        let lower = found.lower.max(inherited);
         let is_whole = a.level + b.level == 0;
+        let lower = self.audited(pieces, found.lower.max(inherited));
         if lower >= self.upper() {
             return;
         }
         self.improve(pieces, &found, is_whole);
         self.push(lower, Region::Pieces { pieces, direction: found.direction });
+    }
+
+    /// Returns a lower bound on the distance of two pieces, or 0 where corners of both refute it: they are points of
+    /// both, up to the error of pairs. O(1).
+    fn audited(&mut self, pieces: [u32; 2], lower: f64) -> f64 {
+        let [a, b] = [0, 1].map(|side| {
+            let piece = self.pieces[side].piece(pieces[side]);
+            piece.corners(self.pieces[side].patch(piece.patch).degree)
+        });
+        let between = a.iter().flat_map(|corner| b.iter().map(|other| corner.distance_squared(*other)));
+        let least = between.fold(f64::INFINITY, lower_min).sqrt();
+        if least < lower && least + self.error() < lower {
+            self.refuted += 1;
+            return 0.0;
+        }
+        lower
     }
 
     /// Brings points of two pieces together where they are nearer than the nearest pair, or
@@ -415,6 +439,7 @@ impl<'a> Search<'a> {
     /// give a larger bound.
     fn divide_pieces(&mut self, pieces: [u32; 2], direction: DVec3, lower: f64) {
         let better = self.carrier_distance(pieces);
+        let better = self.audited(pieces, better);
         if better > lower {
             self.push(better, Region::Pieces { pieces, direction });
             return;

@@ -78,6 +78,7 @@ class ClearanceResult:
     gap_proven: bool
     with_gaps: ClearanceWithGaps
     cells: int
+    refuted: int
     seconds: Seconds
     at_least: bool | None = None
     overlap: Overlap | None = None

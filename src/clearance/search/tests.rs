@@ -51,6 +51,19 @@ fn assert_contained(mut search: Search<'_>, truth: f64) {
     assert!(upper - lower <= GOAL.tolerance, "[{lower}, {upper}]");
 }
 
+/// A bound that corners of both pieces refute is not relied on, and one that they attain is.
+#[test]
+fn a_refuted_bound_is_not_relied_on() {
+    let [a, b] = [1.0, 0.0].map(|height| target(vec![square(0.0, 1.0, height)]));
+    let mut search = Search::without_pairs(bodies(&a, &b), RigidTransform::IDENTITY, GOAL);
+    let pieces = [0, 1].map(|side| search.pieces[side].whole(0));
+    assert_eq!((search.audited(pieces, 1.0), search.refuted()), (1.0, 0));
+    assert_eq!((search.audited(pieces, 1.0 + 1e-9), search.refuted()), (0.0, 1));
+    search.bound_pieces(pieces, DVec3::Z, 3.0);
+    assert_eq!(search.refuted(), 2);
+    assert_contained(search, 1.0);
+}
+
 /// Two boxes are as near to the square as the sheet in one of them; the sheet in the other, which
 /// is looked at first, is farther off. Before boxes are divided their bound is all that is known.
 #[test]

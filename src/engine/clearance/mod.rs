@@ -67,6 +67,9 @@ pub struct ClearanceResult {
     pub with_gaps: ClearanceWithGaps,
     /// The number of pairs of cells bounded.
     pub cells: usize,
+    /// The number of lower bounds that corners of both cells refuted. They were not relied on; there are none, unless
+    /// the library has a fault: please report the pair.
+    pub refuted: usize,
     /// Where the time went.
     pub seconds: Seconds,
 }
@@ -140,6 +143,7 @@ impl Engine {
             gap_proven: direction.is_gap_proven(),
             with_gaps: ClearanceWithGaps::new(interval, direction.gap(), options.limit, at_least),
             cells: search.pairs(),
+            refuted: search.refuted(),
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         })
     }

@@ -94,6 +94,11 @@ export interface ClearanceResult {
   withGaps: { lower: number; upper: number; atLeast?: boolean };
   /** Number of pairs of cells bounded. */
   cells: number;
+  /**
+   * Number of lower bounds that corners of both cells refuted, and that were not relied on: 0, unless the
+   * library has a fault.
+   */
+  refuted: number;
   /** Where the time went. */
   seconds: { prepare: number; compile: number; solve: number };
 }

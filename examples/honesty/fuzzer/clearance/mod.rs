@@ -93,6 +93,9 @@ impl Check<'_> {
     }
 
     fn interval(&mut self) {
+        if self.result.refuted > 0 {
+            self.violations.push(format!("{} lower bounds are refuted by corners", self.result.refuted));
+        }
         let ClearanceResult { lower, upper, tolerance, converged, at_least, .. } = *self.result;
         let ClearanceOptions { limit, .. } = self.posed.options;
         if !(0.0 <= lower && lower <= upper && upper.is_finite()) {
