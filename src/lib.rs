@@ -49,7 +49,7 @@
 //!
 //! # Map
 //!
-//! A [`Model`] is valid once it is made, from interchange JSON, arrays, STEP or the BREP text
+//! A [`Model`] is valid once it is made, from interchange JSON, arrays, STEP, IGES or the BREP text
 //! of OpenCASCADE; a [`TriangleMesh`] and a [`PointCloud`] are too. A [`PreparedModel`] keeps what is
 //! computed from it between distances: Bézier patches, trees, samples, and
 //! their copies on the GPU. [`Engine::distance`] then runs one [`Method`]:
