@@ -74,6 +74,8 @@
 //! `internals` shows the remaining modules to the crate's own tests, benchmarks
 //! and examples. It promises no stability.
 
+// Prepared models hold types of wgpu, nested deeper than 128.
+#![recursion_limit = "256"]
 #![cfg_attr(
     not(feature = "internals"),
     allow(unreachable_pub, reason = "public within the crate's own tests and benchmarks")
