@@ -4,7 +4,9 @@
 
 use crate::error::{Error, Result};
 use crate::facets::{Facets, MeshGroup};
-use crate::mesh_files::{Beside, MeshFile, MeshFormat};
+#[cfg(feature = "wasm-meshes")]
+use crate::mesh_files::Beside;
+use crate::mesh_files::{MeshFile, MeshFormat};
 use wasm_bindgen::prelude::*;
 
 /// A mesh or a cloud of points that was read.
