@@ -1,6 +1,6 @@
 //! The format of a file by its content.
 
-/// The bytes in which a text's signature is searched: comments and blanks may precede it.
+/// The bytes in which a text's signature is searched, behind comments.
 const HEAD_LENGTH: usize = 1024;
 
 /// The word with which a STEP file begins.
@@ -25,8 +25,20 @@ pub(super) fn is_json(bytes: &[u8]) -> bool {
 
 /// Whether bytes are a STEP file.
 pub(super) fn is_step(bytes: &[u8]) -> bool {
-    let head = &bytes[..bytes.len().min(HEAD_LENGTH)];
+    let text = behind_comments(bytes);
+    let head = &text[..text.len().min(HEAD_LENGTH)];
     head.windows(STEP_SIGNATURE.len()).any(|window| window == STEP_SIGNATURE)
+}
+
+/// Returns the text behind the comments and blanks with which a STEP file may begin, however long they are.
+fn behind_comments(bytes: &[u8]) -> &[u8] {
+    let mut text = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+    loop {
+        text = text.trim_ascii_start();
+        let Some(comment) = text.strip_prefix(b"/*") else { return text };
+        let Some(end) = comment.windows(2).position(|pair| pair == b"*/") else { return text };
+        text = &comment[end + 2..];
+    }
 }
 
 /// Whether bytes are what OpenCASCADE writes of a shape in binary.
@@ -63,4 +75,23 @@ pub(super) fn is_iges(bytes: &[u8]) -> bool {
 #[cfg(feature = "mesh")]
 pub(crate) fn is_cad(bytes: &[u8]) -> bool {
     is_step(bytes) || is_iges(bytes) || is_rhino(bytes) || is_binary_brep(bytes) || is_brep(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A file of STEP may begin with comments of any length, in which its signature does not count alone.
+    #[test]
+    fn step_may_begin_with_long_comments() {
+        let comment = format!("/* {} */", "licence ".repeat(1000));
+        let text = |head: &str| format!("{head}\n{comment}\n{head}ISO-10303-21;\nHEADER;");
+        for head in ["", "\n", "/**/", "/* * / */"] {
+            assert!(is_step(text(head).as_bytes()));
+        }
+        assert!(is_step(format!("\u{feff}{}", text("")).as_bytes()));
+        for other in ["", "/* open", "/* ISO-10303-21; */", &comment] {
+            assert!(!is_step(other.as_bytes()), "{other}");
+        }
+    }
 }

@@ -7,7 +7,7 @@ export type CadKind = "step" | "iges" | "3dm" | "brep" | "fcstd" | "json";
 const READ =
   "read are STEP, IGES, Rhino 3DM, OpenCASCADE BREP text, FreeCAD FCStd and interchange JSON";
 
-/** Bytes in which a text's signature is searched: comments and blanks may precede it. */
+/** Bytes in which a text's signature is searched, behind comments. */
 const HEAD_LENGTH = 1024;
 
 /** The column, from 0, that names a line's section in IGES. */
@@ -77,7 +77,9 @@ export function head(bytes: Uint8Array, length = HEAD_LENGTH): string {
 /** The kind of a CAD file by the beginning of its text, or undefined. */
 export function kindOfText(text: string): "step" | "brep" | "iges" | undefined {
   const start = text.slice(0, HEAD_LENGTH);
-  if (start.includes("ISO-10303-21")) return "step";
+  // Comments of any length may stand before the text of a STEP file.
+  const commented = text.replace(/^\s*(\/\*[\s\S]*?\*\/\s*)*/, "").slice(0, HEAD_LENGTH);
+  if (commented.includes("ISO-10303-21")) return "step";
   if (/^\s*(DBRep_DrawableShape|CASCADE Topology V)/.test(start)) return "brep";
   return /^S[ \d]{6}\d/.test(start.slice(IGES_SECTION_COLUMN)) ? "iges" : undefined;
 }
@@ -102,7 +104,7 @@ export function isZip(bytes: Uint8Array): boolean {
 export function kindByContent(bytes: Uint8Array): CadKind {
   if (bytes.length === 0) throw unsupported("an empty file", "choose another file");
   if (isZip(bytes)) return "fcstd";
-  const text = head(bytes).replace(/^\xEF\xBB\xBF/, "");
+  const text = head(bytes, HEADER_LENGTH).replace(/^\xEF\xBB\xBF/, "");
   if (text.startsWith("3D Geometry File Format")) return "3dm";
   const kind = kindOfText(text);
   if (kind === "step") refuseBuildings(head(bytes, HEADER_LENGTH));
