@@ -7,7 +7,7 @@ use super::parity::MAX_DEPTH;
 use super::strips::{Covering, Strip, StripLimits};
 use crate::bezier::PointError;
 use crate::bvh::{Aabb, Bvh};
-use crate::rounding::{VANISHING_LENGTH, gamma};
+use crate::rounding::{VANISHING_LENGTH, gamma, lower_min};
 use crate::sorting::sort_by_number;
 use glam::DVec3;
 use std::collections::{BTreeMap, HashMap};
@@ -254,7 +254,7 @@ impl Joints {
     fn partner(&self, arc: &EdgePart, others: &[EdgePart]) -> Option<usize> {
         let middle = arc.curve.point(0.5);
         let distances: Vec<f64> = others.iter().map(|other| other.curve.closest(middle).1).collect();
-        let nearest = distances.iter().copied().fold(f64::INFINITY, f64::min);
+        let nearest = distances.iter().copied().fold(f64::INFINITY, lower_min);
         let farthest = self.reach.min(nearest + self.tie);
         let near = (0..others.len()).filter(|&index| nearest <= self.reach && distances[index] <= farthest);
         near.min_by_key(|&index| others[index].surface.abs_diff(arc.surface))

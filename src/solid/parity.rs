@@ -5,6 +5,7 @@ use super::ray::{Range, Ray};
 use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::param_box::ParamBox;
+use crate::rounding::upper_max;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The largest number of parts of one patch that are divided: all of them are near an end of the ray, and
@@ -79,7 +80,7 @@ fn longer_axis([p, q]: [usize; 2], controls: &[DVec4]) -> Axis {
     let step = |from: usize, to: usize| local(&controls[from]).distance(local(&controls[to]));
     let along_u = |j: usize| (0..p).map(|i| step(i * columns + j, (i + 1) * columns + j)).sum::<f64>();
     let along_v = |i: usize| (0..q).map(|j| step(i * columns + j, i * columns + j + 1)).sum::<f64>();
-    let [u, v] = [(0..=q).map(along_u).fold(0.0, f64::max), (0..=p).map(along_v).fold(0.0, f64::max)];
+    let [u, v] = [(0..=q).map(along_u).fold(0.0, upper_max), (0..=p).map(along_v).fold(0.0, upper_max)];
     if u >= v { Axis::U } else { Axis::V }
 }
 

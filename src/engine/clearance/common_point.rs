@@ -28,6 +28,10 @@ const MAX_PATCHES: usize = 256;
 const BOUNDARY_POINTS: usize = 512;
 const MAX_PLACES: usize = 6;
 
+/// The distances of places from the corners of a patch, along both parameters: a corner of a solid may be all that
+/// is inside the other one.
+const CORNER_INSETS: [f64; 2] = [1e-2, 1e-3];
+
 /// The number of points of the box that both solids reach into.
 const BOX_POINTS: usize = 256;
 
@@ -131,8 +135,9 @@ impl Solids<'_> {
             let places = (BOUNDARY_POINTS / chosen.max(1)).isqrt().clamp(1, MAX_PLACES);
             let mut points = Vec::with_capacity(chosen * places * places);
             for patch in (0..chosen).map(|index| patches.patch(near[index * near.len() / chosen])) {
-                for place in 0..places * places {
-                    let at = [place / places, place % places].map(|k| (k as f64 + 0.5) / places as f64);
+                let inner = (0..places * places)
+                    .map(|place| [place / places, place % places].map(|k| (k as f64 + 0.5) / places as f64));
+                for at in inner.chain(beside_corners()) {
                     points.push(self.boundary_point(&patch, at, is_of_a));
                 }
             }
@@ -150,6 +155,14 @@ impl Solids<'_> {
         }
         BoundaryPoint { point, normal, is_of_a }
     }
+}
+
+/// Returns the places beside a patch's corners.
+fn beside_corners() -> impl Iterator<Item = [f64; 2]> {
+    CORNER_INSETS.into_iter().flat_map(|inset| {
+        let [low, high] = [inset, 1.0 - inset];
+        [[low, low], [low, high], [high, low], [high, high]]
+    })
 }
 
 /// Returns points that fill a box evenly.
