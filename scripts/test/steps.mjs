@@ -109,7 +109,9 @@ export const steps = [
   {
     name: "wasm",
     what: "the wasm modules for the page and the tests",
-    run: async () => say(`wasm modules: ${await buildQuick()}`),
+    run: async () => {
+      say(`wasm modules: ${await buildQuick()}`);
+    },
   },
   {
     name: "small-wasm",
