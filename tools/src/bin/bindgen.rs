@@ -8,6 +8,7 @@ fn main() -> anyhow::Result<()> {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let [file, folder, name] = &words[..] else { bail!("expected FILE FOLDER NAME, found {words:?}") };
     let mut bindgen = Bindgen::new();
-    bindgen.input_path(file).web(true)?.typescript(true).out_name(name);
+    // Where no source is stated, the module stands beside its glue: bundlers find it by that.
+    bindgen.input_path(file).web(true)?.typescript(true).omit_default_module_path(false).out_name(name);
     bindgen.generate(folder).with_context(|| format!("{file} cannot be bound"))
 }
