@@ -37,7 +37,7 @@ pub(super) struct Assembly<'a> {
     /// The representations of each group, in the order of the file.
     pub(super) groups: BTreeMap<Group, Vec<u64>>,
     pub(super) group_of: HashMap<u64, Group>,
-    /// The groups of which each item is one.
+    /// For each item, the groups that contain it.
     members: HashMap<u64, Vec<Group>>,
     pub(super) placements: HashMap<Group, Vec<Placement>>,
     /// The groups in which others are placed.

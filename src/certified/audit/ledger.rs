@@ -27,7 +27,7 @@ pub(in crate::certified) struct Ledger {
 }
 
 impl Ledger {
-    /// Enters a bound of a cell of this size, which dropped it at a threshold. O(1).
+    /// Enters the bound of a cell of this size, found at this threshold. O(1).
     pub(in crate::certified) fn enter(&mut self, bound: CellBound, size: f64, threshold: f64) {
         if bound.lemma.is_elementary() {
             return;
@@ -70,7 +70,7 @@ impl Ledger {
     }
 }
 
-/// Keeps the bounds with the largest keys; NaN is none.
+/// Keeps the bounds with the largest keys. A key that is NaN replaces no other.
 fn keep(kept: &mut Vec<(f64, CellBound)>, most: usize, key: f64, bound: CellBound) {
     if kept.len() < most {
         kept.push((key, bound));

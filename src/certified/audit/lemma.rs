@@ -86,8 +86,8 @@ impl Lemma {
         }
     }
 
-    /// Whether the bound rests on one distance and a bound of first or second derivatives alone: these are no
-    /// part of the share of bounds that every search audits, and are never struck.
+    /// Whether the bound rests on one distance and a bound of first or second derivatives alone: the share
+    /// of bounds that every search audits leaves these out.
     #[must_use]
     pub fn is_elementary(self) -> bool {
         matches!(self, Self::ModelBoxes | Self::TreeNode | Self::Lipschitz | Self::Taylor)

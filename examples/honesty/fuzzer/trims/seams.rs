@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 const NARROW: [f64; 2] = [-3.0, -1.2];
 
 /// Relative to that, those of the width on the other side, and of the distances of strips from the seam and of their
-/// widths. The nearest border of the hole is mostly beyond the seam.
+/// widths. In most draws the nearest border of the hole is beyond the seam.
 const WIDE: [f64; 2] = [0.0, 1.5];
 const DISTANCES: [f64; 2] = [-2.0, 0.3];
 const WIDTHS: [f64; 2] = [-2.0, 0.0];

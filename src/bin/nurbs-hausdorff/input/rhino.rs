@@ -31,7 +31,7 @@ const FAILED: &str = "CAD_UNREADABLE";
 enum Answer {
     /// Interchange JSON, and the account of what was read.
     Model { json: String, report: ReadReport },
-    /// The reason for which there is none.
+    /// Why the file has none.
     Error { code: String, message: String },
 }
 

@@ -50,7 +50,7 @@ impl Shapes<'_> {
         Ok(Some(shape))
     }
 
-    /// States which meshes are pictures: those of which each part names a face or body that was read.
+    /// States which meshes are pictures: each part of them names a face or body that was read.
     pub(in crate::brep::step) fn mark_pictures(&mut self) {
         for (shape, links) in std::mem::take(&mut self.pictures) {
             let is_read = |link: &Option<u64>| link.is_some_and(|link| self.was_reached(link));
@@ -123,7 +123,7 @@ impl Shapes<'_> {
             }
         }
         let mut used: HashMap<usize, u32> = HashMap::new();
-        // A triangle of a corner twice joins strips, and is none itself.
+        // A triangle with equal corners joins strips and has no area.
         for triangle in triangles.into_iter().filter(|[a, b, c]| a != b && b != c && c != a) {
             let mut corners = [0; 3];
             for (corner, index) in corners.iter_mut().zip(triangle) {
