@@ -35,6 +35,7 @@ export type {
 } from "./measure/options.js";
 export type { OnProgress } from "./measure/progress.js";
 export type {
+  AuditReport,
   CertifiedResult,
   DistanceResult,
   FaceDeviations,
