@@ -84,8 +84,8 @@ test("error codes that documents cite are those of the package", () => {
   assert.deepEqual([...new Set(found)], []);
 });
 
-test("the README's table names every folder and file of src", () => {
-  const table = textOf("README.md").split("## Where things are")[1];
+test("the table of folders names every folder and file of src", () => {
+  const table = textOf("ARCHITECTURE.md").split("## The folders of `src`")[1];
   const named = new Set([...table.matchAll(/`([\w.-]+)`/g)].map(([, name]) => name));
   const entries = readdirSync(inRoot("src")).map((name) => name.replace(/\.rs$/, ""));
   assert.deepEqual(

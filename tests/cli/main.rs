@@ -14,6 +14,7 @@ mod mesh_files;
 mod meshes;
 mod pairs;
 mod pictures;
+mod readme;
 mod rhino;
 mod trimmed;
 mod verdicts;

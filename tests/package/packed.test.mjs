@@ -148,12 +148,13 @@ for (const [from, name] of [
 test("the README's lines run in Node as they stand", () => {
   const readme = readFileSync(join(packed.installed, "README.md"), "utf8");
   writeFileSync(join(packed.folder, "readme.mjs"), readme.match(/```js\n([\s\S]*?)```/)[1]);
+  cpSync(join(packed.installed, "examples"), join(packed.folder, "examples"), { recursive: true });
   const options = { cwd: packed.folder, encoding: "utf8" };
   const { stdout, stderr } = spawnSync(process.execPath, ["readme.mjs"], options);
-  const [, lower, upper] = stdout.match(/^between (\S+) and (\S+), attained at 1,1,0.25$/m) ?? [
-    stderr,
-  ];
-  assert.ok(Number(lower) <= 0.25 && 0.25 <= Number(upper), stderr);
+  const [, lower, upper] = stdout.match(/^between (\S+) and (\S+), attained at /m) ?? [];
+  // One bore of radius 9 is moved by 0.3: the far side of its wall is 0.3 from the other's.
+  assert.ok(Number(lower) <= 0.3 && 0.3 <= Number(upper), stderr + stdout);
+  assert.ok(Number(upper) - Number(lower) < 1e-4, stdout);
 });
 
 /** The compilers by which a consumer's types are checked: the newest, and the oldest that works. */
