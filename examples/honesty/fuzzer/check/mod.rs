@@ -1,5 +1,6 @@
 //! The check of one pair: the computation, and both directions of its result.
 
+mod areas;
 mod decoy;
 mod direction;
 mod farther_points;
@@ -139,8 +140,11 @@ fn check_pair(seed: u64, pair: &Pair) -> Outcome {
     };
     let seconds = started.elapsed().as_secs_f64();
     let directions = [(Some(&result), false), (result.reverse.as_deref(), true)];
-    let mut violations: Vec<String> =
-        refuted(&result).into_iter().chain(decoy::violation(seed, pair)).collect();
+    let mut violations: Vec<String> = refuted(&result)
+        .into_iter()
+        .chain(decoy::violation(seed, pair))
+        .chain(areas::violations(seed, pair))
+        .collect();
     let mut undecided = 0;
     for (directed, reversed) in directions {
         let Some(directed) = directed else { continue };
