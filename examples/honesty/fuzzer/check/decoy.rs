@@ -16,7 +16,7 @@ use nurbs_hausdorff::{CertifiedOptions, Method, Model, ModelArrays, RigidTransfo
 /// The distances of the squares, relative to the lower bound.
 const PARTS: [f64; 2] = [0.2, 0.999];
 
-/// How far the squares are, and half their side, in diagonals of both models.
+/// How far the squares are, in diagonals of both models and their distance, and half their side in diagonals.
 const FAR: f64 = 8.0;
 const HALF: f64 = 0.01;
 
@@ -47,7 +47,9 @@ pub(super) fn violation(seed: u64, pair: &Pair) -> Option<String> {
         return None;
     }
     let part = PARTS[0] + (PARTS[1] - PARTS[0]) * rng.f64();
-    let away = FAR * diagonal * direction(rng);
+    // Farther from A than B is, also where the models are many diagonals apart.
+    let far = FAR * (diagonal + alone.upper);
+    let away = far * direction(rng);
     let middle = boxes[0].center() + away;
     let moved = |at: DVec3| pair.transform.apply(at);
     let normal = direction(rng);
@@ -55,7 +57,7 @@ pub(super) fn violation(seed: u64, pair: &Pair) -> Option<String> {
     let a = with_square(&pair.a, pair.transform.inverse(), moved(middle), normal, HALF * diagonal)?;
     let b = with_square(&pair.b, RigidTransform::IDENTITY, moved(middle) + shift, normal, HALF * diagonal)?;
     let with_decoy = Pair { a, b, ..copy_of(pair) };
-    let size = boxes[1].farthest_from_origin() + (FAR + 2.0) * diagonal + pair.transform.offset().length();
+    let size = boxes[1].farthest_from_origin() + far + 2.0 * diagonal + pair.transform.offset().length();
     let least = alone.lower - ROUNDING * size;
     // A limit between the decoy and the distance is exceeded.
     let limit =
