@@ -4,6 +4,7 @@ use super::MeshFormat;
 use super::polygons::{Cuts, MAX_CORNERS};
 use crate::error::Result;
 use crate::facets::MeshGroup;
+use crate::one_line::one_line;
 use crate::read::{FaceId, Note, Skipped};
 use glam::DVec3;
 
@@ -79,13 +80,13 @@ impl Soup {
 
     /// Says of a part of the file that it is none of the model, or how it was read.
     pub(super) fn note(&mut self, part: &str, why: impl Into<String>) {
-        let note = Note { face: FaceId::Name(part.to_owned()), code: NOT_MEASURED, why: why.into() };
+        let note = Note { face: FaceId::Name(one_line(part)), code: NOT_MEASURED, why: why.into() };
         push_remark(&mut self.notes, note);
     }
 
     /// Says of a part of the model that it is not measured.
     pub(super) fn skip(&mut self, part: &str, why: impl Into<String>) {
-        let face = FaceId::Name(part.to_owned());
+        let face = FaceId::Name(one_line(part));
         push_remark(&mut self.skipped, Skipped { face, entity: None, code: NOT_MEASURED, why: why.into() });
     }
 
