@@ -40,6 +40,8 @@ pub use file::FileKind;
 pub(crate) use format::is_cad;
 #[cfg(feature = "mesh")]
 use glam::DAffine3;
+#[cfg(feature = "mesh")]
+pub(crate) use meshes::MeshAccount;
 
 impl Model {
     /// Reads the text of a BREP file of OpenCASCADE, versions 1 to 3, with every face
@@ -118,8 +120,8 @@ pub(crate) fn read_step(bytes: &[u8], on_face: Option<OnFace<'_>>) -> Result<Ass
     }
 }
 
-/// Reads the triangles of a STEP file without faces: calls a function for each mesh, with its name and its place,
-/// and returns the unit.
+/// Reads the triangles of a STEP file without faces that can be read: calls a function for each mesh, with its name
+/// and its place, and returns the unit and what is left out or remarked.
 ///
 /// # Errors
 /// [`Error::FileTooLarge`], [`Error::StepSyntax`]; [`Error::StepUnreadable`] for a file with faces; those of the
@@ -128,11 +130,9 @@ pub(crate) fn read_step(bytes: &[u8], on_face: Option<OnFace<'_>>) -> Result<Ass
 pub(crate) fn read_step_meshes(
     bytes: &[u8],
     on_mesh: impl FnMut(Option<&str>, &topology::Mesh, &DAffine3) -> Result<()>,
-) -> Result<Option<f64>> {
+) -> Result<MeshAccount> {
     check_length(bytes.len())?;
-    let file = step::parse(bytes)?;
-    meshes::each_mesh(&file, on_mesh)?;
-    Ok(file.unit)
+    meshes::each_mesh(&step::parse(bytes)?, on_mesh)
 }
 
 /// Reads an IGES file. The model is not yet validated.

@@ -80,14 +80,23 @@ impl Soup {
 
     /// Says of a part of the file that it is none of the model, or how it was read.
     pub(super) fn note(&mut self, part: &str, why: impl Into<String>) {
-        let note = Note { face: FaceId::Name(one_line(part)), code: NOT_MEASURED, why: why.into() };
+        self.push_note(Note { face: FaceId::Name(one_line(part)), code: NOT_MEASURED, why: why.into() });
+    }
+
+    /// Appends a note.
+    pub(super) fn push_note(&mut self, note: Note) {
         push_remark(&mut self.notes, note);
     }
 
     /// Says of a part of the model that it is not measured.
     pub(super) fn skip(&mut self, part: &str, why: impl Into<String>) {
         let face = FaceId::Name(one_line(part));
-        push_remark(&mut self.skipped, Skipped { face, entity: None, code: NOT_MEASURED, why: why.into() });
+        self.push_skipped(Skipped { face, entity: None, code: NOT_MEASURED, why: why.into() });
+    }
+
+    /// Appends a part that is not measured.
+    pub(super) fn push_skipped(&mut self, part: Skipped) {
+        push_remark(&mut self.skipped, part);
     }
 
     /// Returns the largest distance of a polygon's corner from its plane, the notes and the parts left out.
