@@ -6,10 +6,13 @@ use super::topology::{Face, Mesh, ShapeKind, Topology};
 use crate::error::{Error, Result};
 use crate::read::{FaceId, Note, Skipped};
 use glam::DAffine3;
+use serde::Serialize;
 
 /// What the report says of the triangles of a file.
+#[derive(Serialize)]
 pub(crate) struct MeshAccount {
     /// Metres per unit, if the file states it.
+    #[serde(skip)]
     pub(crate) unit: Option<f64>,
     pub(crate) notes: Vec<Note>,
     /// The bodies and faces that cannot be read.

@@ -19,7 +19,7 @@ mod format;
 mod gap;
 mod iges;
 mod levels;
-#[cfg(feature = "mesh")]
+#[cfg(any(feature = "mesh", all(feature = "wasm-readers", target_arch = "wasm32")))]
 mod meshes;
 mod nurbs;
 mod outline;
@@ -38,9 +38,9 @@ pub(crate) use assembly::OnFace;
 pub use file::FileKind;
 #[cfg(feature = "mesh")]
 pub(crate) use format::is_cad;
-#[cfg(feature = "mesh")]
+#[cfg(any(feature = "mesh", all(feature = "wasm-readers", target_arch = "wasm32")))]
 use glam::DAffine3;
-#[cfg(feature = "mesh")]
+#[cfg(any(feature = "mesh", all(feature = "wasm-readers", target_arch = "wasm32")))]
 pub(crate) use meshes::MeshAccount;
 
 impl Model {
@@ -126,7 +126,7 @@ pub(crate) fn read_step(bytes: &[u8], on_face: Option<OnFace<'_>>) -> Result<Ass
 /// # Errors
 /// [`Error::FileTooLarge`], [`Error::StepSyntax`]; [`Error::StepUnreadable`] for a file with faces; those of the
 /// function.
-#[cfg(feature = "mesh")]
+#[cfg(any(feature = "mesh", all(feature = "wasm-readers", target_arch = "wasm32")))]
 pub(crate) fn read_step_meshes(
     bytes: &[u8],
     on_mesh: impl FnMut(Option<&str>, &topology::Mesh, &DAffine3) -> Result<()>,
