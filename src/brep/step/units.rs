@@ -101,7 +101,11 @@ impl Units {
     ) -> (Self, Option<Remark>) {
         let least = self.uncertainty / LARGEST_UNCERTAINTY;
         let diagonal = self.millimetres() * diagonal(file, least / self.millimetres());
-        if !(diagonal < least) {
+        // Primitives and triangles have no vertices whose tolerance it is, and few points that span them.
+        let has_vertices = || {
+            file.numbers.iter().any(|&number| matches!(file.keyword(number), "VERTEX_POINT" | "POLY_LOOP"))
+        };
+        if !(diagonal < least && has_vertices()) {
             return (self, None);
         }
         let [stated, diagonal] = [self.uncertainty, diagonal].map(three_digits);

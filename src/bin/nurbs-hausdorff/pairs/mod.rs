@@ -60,7 +60,7 @@ pub(crate) fn run<C: Comparison>(pair: &Pair, reporting: &Reporting, comparison:
             .map(|pair| comparer.row(pair.path, pair.a.as_deref(), pair.b.as_deref()))
             .collect(),
         (false, false) if format.is_report() => {
-            vec![comparer.row(one_line(&b.display().to_string()), Some(a), Some(b))]
+            vec![comparer.row(b.display().to_string(), Some(a), Some(b))]
         }
         (false, false) => {
             let answer = comparer.answer(a, b)?;
@@ -115,7 +115,7 @@ impl<C: Comparison> Comparer<'_, C> {
             (None, _) => Outcome::Added,
             (_, None) => Outcome::Removed,
         };
-        Row { path, outcome }
+        Row { path: one_line(&path), outcome }
     }
 
     fn answer(&self, a: &Path, b: &Path) -> Result<Answer, Failure> {
