@@ -106,6 +106,7 @@ mod limits;
 #[cfg(feature = "mesh")]
 mod mesh_files;
 mod model;
+mod one_line;
 mod param_box;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod pictures;
@@ -172,6 +173,7 @@ pub use mesh_files::{Beside, MeshFile, MeshFormat};
 pub use model::{
     Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays, face_path,
 };
+pub use one_line::one_line;
 pub use param_box::ParamBox;
 pub use progress::{Monitor, NoMonitor};
 pub use read::{FaceId, Note, ReadReport, Skipped};

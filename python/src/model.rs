@@ -209,8 +209,8 @@ impl Model {
     }
 }
 
-/// Returns the paths of the files of which a mesh's file consists, as those with the buffers of a glTF, from its
-/// folder on.
+/// Returns the paths of the other files that belong to a mesh's file, as the files of its buffers belong to a glTF.
+/// They are relative to the folder of the mesh's file.
 #[pyfunction]
 pub(crate) fn names_beside(file: &Bound<'_, PyBytes>, path: &str) -> Vec<String> {
     let bytes = file.as_bytes();

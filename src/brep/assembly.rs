@@ -87,7 +87,7 @@ pub(super) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<A
         name_parts(&mut read.model);
     }
     match read.skipped.first() {
-        Some(_) if read.model.faces.is_empty() && read.skipped.iter().all(|one| one.code == TRIANGLES) => {
+        Some(_) if read.model.faces.is_empty() && is_of_triangles(file, &placed) => {
             Err(Error::StepTriangles { found: triangles(file, &placed) })
         }
         Some(Skipped { face: FaceId::Number(face), why, .. }) if read.model.faces.is_empty() => {
@@ -106,6 +106,13 @@ fn beside_faces(mesh: &Mesh) -> FaceFault {
     let (entity, count) = (mesh.label.entity.unwrap_or_default(), mesh.triangles.len());
     let why = format!("#{entity}, {}, is {count} triangles, which are not measured beside faces", mesh.kind);
     FaceFault::new(TRIANGLES, why)
+}
+
+/// Returns whether a file has triangles, and no face that could be measured beside them.
+fn is_of_triangles(file: &Topology, placed: &[Placed]) -> bool {
+    let kinds = || placed.iter().map(|placed| &file.shapes[placed.shape].kind);
+    let is_readable = |kind: &ShapeKind| matches!(kind, ShapeKind::Face(Face { surface: Ok(_), .. }));
+    kinds().any(|kind| matches!(kind, ShapeKind::Mesh(_))) && !kinds().any(is_readable)
 }
 
 /// Returns the number of triangles of all meshes where they are placed.

@@ -1,27 +1,60 @@
 //! The triangles of a file without faces, where its assemblies place them.
 
 use super::assembly::placed_faces;
-use super::topology::{Mesh, ShapeKind, Topology};
+use super::report::Remark;
+use super::topology::{Face, Mesh, ShapeKind, Topology};
 use crate::error::{Error, Result};
+use crate::read::{FaceId, Note, Skipped};
 use glam::DAffine3;
+use serde::Serialize;
+
+/// What the report says of the triangles of a file.
+#[derive(Serialize)]
+pub(crate) struct MeshAccount {
+    /// Metres per unit, if the file states it.
+    #[serde(skip)]
+    pub(crate) unit: Option<f64>,
+    pub(crate) notes: Vec<Note>,
+    /// The bodies and faces that cannot be read.
+    pub(crate) skipped: Vec<Skipped>,
+}
 
 /// Calls a function for each mesh with its name and its place.
 ///
 /// # Errors
-/// [`Error::StepUnreadable`] for a file with faces, or with bodies that are not read; those of the function.
+/// [`Error::StepUnreadable`] for a file with faces, or without triangles; those of the function.
 pub(super) fn each_mesh(
     file: &Topology,
     mut on_mesh: impl FnMut(Option<&str>, &Mesh, &DAffine3) -> Result<()>,
-) -> Result<()> {
+) -> Result<MeshAccount> {
     let (placed, levels) = placed_faces(file)?;
+    let mut skipped = Vec::new();
+    let mut has_triangles = false;
     for placed in &placed {
-        let ShapeKind::Mesh(mesh) = &file.shapes[placed.shape].kind else {
-            let entity = placed.entity(file).unwrap_or_default();
-            let found = format!("#{entity} is no triangles, expected a mesh of these alone");
-            return Err(Error::StepUnreadable { found });
+        let entity = placed.entity(file);
+        let mesh = match &file.shapes[placed.shape].kind {
+            ShapeKind::Mesh(mesh) => mesh,
+            ShapeKind::Face(Face { surface: Err(fault), .. }) => {
+                let face =
+                    FaceId::Name(entity.map_or_else(|| "a face".to_owned(), |entity| format!("#{entity}")));
+                skipped.push(Skipped { face, entity, code: fault.code, why: fault.why.clone() });
+                continue;
+            }
+            _ => return Err(no_mesh(entity)),
         };
         let name = mesh.label.name.clone().or_else(|| levels.path(placed.part));
         on_mesh(name.as_deref(), mesh, &placed.location)?;
+        has_triangles = true;
     }
-    Ok(())
+    if !has_triangles {
+        return Err(no_mesh(placed.first().and_then(|placed| placed.entity(file))));
+    }
+    let note = |Remark { code, why }: Remark| Note { face: FaceId::Name("the file".to_owned()), code, why };
+    let notes = file.remarks.iter().cloned().map(note).collect();
+    Ok(MeshAccount { unit: file.unit, notes, skipped })
+}
+
+fn no_mesh(entity: Option<u64>) -> Error {
+    let entity = entity.unwrap_or_default();
+    Error::StepUnreadable { found: format!("#{entity} is no triangles, expected a mesh of these alone") }
 }

@@ -19,7 +19,7 @@ mod format;
 mod gap;
 mod iges;
 mod levels;
-#[cfg(feature = "mesh")]
+#[cfg(any(feature = "mesh", all(feature = "wasm-readers", target_arch = "wasm32")))]
 mod meshes;
 mod nurbs;
 mod outline;
@@ -38,8 +38,10 @@ pub(crate) use assembly::OnFace;
 pub use file::FileKind;
 #[cfg(feature = "mesh")]
 pub(crate) use format::is_cad;
-#[cfg(feature = "mesh")]
+#[cfg(any(feature = "mesh", all(feature = "wasm-readers", target_arch = "wasm32")))]
 use glam::DAffine3;
+#[cfg(any(feature = "mesh", all(feature = "wasm-readers", target_arch = "wasm32")))]
+pub(crate) use meshes::MeshAccount;
 
 impl Model {
     /// Reads the text of a BREP file of OpenCASCADE, versions 1 to 3, with every face
@@ -118,21 +120,19 @@ pub(crate) fn read_step(bytes: &[u8], on_face: Option<OnFace<'_>>) -> Result<Ass
     }
 }
 
-/// Reads the triangles of a STEP file without faces: calls a function for each mesh, with its name and its place,
-/// and returns the unit.
+/// Reads the triangles of a STEP file without faces that can be read: calls a function for each mesh, with its name
+/// and its place, and returns the unit and what is left out or remarked.
 ///
 /// # Errors
 /// [`Error::FileTooLarge`], [`Error::StepSyntax`]; [`Error::StepUnreadable`] for a file with faces; those of the
 /// function.
-#[cfg(feature = "mesh")]
+#[cfg(any(feature = "mesh", all(feature = "wasm-readers", target_arch = "wasm32")))]
 pub(crate) fn read_step_meshes(
     bytes: &[u8],
     on_mesh: impl FnMut(Option<&str>, &topology::Mesh, &DAffine3) -> Result<()>,
-) -> Result<Option<f64>> {
+) -> Result<MeshAccount> {
     check_length(bytes.len())?;
-    let file = step::parse(bytes)?;
-    meshes::each_mesh(&file, on_mesh)?;
-    Ok(file.unit)
+    meshes::each_mesh(&step::parse(bytes)?, on_mesh)
 }
 
 /// Reads an IGES file. The model is not yet validated.

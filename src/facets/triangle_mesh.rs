@@ -2,6 +2,7 @@
 
 use super::point_cloud::{MAX_FACETS, validate};
 use crate::error::{Error, Result};
+use crate::one_line::one_line;
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -99,7 +100,7 @@ impl TriangleMesh {
     }
 
     /// Returns the mesh with these groups as its faces, in the order of its triangles; a mesh that
-    /// is given none is one face. O(groups).
+    /// is given none is one face. Their names are shown as [`crate::one_line`] does. O(groups).
     ///
     /// # Errors
     /// [`Error::MeshGroups`] unless every group has triangles and all have those of the mesh together.
@@ -109,7 +110,8 @@ impl TriangleMesh {
         if found != expected || groups.iter().any(|group| group.triangles == 0) {
             return Err(Error::MeshGroups { found, expected });
         }
-        Ok(Self { groups, ..self })
+        let shown = |group: MeshGroup| MeshGroup { name: group.name.map(|name| one_line(&name)), ..group };
+        Ok(Self { groups: groups.into_iter().map(shown).collect(), ..self })
     }
 
     /// Returns the mesh as one that stands for a surface at a Hausdorff distance of at most `gap`, in its units, as

@@ -4,6 +4,7 @@ use super::MeshFormat;
 use super::polygons::{Cuts, MAX_CORNERS};
 use crate::error::Result;
 use crate::facets::MeshGroup;
+use crate::one_line::one_line;
 use crate::read::{FaceId, Note, Skipped};
 use glam::DVec3;
 
@@ -79,14 +80,23 @@ impl Soup {
 
     /// Says of a part of the file that it is none of the model, or how it was read.
     pub(super) fn note(&mut self, part: &str, why: impl Into<String>) {
-        let note = Note { face: FaceId::Name(part.to_owned()), code: NOT_MEASURED, why: why.into() };
+        self.push_note(Note { face: FaceId::Name(one_line(part)), code: NOT_MEASURED, why: why.into() });
+    }
+
+    /// Appends a note.
+    pub(super) fn push_note(&mut self, note: Note) {
         push_remark(&mut self.notes, note);
     }
 
     /// Says of a part of the model that it is not measured.
     pub(super) fn skip(&mut self, part: &str, why: impl Into<String>) {
-        let face = FaceId::Name(part.to_owned());
-        push_remark(&mut self.skipped, Skipped { face, entity: None, code: NOT_MEASURED, why: why.into() });
+        let face = FaceId::Name(one_line(part));
+        self.push_skipped(Skipped { face, entity: None, code: NOT_MEASURED, why: why.into() });
+    }
+
+    /// Appends a part that is not measured.
+    pub(super) fn push_skipped(&mut self, part: Skipped) {
+        push_remark(&mut self.skipped, part);
     }
 
     /// Returns the largest distance of a polygon's corner from its plane, the notes and the parts left out.

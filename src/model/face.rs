@@ -4,6 +4,7 @@ use super::NurbsSurface;
 use super::trim::{FaceArrays, Trim, TrimCurveArrays, extended_surface};
 use crate::error::{Error, Result};
 use crate::limits::is_in_range;
+use crate::one_line::one_line;
 
 /// The properties of a face beside its surface.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -43,7 +44,7 @@ impl<'a> Face<'a> {
         self.data.trim.as_ref().map(|(_, trim)| trim)
     }
 
-    /// Returns the name of the face in its source, if it has one.
+    /// Returns the name of the face in its source, if it has one, as [`crate::one_line`] shows it.
     #[must_use]
     pub fn name(&self) -> Option<&'a str> {
         self.data.name.as_deref()
@@ -114,6 +115,7 @@ pub(super) fn untrimmed(index: usize, arrays: FaceArrays) -> Result<(NurbsSurfac
         let found = color.unwrap_or_default();
         return Err(Error::out_of_range("color", found, "red, green and blue from 0 to 1"));
     }
+    let [name, kind] = [name, kind].map(|text| text.map(|text| one_line(&text)));
     Ok((surface, FaceData { trim: None, reversed, name, kind, gap, gap_measured, color }, trim))
 }
 

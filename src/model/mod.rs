@@ -24,6 +24,7 @@ pub use surface::{NurbsSurface, SurfaceArrays};
 
 use crate::bvh::Aabb;
 use crate::error::{Error, Result};
+use crate::one_line::one_line;
 use crate::threads::parallel::map;
 use affine_map::AffineMap;
 use face::FaceData;
@@ -73,6 +74,7 @@ impl Model {
         if let Some(found) = unit.filter(|unit| !UNITS.contains(unit)) {
             return Err(Error::UnitInvalid { found });
         }
+        let name = name.map(|name| one_line(&name));
         Ok(Self { name, unit, surfaces, faces })
     }
 
@@ -245,12 +247,13 @@ fn placed(
     let mut all = Vec::with_capacity(found);
     for (instance, arrays) in instances.iter().enumerate() {
         let map = AffineMap::new(instance, &arrays.transform)?;
+        let name = arrays.name.as_deref().map(one_line);
         let stretch = if arrays.transform == IDENTITY { 1.0 } else { map.stretch() };
         for &found in &arrays.surfaces {
             let expected = faces.len();
             let (surface, data) =
                 faces.get(found).ok_or(Error::InstanceSurface { instance, found, expected })?;
-            let data = data.placed(stretch, map.reflects(), arrays.name.as_deref());
+            let data = data.placed(stretch, map.reflects(), name.as_deref());
             all.push((map.apply(found, surface)?, data));
         }
     }

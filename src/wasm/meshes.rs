@@ -2,11 +2,16 @@
 //! `PreparedModel.fromFacets` takes. Those of scans are a module of their own, as their
 //! decompression would add a third to what a mesh needs.
 
+use super::failure::to_object;
 use crate::error::{Error, Result};
 use crate::facets::{Facets, MeshGroup};
 #[cfg(feature = "wasm-meshes")]
 use crate::mesh_files::Beside;
 use crate::mesh_files::{MeshFile, MeshFormat};
+use crate::read::{Note, Skipped};
+#[cfg(feature = "wasm-meshes")]
+use js_sys::Uint8Array;
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 /// A mesh or a cloud of points that was read.
@@ -57,14 +62,34 @@ impl ReadMesh {
     pub fn unit(&self) -> Option<f64> {
         self.0.unit
     }
+
+    /// `{notes, skipped}`: the parts of the file with a decision about them, and those that are not read.
+    #[wasm_bindgen(getter)]
+    pub fn account(&self) -> std::result::Result<JsValue, JsValue> {
+        to_object(&Account { notes: &self.0.notes, skipped: &self.0.skipped })
+    }
+}
+
+/// What the report says of parts.
+#[derive(Serialize)]
+struct Account<'a> {
+    notes: &'a [Note],
+    skipped: &'a [Skipped],
 }
 
 /// Reads a mesh or a cloud of points of a file with this ending of its name, of all formats but
-/// those of scans.
+/// those of scans. The files beside it, as the buffers of a glTF, have these paths from its folder, as many as
+/// contents.
 #[cfg(feature = "wasm-meshes")]
 #[wasm_bindgen(js_name = readMesh)]
-pub fn read_mesh(bytes: &[u8], ending: &str) -> Result<ReadMesh> {
-    Ok(ReadMesh(MeshFile::read_mesh(bytes, format_of(bytes, ending)?, &Beside::new())?))
+pub fn read_mesh(
+    bytes: &[u8],
+    ending: &str,
+    paths: Vec<String>,
+    contents: Vec<Uint8Array>,
+) -> Result<ReadMesh> {
+    let beside: Beside = paths.into_iter().zip(contents.iter().map(Uint8Array::to_vec)).collect();
+    Ok(ReadMesh(MeshFile::read_mesh(bytes, format_of(bytes, ending)?, &beside)?))
 }
 
 /// Reads a scan of a file with this ending of its name: LAS, LAZ or E57.

@@ -21,6 +21,8 @@ mod progress;
 mod readers;
 #[cfg(feature = "wasm")]
 mod surfaces;
+#[cfg(feature = "wasm-readers")]
+mod triangles;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -16,6 +16,7 @@ mod faces;
 mod faults;
 mod items;
 mod real_files;
+mod said;
 mod units;
 
 use nurbs_hausdorff::{Model, ReadReport};

@@ -30,8 +30,10 @@ fn main() -> std::process::ExitCode {
         Command::Completions { shell } => completions::run(shell).map(|()| 0),
     };
     let status = done.unwrap_or_else(|failure| {
-        eprintln!("error[{}]: {failure}", failure.code());
-        output::json::print_error(failure.code(), &failure.to_string())
+        // Paths and words of a file cannot begin another line, which would look like one of ours.
+        let message = nurbs_hausdorff::one_line(&failure.to_string());
+        eprintln!("error[{}]: {message}", failure.code());
+        output::json::print_error(failure.code(), &message)
     });
     std::process::ExitCode::from(status)
 }

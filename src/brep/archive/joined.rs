@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::model::{IDENTITY, InstanceArrays, ModelArrays, level};
+use crate::one_line::one_line;
 use crate::read::{Assembled, FaceId, Skipped};
 
 /// Metres per unit of FreeCAD's shapes.
@@ -33,6 +34,7 @@ impl Joined {
             self.leave_out(name, Some(("BREP_TOO_LARGE", why)));
             return Ok(());
         }
+        let name = &one_line(name);
         let Assembled { model, counts, mut skipped, mut notes, .. } = shape;
         let first = self.faces;
         self.whole.shapes.push((first, name.to_owned()));
@@ -86,7 +88,7 @@ impl Joined {
 
     /// Lists an object that is not read, with the code and the reason, if it matters.
     pub(super) fn leave_out(&mut self, name: &str, reason: Option<(&'static str, String)>) {
-        let skipped = |(code, why)| Skipped { face: FaceId::Name(name.to_owned()), entity: None, code, why };
+        let skipped = |(code, why)| Skipped { face: FaceId::Name(one_line(name)), entity: None, code, why };
         self.whole.skipped.extend(reason.map(skipped));
     }
 

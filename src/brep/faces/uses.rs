@@ -4,9 +4,10 @@ use super::found_curve::{FoundCurve, lifted};
 use super::gap::Gap;
 use super::inversion::invert;
 use super::section::Section;
+use crate::brep::digits::three_digits;
 use crate::brep::nurbs::{Spline, Surface};
 use crate::brep::report::FaceFault;
-use crate::brep::topology::{Edge, Face, Orientation, PCurve, ShapeKind, Topology, Use};
+use crate::brep::topology::{Edge, Face, Orientation, PCurve, ShapeKind, SpaceCurve, Topology, Use};
 use glam::{DAffine3, DVec3};
 
 /// An edge as part of a loop.
@@ -172,6 +173,9 @@ fn of_edge(
     (origin, reversed): (Origin, bool),
 ) -> Result<Option<FoundCurve>, FaceFault> {
     let Ok(index) = face.surface else { return Ok(None) };
+    if let Some(SpaceCurve { curve, range, .. }) = &edge.curve {
+        check_whole(file.curves[*curve].jumps(*range), edge.tolerance)?;
+    }
     let stated = p_curve(edge, index, location, &face.location);
     let Some(p_curve) = stated.filter(|_| origin == Origin::Stated || edge.curve.is_none()) else {
         if edge.degenerate {
@@ -184,6 +188,8 @@ fn of_edge(
     if start >= end {
         return Ok(None);
     }
+    let jumps = curve.jumps(p_curve.range);
+    check_whole(jumps.iter().map(|jump| jump.map(|at| surface.point(at.x, at.y))).collect(), edge.tolerance)?;
     let (spline, _, deviation) = curve.spline(p_curve.range)?;
     if !spline.points().all(DVec3::is_finite) {
         return Err(FaceFault::new("BREP_NUMBER_TOO_LARGE", "the curve's control points overflow"));
@@ -199,6 +205,18 @@ fn of_edge(
         }
         None => found,
     }))
+}
+
+/// Checks that a curve does not jump farther than the tolerance of its edge.
+fn check_whole(jumps: Vec<[DVec3; 2]>, tolerance: f64) -> Result<(), FaceFault> {
+    let lengths = jumps.iter().map(|[before, behind]| before.distance(*behind));
+    match lengths.fold(0.0, f64::max) {
+        longest if longest <= tolerance => Ok(()),
+        longest => {
+            let why = format!("its curve is torn by {} at an inner knot", three_digits(longest));
+            Err(FaceFault::new("BREP_EDGE_TORN", why))
+        }
+    }
 }
 
 /// Returns the curve of an edge on a surface. An edge moved by `location` lies on the

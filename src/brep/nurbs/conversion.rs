@@ -6,6 +6,8 @@ pub(crate) enum Unconvertible {
     /// The offset of a curve or surface is not rational, and no piecewise polynomial of the
     /// size allowed follows it, as where it has cusps.
     Offset,
+    /// The curve runs along the direction across which its offset lies, so that it is moved nowhere.
+    OffsetSide,
     /// The degree is above the model's, and no pieces of a lower one of the number allowed follow the
     /// surface, as where its weights are far apart.
     Degree,
@@ -18,6 +20,7 @@ impl Unconvertible {
     pub(crate) fn code(self) -> &'static str {
         match self {
             Self::Offset => "BREP_OFFSET",
+            Self::OffsetSide => "BREP_OFFSET_PARALLEL",
             Self::Degree => "BREP_DEGREE",
             Self::Range => "BREP_RANGE",
         }
@@ -28,6 +31,9 @@ impl Unconvertible {
         match self {
             Self::Offset => {
                 "the offset is not rational, and no NURBS of the size allowed is within the tolerance of it"
+            }
+            Self::OffsetSide => {
+                "the curve runs along the direction of its offset somewhere, so that the offset has no side"
             }
             Self::Degree => {
                 "the degree is above 15, and no NURBS of the size allowed is within the tolerance of the surface"

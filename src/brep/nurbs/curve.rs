@@ -3,6 +3,7 @@
 use super::basis::Basis;
 use super::conic::Conic;
 use super::conversion::{Unconvertible, check_range};
+use super::curve_faults::lacks_side;
 use super::frame::Frame;
 use super::net::interpolated_curve;
 use super::parameter_map::ParameterMap;
@@ -69,6 +70,11 @@ impl SplineCurve {
     /// Returns the curve with this bound on its distance from the file's.
     pub(crate) fn with_error(self, error: f64) -> Self {
         Self { error, ..self }
+    }
+
+    /// Returns the curve over clamped knots of a range; `None` for one that no edge may have.
+    pub(super) fn over_valid(&self, range: [f64; 2]) -> Option<Spline> {
+        self.basis.check_range(range).ok().map(|()| self.over(range))
     }
 
     /// Returns the curve over clamped knots of `range`.
@@ -247,12 +253,15 @@ impl Curve {
             }
             Self::Trimmed { basis, .. } => basis.spline(range),
             Self::Offset { distance, normal, basis } => {
+                let (spline, _, _) = basis.spline(range)?;
+                let mut breaks = spline.knots;
+                breaks.dedup();
+                if *distance != 0.0 && lacks_side(basis, *normal, &breaks) {
+                    return Err(Unconvertible::OffsetSide);
+                }
                 if let Some(exact) = basis.offset(*distance, *normal) {
                     return exact.spline(range);
                 }
-                let (basis, _, _) = basis.spline(range)?;
-                let mut breaks = basis.knots;
-                breaks.dedup();
                 interpolated_curve(&|t| self.point(t), &breaks)
             }
         }

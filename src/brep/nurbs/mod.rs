@@ -4,6 +4,7 @@ mod basis;
 mod conic;
 mod conversion;
 mod curve;
+mod curve_faults;
 mod frame;
 mod image;
 mod nearest;

@@ -13,7 +13,8 @@ use crate::brep::topology::{ShapeKind, Topology, Use};
 use glam::DAffine3;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-/// The deepest nesting of assemblies.
+/// The deepest nesting of assemblies: each level takes stack, and is part of the name of every face in it. A file of
+/// more is refused, as its parts would stand nowhere.
 const MAX_NESTING: usize = 64;
 
 /// A group of representations in one coordinate system, by the first of them.
@@ -54,7 +55,7 @@ pub(super) struct Assembly<'a> {
     pub(super) met: HashSet<u64>,
     /// Representations of aspects of shapes. Their items are read only if no other representation has them.
     of_aspects: HashSet<u64>,
-    unit_missing: bool,
+    pub(super) unit_missing: bool,
     /// Relationships that place nothing.
     pub(super) faults: Vec<(u64, FaceFault)>,
 }
@@ -62,12 +63,13 @@ pub(super) struct Assembly<'a> {
 /// Reads the bodies of all representations where their assemblies place them.
 ///
 /// # Errors
-/// `STEP_TOO_MANY_SHAPES`.
+/// `STEP_TOO_MANY_SHAPES`, and `STEP_NESTING` for assemblies of too many levels.
 pub(super) fn read(file: &Exchange<'_>) -> Result<Topology, FaceFault> {
     let relations = Relations::of(file);
     let mut assembly = Assembly::new(file, &relations);
     assembly.place(&relations);
     assembly.find_unplaced(&relations);
+    assembly.find_external(&relations);
     assembly.assemblies = assembly.placements.keys().copied().collect();
     let children: HashSet<Group> =
         assembly.placements.values().flatten().map(|placement| placement.child).collect();
@@ -101,10 +103,19 @@ pub(super) fn read(file: &Exchange<'_>) -> Result<Topology, FaceFault> {
 impl<'a> Assembly<'a> {
     fn new(file: &'a Exchange<'a>, relations: &Relations<'a>) -> Self {
         let mut units = HashMap::new();
+        let mut of_contexts: HashMap<u64, Result<Units, FaceFault>> = HashMap::new();
+        let mut remarks = Vec::new();
         let mut parents: HashMap<u64, u64> = HashMap::new();
         for record in &relations.representations {
             if let Some((_, context)) = items(record) {
-                units.insert(record.number, Units::of_context(file, context));
+                let of_context = of_contexts.entry(context).or_insert_with(|| {
+                    remarks.extend(Units::non_units(file, context));
+                    let (units, remark) =
+                        Units::of_context(file, context)?.with_believable_uncertainty(file, context);
+                    remarks.extend(remark);
+                    Ok(units)
+                });
+                units.insert(record.number, of_context.clone());
                 parents.insert(record.number, record.number);
             }
         }
@@ -145,8 +156,10 @@ impl<'a> Assembly<'a> {
                 names.entry(group).or_insert(name);
             }
         }
+        let mut shapes = Shapes::new(file);
+        shapes.topology.remarks = remarks;
         Self {
-            shapes: Shapes::new(file),
+            shapes,
             units,
             groups,
             group_of,
@@ -263,9 +276,12 @@ impl<'a> Assembly<'a> {
         if let Some(&known) = self.built.get(&group) {
             return Ok(known.map(|shape| used(shape, true)));
         }
-        if nesting == MAX_NESTING || !self.open.insert(group) {
-            let why =
-                format!("the assembly of #{group} contains itself, or has more than {MAX_NESTING} levels");
+        if nesting == MAX_NESTING {
+            let why = format!("#{group} stands in more than {MAX_NESTING} levels of assemblies");
+            return Err(FaceFault::new("STEP_NESTING", why));
+        }
+        if !self.open.insert(group) {
+            let why = format!("the assembly of #{group} contains itself");
             let shape = self.shapes.unreadable(group, FaceFault::new("STEP_NESTING", why))?;
             return Ok(Some(used(shape, true)));
         }

@@ -2,8 +2,9 @@
 
 use super::assembly::Assembly;
 use super::relations::referred;
-use super::shapes::{Shapes, is_body, is_face, used};
-use crate::brep::report::FaceFault;
+use super::shapes::{Shapes, is_body, is_face, is_triangles, used};
+use super::units::Units;
+use crate::brep::report::{FaceFault, Remark};
 use crate::brep::topology::Use;
 use std::collections::HashSet;
 
@@ -18,13 +19,28 @@ impl Assembly<'_> {
         for (relationship, fault) in std::mem::take(&mut self.faults) {
             left.push(used(self.shapes.unreadable(relationship, fault)?, true));
         }
+        let has_shapes = self.shapes.has_shapes();
         for number in loose(&self.shapes).into_iter().chain(self.loose_mapped()) {
             let kind = self.shapes.file.keyword(number);
             let why = format!("no representation of a shape contains #{number}, {kind}");
+            if !has_shapes && is_triangles(kind) {
+                left.extend(self.loose_triangles(number, why)?);
+                continue;
+            }
             let fault = FaceFault::new("STEP_LOOSE", why);
             left.push(used(self.shapes.unreadable(number, fault)?, true));
         }
         Ok(left)
+    }
+
+    /// Reads triangles that are all that a file has, where they stand, in the unit on which its contexts agree.
+    fn loose_triangles(&mut self, number: u64, why: String) -> Result<Option<Use>, FaceFault> {
+        let units = Units::of_file(self.shapes.file);
+        self.shapes.set_units(units);
+        self.unit_missing |= units.length.is_none();
+        let why = format!("{why}: it is read as it stands, as the file has nothing else");
+        self.shapes.topology.remarks.push(Remark::new("STEP_LOOSE", why));
+        self.shapes.item(number)
     }
 
     /// Returns the mapped items of representations that have faces, which stand in none themselves.

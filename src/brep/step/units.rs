@@ -1,7 +1,9 @@
 //! Units and accuracies that the contexts of representations state.
 
 use super::exchange::{Exchange, Record, Value, number, reference};
-use crate::brep::report::FaceFault;
+use crate::brep::digits::three_digits;
+use crate::brep::report::{FaceFault, Remark};
+use glam::DVec3;
 use std::f64::consts::PI;
 
 /// Metres per unit of the model, whatever the units of the file: a millimetre. An assembly may
@@ -25,6 +27,10 @@ const MAX_NESTING: usize = 8;
 /// The deviation from a degree, relative to it, below which a unit of angle is one: files state
 /// it to 8 digits or more.
 const DEGREE_DIGITS: f64 = 1e-7;
+
+/// The largest uncertainty that is believed, relative to the diagonal of the file's points: vertices of that distance
+/// from each other would be one, and so would be most of the part.
+const LARGEST_UNCERTAINTY: f64 = 1e-2;
 
 impl Units {
     pub(super) const NONE: Self = Self { length: None, angle: 1.0, uncertainty: 0.0 };
@@ -56,6 +62,58 @@ impl Units {
             }
         }
         Ok(units)
+    }
+
+    /// Returns the units on which all contexts of a file agree, for what stands in none; else none.
+    pub(super) fn of_file(file: &Exchange<'_>) -> Self {
+        let is_context = |number: &&u64| file.keyword(**number).ends_with("_CONTEXT");
+        let contexts = file.numbers.iter().filter(is_context);
+        let mut found = contexts.filter_map(|&context| Self::of_context(file, context).ok());
+        let mut stated = found.by_ref().filter(|units| units.length.is_some());
+        let Some(first) = stated.next() else { return Self::NONE };
+        if stated.all(|units| units == first) { first } else { Self::NONE }
+    }
+
+    /// Returns what a context lists among its units and is none.
+    pub(super) fn non_units(file: &Exchange<'_>, context: u64) -> Vec<Remark> {
+        let Ok(record) = file.record(context) else { return Vec::new() };
+        let listed = references(record.part("GLOBAL_UNIT_ASSIGNED_CONTEXT"));
+        let is_unit = |instance: u64| {
+            let kind = file.record(instance).map(|unit| unit.kind());
+            // One that cannot be read is a fault of the context's representations.
+            kind.is_ok_and(|kind| !kind.split(' ').any(|part| part.ends_with("_UNIT")))
+        };
+        let others = listed.into_iter().filter(|&instance| is_unit(instance));
+        let remark = |instance: u64| {
+            let kind = file.keyword(instance);
+            let why = format!("#{instance}, {kind}, is listed among the units of #{context}, and is no unit");
+            Remark::new("STEP_UNIT", why)
+        };
+        others.map(remark).collect()
+    }
+
+    /// Returns the units with an uncertainty that may be that of the file's points, and what is remarked of one
+    /// that may not: then the file counts as stating none. O(points) for such a file, else most often O(1).
+    pub(super) fn with_believable_uncertainty(
+        self,
+        file: &Exchange<'_>,
+        context: u64,
+    ) -> (Self, Option<Remark>) {
+        let least = self.uncertainty / LARGEST_UNCERTAINTY;
+        let diagonal = self.millimetres() * diagonal(file, least / self.millimetres());
+        // Primitives and triangles have no vertices whose tolerance it is, and few points that span them.
+        let has_vertices = || {
+            file.numbers.iter().any(|&number| matches!(file.keyword(number), "VERTEX_POINT" | "POLY_LOOP"))
+        };
+        if !(diagonal < least && has_vertices()) {
+            return (self, None);
+        }
+        let [stated, diagonal] = [self.uncertainty, diagonal].map(three_digits);
+        let why = format!(
+            "the uncertainty that #{context} states, {stated} mm, is more than {LARGEST_UNCERTAINTY} of the diagonal \
+             of the file's points, {diagonal} mm, and counts as not stated"
+        );
+        (Self { uncertainty: 0.0, ..self }, Some(Remark::new("STEP_UNCERTAINTY", why)))
     }
 
     /// Millimetres per unit of length.
@@ -113,6 +171,23 @@ fn factor(file: &Exchange<'_>, unit: &Record<'_>, nesting: usize) -> Result<f64,
     let (value, base) = measure(&file.record(*definition)?).ok_or_else(unknown)?;
     let factor = value * factor(file, &file.record(base)?, nesting + 1)?;
     if factor > 0.0 && factor.is_finite() { Ok(factor) } else { Err(unknown()) }
+}
+
+/// Returns the diagonal of the box of the file's points in space, or of as many as have one of at least `enough`.
+fn diagonal(file: &Exchange<'_>, enough: f64) -> f64 {
+    let mut bounds = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+    let mut diagonal = 0.0;
+    for &number in file.numbers.iter().filter(|&&number| file.keyword(number) == "CARTESIAN_POINT") {
+        let coordinates = file.entity(number).and_then(|point| point.numbers(1)).unwrap_or_default();
+        let &[x, y, z] = coordinates.as_slice() else { continue };
+        let point = DVec3::new(x, y, z);
+        bounds = [bounds[0].min(point), bounds[1].max(point)];
+        diagonal = (bounds[1] - bounds[0]).length();
+        if diagonal >= enough {
+            break;
+        }
+    }
+    diagonal
 }
 
 fn power_of_ten(power: i32) -> f64 {

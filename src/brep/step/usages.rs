@@ -2,7 +2,7 @@
 
 use super::assembly::{Assembly, Group, Placement};
 use super::exchange::{Exchange, reference};
-use super::relations::{Relations, items, referred};
+use super::relations::{Relations, items, product_name, referred};
 use crate::brep::report::FaceFault;
 use std::collections::{HashMap, HashSet};
 
@@ -127,6 +127,41 @@ impl Assembly<'_> {
         let name = self.names.get(&child).map(|name| format!(" {name:?}")).unwrap_or_default();
         is_blank.then(|| format!("#{entity} places the part{name}, of whose shape the file has nothing"))
     }
+}
+
+impl Assembly<'_> {
+    /// Names the products whose shape is in another file, of which this one has none, and which no use names.
+    pub(super) fn find_external(&mut self, relations: &Relations<'_>) {
+        let file = self.shapes.file;
+        let documented = documented(file);
+        let used: HashSet<u64> = usages(file).iter().flat_map(|usage| [usage.assembly, usage.part]).collect();
+        let represented: HashSet<u64> =
+            relations.definitions.iter().map(|&(_, definition)| definition).collect();
+        for &number in file.numbers.iter().filter(|&&number| is_definition(file, number)) {
+            let is_external = chain(file, number).iter().any(|one| documented.contains(one));
+            if !is_external
+                || used.contains(&number)
+                || represented.contains(&number)
+                || is_document(file, number)
+            {
+                continue;
+            }
+            let name = product_name(file, number).map(|name| format!(" {name:?}")).unwrap_or_default();
+            let why = format!("the shape of the product{name} of #{number} is in another file");
+            self.faults.push((number, FaceFault::new("STEP_EXTERNAL", why)));
+        }
+    }
+}
+
+/// Returns whether an instance defines a product.
+fn is_definition(file: &Exchange<'_>, instance: u64) -> bool {
+    matches!(file.keyword(instance), "PRODUCT_DEFINITION" | "PRODUCT_DEFINITION_WITH_ASSOCIATED_DOCUMENTS")
+}
+
+/// Returns whether a definition is that of a document, by its context: documents are managed as products.
+fn is_document(file: &Exchange<'_>, definition: u64) -> bool {
+    let context = file.entity(definition).and_then(|entity| file.entity(entity.reference(3)?));
+    context.is_ok_and(|context| context.name().is_some_and(|name| name.to_lowercase().contains("document")))
 }
 
 /// Returns the instances to which documents are assigned, as products whose shape is in another file.

@@ -25,10 +25,10 @@ export interface FaceNote {
   why: string;
 }
 
-/** What reading a CAD file kept, changed and left out. */
+/** What reading a CAD file, a mesh or points kept, changed and left out. */
 export interface CadReport {
-  /** The kind of file, found by its content. */
-  kind: CadKind;
+  /** The kind of file, found by its content; `mesh` for those that `readMesh` reads. */
+  kind: CadKind | "mesh";
   /** The reader that took it. */
   reader: CadReader;
   /** Number of faces read, instances not counted. */

@@ -29,7 +29,7 @@ const MAX_FACE = 2 ** 32 - 1;
 export class NurbsModel {
   #prepared: PreparedModel | undefined;
 
-  /** What reading its CAD file kept, approximated and left out; null for other models. */
+  /** What reading its file kept, approximated and left out; null for models of arrays and shapes. */
   readonly report: CadReport | null;
 
   /** The arrays of a mesh or a cloud of points, which displays them. */

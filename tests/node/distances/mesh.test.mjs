@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { fromThreeGeometry } from "nurbs-hausdorff/adapters";
-import { meshFormatOf, readMesh } from "nurbs-hausdorff/cad";
+import { meshFormatOf, readCad, readMesh } from "nurbs-hausdorff/cad";
 import * as away from "nurbs-hausdorff/worker";
 import { BoxGeometry, Matrix4, SphereGeometry } from "three";
 import { create, near, square, withCode } from "../support.mjs";
@@ -82,13 +82,60 @@ test("files of meshes are read, in the worker too", async () => {
   assert.equal(mesh.unit, 0.001);
   await distanceIs(surface, mesh, 3);
   await assert.rejects(readMesh(bytes, "stl"), withCode("MESH_SYNTAX", /STL/));
-  await assert.rejects(readMesh(bytes, "step"), withCode("ARGUMENT_INVALID", /step/));
+  await assert.rejects(readMesh(bytes, "dxf"), withCode("ARGUMENT_INVALID", /dxf/));
+  assert.deepEqual(
+    [mesh.report.kind, mesh.report.faces, mesh.report.skipped, mesh.report.notes],
+    ["mesh", 1, [], []],
+  );
   const worker = await away.Hausdorff.create({ backend: "cpu" });
   const there = await worker.readMesh(bytes, "obj");
   const same = await worker.mesh(triangle(3));
   const { lower, upper } = await worker.distance(there, same);
   assert.ok(lower <= Math.SQRT1_2 && Math.SQRT1_2 <= upper);
   for (const owner of [surface, mesh, there, same, worker]) owner.dispose();
+});
+
+/** A STEP file of this data. */
+const step = (data) =>
+  `ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n${data}\nENDSEC;\nEND-ISO-10303-21;\n`;
+
+test("a STEP file of triangles alone is a mesh, in the worker too", async () => {
+  const corners = "((0.,0.,3.),(1.,0.,3.),(0.,1.,3.))";
+  const bytes = new TextEncoder().encode(
+    step(`#1=COORDINATES_LIST('',3,${corners});
+#2=TRIANGULATED_FACE('tri',#1,3,((0.,0.,1.)),$,(),((1,2,3)));
+#3=TESSELLATED_SHELL('loose',(#2),$);`),
+  );
+  await assert.rejects(readCad(bytes), withCode("STEP_TRIANGLES", /triangles/));
+  const mesh = await readMesh(bytes, "stp", { unit: 0.001 });
+  assert.equal(mesh.unit, 0.001);
+  const { kind, unit, skipped, notes } = mesh.report;
+  assert.deepEqual([kind, unit, skipped, notes[0].code], ["mesh", 0.001, [], "STEP_LOOSE"]);
+  assert.equal((await readMesh(bytes, "obj")).boundingBox.max[2], 3, "content decides");
+  const worker = await away.Hausdorff.create({ backend: "cpu" });
+  const there = await worker.readMesh(bytes, "step");
+  assert.deepEqual(there.report.notes, notes);
+  for (const owner of [mesh, there, worker]) owner.dispose();
+});
+
+test("a glTF has its buffers in the resources", async () => {
+  const positions = new Float32Array([0, 0, 3, 1, 0, 3, 0, 1, 3]);
+  const gltf = {
+    asset: { version: "2.0" },
+    nodes: [{ mesh: 0, skin: 0, name: "bent\u001b" }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+    accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: "VEC3" }],
+    bufferViews: [{ buffer: 0, byteLength: 36 }],
+    buffers: [{ uri: "data/a%20b.bin", byteLength: 36 }],
+  };
+  const bytes = new TextEncoder().encode(JSON.stringify(gltf));
+  await assert.rejects(readMesh(bytes, "gltf"), withCode("MESH_SYNTAX", /a b\.bin/));
+  const mesh = await readMesh(bytes, "gltf", { resources: { "data/a b.bin": positions.buffer } });
+  assert.deepEqual(mesh.boundingBox, { min: [0, 0, 3], max: [1, 1, 3] });
+  const [note] = mesh.report.notes;
+  assert.equal(note.face, "bent\ufffd");
+  assert.match(note.why, /skin/);
+  mesh.dispose();
 });
 
 test("scans are read by a module of their own, in the worker too", async () => {

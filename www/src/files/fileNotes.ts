@@ -25,8 +25,9 @@ export function showFileNotes(models: Sides<DisplayModel>): void {
     const { report } = model;
     units[side] = model.unit;
     skipped[side] = report?.skipped.length ?? 0;
-    notes[side].replaceChildren(...(report === null ? [] : [note(report)]));
-    notes[side].hidden = report === null;
+    const told = report === null || isSilent(report) ? [] : [note(report)];
+    notes[side].replaceChildren(...told);
+    notes[side].hidden = told.length === 0;
   }
   const { a = null, b = null } = units;
   const differ = a !== null && b !== null && unitName(a) !== unitName(b);
@@ -66,6 +67,10 @@ export function commonUnit(): string | undefined {
   return a === null || b === null ? undefined : unitName(a);
 }
 
+/** Whether a report has nothing to say: that of a mesh which was read as a whole. */
+const isSilent = ({ kind, skipped, notes }: CadReport): boolean =>
+  kind === "mesh" && skipped.length === 0 && notes.length === 0;
+
 function note(report: CadReport): HTMLElement {
   const { kind, reader, faces: read, unit, skipped, fitted } = report;
   const format = reader === "occt" ? `${FORMATS[kind]} by OpenCASCADE` : FORMATS[kind];
@@ -79,11 +84,15 @@ function note(report: CadReport): HTMLElement {
   return details;
 }
 
-function list({ trims, exact, fitted, gap, unit, skipped, notes }: CadReport): HTMLElement {
+function list({ kind, trims, exact, fitted, gap, unit, skipped, notes }: CadReport): HTMLElement {
   const suffix = unit === null ? "" : ` ${unitName(unit)}`;
   const lines = [
-    `${grouped(trims)} trimming curves: ${grouped(exact)} exact, ${grouped(fitted)} fitted`,
-    `edges and faces of the file are up to ${upperText(gap)}${suffix} apart`,
+    ...(kind === "mesh"
+      ? [`its triangles are up to ${upperText(gap)}${suffix} from what they stand for`]
+      : [
+          `${grouped(trims)} trimming curves: ${grouped(exact)} exact, ${grouped(fitted)} fitted`,
+          `edges and faces of the file are up to ${upperText(gap)}${suffix} apart`,
+        ]),
     ...skipped.slice(0, MAX_SKIPPED).map(skippedLine),
   ];
   const more = skipped.length - MAX_SKIPPED;

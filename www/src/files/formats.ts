@@ -6,11 +6,12 @@ export const ACCEPT =
   ".step,.stp,.iges,.igs,.3dm,.brep,.brp,.FCStd,.json,.gz,.stl,.ply,.obj,.off,.vtk,.vtp,.gltf,.glb,.3mf,.xyz,.xyzn,.pts,.csv,.asc,.txt,.pcd,.ptx,.las,.laz,.e57";
 
 /** The names of the formats. */
-export const FORMATS: Readonly<Record<CadKind, string>> = {
+export const FORMATS: Readonly<Record<CadKind | "mesh", string>> = {
   step: "STEP",
   iges: "IGES",
   "3dm": "Rhino 3DM",
   brep: "BREP",
   fcstd: "FreeCAD",
   json: "JSON",
+  mesh: "mesh",
 };

@@ -67,9 +67,9 @@ pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
     bounded(file, unreadable)
 }
 
-/// Returns the files beside one, of which it consists: those with the buffers of a glTF. They are in its folder
-/// or below; others are left out, as a file that comes from elsewhere must not choose what is read. Standard input
-/// has none.
+/// Returns the other files that belong to a model's file, as the files of its buffers belong to a glTF. Only files in
+/// its folder or below are read. A path that leads elsewhere is left out: a file that somebody sent must not choose
+/// which files of this machine are read. A model from standard input has no other files.
 ///
 /// # Errors
 /// Those of [`bytes`]; [`Error::FileTooLarge`] for more than that all together.

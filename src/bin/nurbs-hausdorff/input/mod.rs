@@ -6,7 +6,8 @@ mod rhino;
 use crate::failure::Failure;
 pub(crate) use bytes::{STANDARD_STREAM, Source, hexadecimal};
 use nurbs_hausdorff::{
-    Beside, Error, FaceId, FileKind, MeshFile, MeshFormat, Model, PreparedModel, ReadReport, Result, inflated,
+    Beside, Error, FaceId, FileKind, MeshFile, MeshFormat, Model, PreparedModel, ReadReport, Result,
+    inflated, one_line,
 };
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -66,10 +67,11 @@ fn print_notes(path: &Path, input: &Input) {
     for skipped in &input.report.read.skipped {
         let (path, face, why) = (path.display(), called(&skipped.face), &skipped.why);
         let entity = skipped.entity.map(|entity| format!(" (#{entity})")).unwrap_or_default();
-        eprintln!("warning: {path}: {face}{entity} is left out: {why}");
+        eprintln!("{}", one_line(&format!("warning: {path}: {face}{entity} is left out: {why}")));
     }
     for note in &input.report.read.notes {
-        eprintln!("note: {}: {}: {}", path.display(), called(&note.face), note.why);
+        let (path, face, why) = (path.display(), called(&note.face), &note.why);
+        eprintln!("{}", one_line(&format!("note: {path}: {face}: {why}")));
     }
 }
 

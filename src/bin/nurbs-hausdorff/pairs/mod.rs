@@ -9,8 +9,8 @@ use crate::input::{File, Input, STANDARD_STREAM};
 use crate::output::{json::print_json, print};
 use crate::reports::{Answer, Format, Outcome, Row, Rows, Verdict, figures, print_report};
 use earlier::Earlier;
-use nurbs_hausdorff::Error;
 use nurbs_hausdorff::pictures::PictureOptions;
+use nurbs_hausdorff::{Error, one_line};
 use std::cell::Cell;
 use std::path::Path;
 
@@ -77,7 +77,7 @@ pub(crate) fn run<C: Comparison>(pair: &Pair, reporting: &Reporting, comparison:
             return Err(Error::OptionInvalid { found }.into());
         }
     };
-    let names = [a, b].map(|path| path.display().to_string());
+    let names = [a, b].map(|path| one_line(&path.display().to_string()));
     let fields = [("Part", reporting.part.clone()), ("Operator", reporting.operator.clone())];
     print_report(&Rows::new(C::NAME, names, rows, fields), format)
 }
@@ -107,14 +107,15 @@ impl<C: Comparison> Comparer<'_, C> {
         let outcome = match (a, b) {
             (Some(a), Some(b)) => match self.answer(a, b) {
                 Ok(answer) => Outcome::Answered(Box::new(answer)),
-                Err(failure) => {
-                    Outcome::Failed { code: failure.code().to_owned(), message: failure.to_string() }
-                }
+                Err(failure) => Outcome::Failed {
+                    code: failure.code().to_owned(),
+                    message: one_line(&failure.to_string()),
+                },
             },
             (None, _) => Outcome::Added,
             (_, None) => Outcome::Removed,
         };
-        Row { path, outcome }
+        Row { path: one_line(&path), outcome }
     }
 
     fn answer(&self, a: &Path, b: &Path) -> Result<Answer, Failure> {

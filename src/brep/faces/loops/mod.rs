@@ -20,6 +20,7 @@ use crate::brep::nurbs::Surface;
 use crate::brep::report::{FaceFault, Remark};
 use crate::brep::topology::{Orientation, ShapeKind, Topology};
 use chain::Chain;
+use nesting::Directed;
 pub(super) use rings::crossing;
 use std::collections::{HashMap, HashSet};
 
@@ -64,8 +65,10 @@ fn of_curves(file: &Topology, shape: usize, surface: &Surface, origin: Origin) -
     if area::of_closed(surface).is_some() || !chains.iter().all(|chain| cancels(chain, surface)) {
         chains.retain(|chain| !cancels(chain, surface));
     }
-    let remarks = chains.iter_mut().flat_map(|chain| std::mem::take(&mut chain.remarks)).collect();
-    let loops = nesting::directed(rings::close(chains, surface)?, surface)?;
+    let remarks: Vec<Remark> =
+        chains.iter_mut().flat_map(|chain| std::mem::take(&mut chain.remarks)).collect();
+    let Directed { loops, remark } = nesting::directed(rings::close(chains, surface)?, surface)?;
+    let remarks = remarks.into_iter().chain(remark).collect();
     Ok(Loops { loops, remarks, complement_fits })
 }
 

@@ -5,7 +5,7 @@ use super::periods::widest_gap;
 use super::rings::reversed;
 use crate::brep::faces::uses::TrimUse;
 use crate::brep::nurbs::Surface;
-use crate::brep::report::FaceFault;
+use crate::brep::report::{FaceFault, Remark};
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
 /// The points of a piece of a curve, for each degree, in the polygon that stands for it: one piece of a
@@ -81,13 +81,15 @@ pub(super) fn points(trim_use: &TrimUse) -> Vec<DVec2> {
 ///
 /// On a surface closed in both parameters a clockwise loop inside of no other is a hole
 /// in the whole surface, whose rectangle becomes the outer loop; on other surfaces, where no
-/// face covers the rest, it is a loop of the wrong direction, which is reversed.
+/// face covers the rest, it is a loop of the wrong direction, which is reversed if it is the only one there.
+/// Loops beside each other bound several regions, which is remarked: a face is connected (ISO 10303-42, 5.4).
+/// Where they turn in opposite directions there, one is a hole outside of the face, and the face is refused.
 ///
 /// # Errors
 /// `BREP_LOOP_NO_AREA` for a loop without area, `BREP_LOOP_SHIFTS` if a hole fits its outer loop
-/// at several periods, `BREP_LOOP_DIRECTIONS` if loops on a closed surface state opposite sides of
-/// it, `BREP_COVERED_TWICE` if the region is larger than the surface.
-pub(super) fn directed(loops: Vec<Vec<TrimUse>>, surface: &Surface) -> Result<Vec<Vec<TrimUse>>, FaceFault> {
+/// at several periods, `BREP_LOOP_DIRECTIONS` if loops beside each other state opposite sides,
+/// `BREP_COVERED_TWICE` if the region is larger than the surface.
+pub(super) fn directed(loops: Vec<Vec<TrimUse>>, surface: &Surface) -> Result<Directed, FaceFault> {
     let mut loops: Vec<Loop> = loops.into_iter().map(Loop::new).collect();
     if let Some(index) = loops.iter().position(|one| one.area == 0.0 || !one.area.is_finite()) {
         return Err(FaceFault::new("BREP_LOOP_NO_AREA", format!("loop {index} encloses no area")));
@@ -102,11 +104,13 @@ pub(super) fn directed(loops: Vec<Vec<TrimUse>>, surface: &Surface) -> Result<Ve
     let outer = |positive: bool| {
         loops.iter().zip(&depths).any(|(one, &depth)| depth == 0 && (one.area > 0.0) == positive)
     };
-    if closed.is_some() && outer(false) {
-        if outer(true) {
-            let why = "loops beside each other on a closed surface turn in opposite directions";
-            return Err(FaceFault::new("BREP_LOOP_DIRECTIONS", why));
-        }
+    if outer(false) && outer(true) {
+        let why = "loops beside each other turn in opposite directions: one is a hole outside of the face";
+        return Err(FaceFault::new("BREP_LOOP_DIRECTIONS", why));
+    }
+    let are_holes = closed.is_some() && outer(false);
+    let remark = several_regions(&depths).filter(|_| !are_holes);
+    if are_holes {
         let outer = whole(surface, &mut loops);
         loops.insert(0, outer);
         depths = depths.into_iter().map(|depth| depth + 1).collect();
@@ -124,8 +128,29 @@ pub(super) fn directed(loops: Vec<Vec<TrimUse>>, surface: &Surface) -> Result<Ve
             let why = format!("the loops cover {part:?} of the surface, expected at most all of it");
             Err(FaceFault::new("BREP_COVERED_TWICE", why))
         }
-        None => Ok(loops.into_iter().map(|one| one.uses).collect()),
+        None => Ok(Directed { loops: loops.into_iter().map(|one| one.uses).collect(), remark }),
     }
+}
+
+/// Loops with the material on their left, and what the report says of them.
+pub(super) struct Directed {
+    pub(super) loops: Vec<Vec<TrimUse>>,
+    pub(super) remark: Option<Remark>,
+}
+
+/// Returns the remark on loops of which several lie inside of no other.
+fn several_regions(depths: &[usize]) -> Option<Remark> {
+    let outside: Vec<String> = depths
+        .iter()
+        .enumerate()
+        .filter(|(_, depth)| **depth == 0)
+        .map(|(index, _)| index.to_string())
+        .collect();
+    let why = || {
+        let loops = outside.join(", ");
+        format!("of its loops {loops} none lies within another: they are read as regions beside each other")
+    };
+    (outside.len() > 1).then(|| Remark::new("BREP_SEVERAL_REGIONS", why()))
 }
 
 /// Moves loops by whole periods into the box of the largest one, and holes into that one itself.

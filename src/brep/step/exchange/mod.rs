@@ -1,5 +1,6 @@
 //! The instances of an exchange file by their numbers.
 
+mod code_pages;
 mod inherited;
 mod lexer;
 mod record;

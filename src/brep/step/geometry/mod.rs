@@ -7,7 +7,7 @@ mod surfaces;
 
 pub(super) use curves::{curve, trimmed};
 pub(super) use placement::{operator, placement};
-pub(super) use surfaces::{circle, cylinder, plane_through, surface};
+pub(super) use surfaces::{circle, cylinder, line, plane_through, surface};
 
 use super::exchange::{Exchange, number};
 use super::units::Units;
@@ -42,7 +42,7 @@ impl Scale {
     }
 
     /// The factor of lengths in space.
-    fn length(&self) -> f64 {
+    pub(super) fn length(&self) -> f64 {
         self.coordinates.x
     }
 }

@@ -90,7 +90,7 @@ pub(in crate::brep::step) fn cylinder(frame: Frame, radius: f64) -> Surface {
 }
 
 /// A line of the plane y = 0 from a point of the x axis, which leaves the axis by `slope`.
-fn line(radius: f64, slope: f64) -> Curve {
+pub(in crate::brep::step) fn line(radius: f64, slope: f64) -> Curve {
     Curve::Line { point: radius * DVec3::X, direction: DVec3::new(slope, 0.0, 1.0) }
 }
 

@@ -96,6 +96,15 @@ impl<'a> Shapes<'a> {
         self.reached.contains_key(&instance) || self.elsewhere.contains(&instance)
     }
 
+    /// Returns whether any face or mesh was read.
+    pub(super) fn has_shapes(&self) -> bool {
+        let is_read = |shape: &Shape| match &shape.kind {
+            ShapeKind::Face(face) => face.surface.is_ok(),
+            kind => matches!(kind, ShapeKind::Mesh(_)),
+        };
+        self.topology.shapes.iter().any(is_read)
+    }
+
     /// Returns whether an instance was named as one that cannot be read.
     pub(super) fn was_refused(&self, instance: u64) -> bool {
         self.refused.contains(&instance)
@@ -180,8 +189,12 @@ pub(super) fn is_body(file: &Exchange<'_>, instance: u64) -> bool {
         return elements
             .is_ok_and(|elements| elements.iter().any(|&element| is_surface(file.keyword(element))));
     }
-    [&SHELLS[..], &BODIES, &TESSELLATED, &SOLIDS].iter().any(|kinds| kinds.contains(&kind))
-        || TRIANGULATED.iter().any(|(known, ..)| *known == kind)
+    [&SHELLS[..], &BODIES, &SOLIDS].iter().any(|kinds| kinds.contains(&kind)) || is_triangles(kind)
+}
+
+/// Returns whether an entity is made of triangles.
+pub(super) fn is_triangles(kind: &str) -> bool {
+    TESSELLATED.contains(&kind) || TRIANGULATED.iter().any(|(known, ..)| *known == kind)
 }
 
 /// The use of a shape where it is.

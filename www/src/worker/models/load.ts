@@ -121,12 +121,24 @@ async function createModel(
     if (mesh !== undefined) {
       return noted(await engine.readMesh(name === file.name ? bytes : await unpacked(file), mesh));
     }
-    if (!firstSurface) return await readFile(bytes, file.name);
+    if (!firstSurface) {
+      return await readFile(bytes, file.name).catch((error) => stepMesh(engine, file, error));
+    }
     return engine.model(withFirstSurface(new TextDecoder().decode(bytes)));
   } catch (error) {
     if (!(error instanceof HausdorffError)) throw error;
     throw new HausdorffError(error.code, `${file.name}: ${error.message}`, { cause: error });
   }
+}
+
+/** The mesh of a STEP file of triangles alone, which is how reading it as a CAD model failed. */
+async function stepMesh(engine: Hausdorff, file: File, error: unknown): Promise<NurbsModel> {
+  if (!(error instanceof HausdorffError && error.code === "STEP_TRIANGLES")) throw error;
+  const isPacked = unpackedName(file) !== file.name;
+  // The bytes went to the engine with the first call.
+  return noted(
+    await engine.readMesh(isPacked ? await unpacked(file) : await readBytes(file), "step"),
+  );
 }
 
 /** The model reduced to its first surface. Invalid text is returned unchanged; the engine reports its error. */
