@@ -1,6 +1,6 @@
 // How near the models come, in the view: the faces of the gaps, and the place of a clash.
 
-import { distanceText } from "../common/numbers.ts";
+import { certifiedText } from "../common/numbers.ts";
 import type { FaceClass } from "../scene/faces.ts";
 import type { View } from "../scene/view.ts";
 import type { Sides } from "../worker/protocol.ts";
@@ -23,7 +23,7 @@ export function showMeeting(view: View, shown: ShownClearance | undefined): void
     }
   }
   view.classify(classes);
-  const { overlap, witness, diagonal, upper } = clearance;
+  const { overlap, witness, diagonal, lower, upper } = clearance;
   if (overlap !== undefined && "insideBoth" in overlap) {
     const { insideBoth } = overlap;
     view.point({ from: insideBoth, to: insideBoth, texts: { length: "clash", from: "", to: "" } });
@@ -31,7 +31,7 @@ export function showMeeting(view: View, shown: ShownClearance | undefined): void
   }
   const { a, b } = witness;
   const texts = {
-    length: meeting === "touching" ? "touching" : distanceText(upper, diagonal),
+    length: meeting === "touching" ? "touching" : certifiedText(upper, [lower, upper], diagonal),
     from: `A: ${nameOf(a)}`,
     to: `B: ${nameOf(b)}`,
   };

@@ -1,6 +1,7 @@
 // The details of a result, as terms and texts.
 import type { DistanceResult, Signs } from "nurbs-hausdorff";
 import {
+  certifiedText,
   distanceText,
   duration,
   grouped,
@@ -43,8 +44,8 @@ function gapOf({ gap }: DistanceResult): Detail[] {
 function directions({ forward, reverse, diagonal }: DistanceResult): Detail[] {
   if (forward === undefined || reverse === undefined) return [];
   return [
-    ["directed, A to B", distanceText(forward.computed, diagonal)],
-    ["directed, B to A", distanceText(reverse.computed, diagonal)],
+    ["directed, A to B", certifiedText(forward.computed, [forward.lower, forward.upper], diagonal)],
+    ["directed, B to A", certifiedText(reverse.computed, [reverse.lower, reverse.upper], diagonal)],
   ];
 }
 

@@ -3,7 +3,7 @@ import type { DiffResult, DistanceResult, Vector3 as Point, SurfacePoint } from 
 import { Box3, Vector3 } from "three";
 import { farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
-import { certifiedText, distanceText } from "../common/numbers.ts";
+import { certifiedText, heldText } from "../common/numbers.ts";
 import { type Change, classesOf } from "../faces/changes.ts";
 import { Pins } from "../inspection/pins/pins.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
@@ -349,8 +349,8 @@ export class View {
     const plain: Sides<FaceClass[]> = { a: [], b: [] };
     this.models.classify({ ...plain, [side]: only(difference.face, classesOf([difference])) });
     const [from, to] = side === "a" ? [a.point, b.point] : [b.point, a.point];
-    const length = new Vector3(...from).distanceTo(new Vector3(...to));
-    const texts = { length: distanceText(length, diff.diagonal), from: "", to: "" };
+    const { lower, upper } = difference;
+    const texts = { length: heldText([lower, upper], diff.diagonal), from: "", to: "" };
     this.#arrow.show(from, to, texts, this.models.center);
     const box = this.models.faceBox(side, difference.face);
     for (const point of [from, to]) {
