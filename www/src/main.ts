@@ -7,13 +7,17 @@ import { clearFit, isFitting, onFit, showFit } from "./controls/bestFit.ts";
 import * as display from "./controls/display.ts";
 import * as options from "./controls/options.ts";
 import * as position from "./controls/position.ts";
-import { IN_PLACE } from "./controls/presets.ts";
+import { IN_PLACE, presets } from "./controls/presets.ts";
 import * as sections from "./controls/section.ts";
 import {
+  asideSide,
   fillShapes,
+  leaveAside,
   onSource,
   openShapes,
   setLoading,
+  showNames,
+  showReading,
   showSources,
   sourcesOf,
 } from "./controls/sources.ts";
@@ -24,8 +28,10 @@ import { exportAs } from "./export/exports.ts";
 import { Views } from "./export/views.ts";
 import { FacesPanel } from "./faces/facesPanel.ts";
 import { FaceTree } from "./faces/faceTree.ts";
+import { AskedFiles } from "./files/asked.ts";
 import { onScaleUnits, scalesUnits, showFileNotes, unitScale } from "./files/fileNotes.ts";
-import { forgetFiles, keepFile, keepState, keptFiles } from "./files/kept.ts";
+import { type FileName, filesNamedBy, nameOf, parametersOf } from "./files/identity.ts";
+import { forgetFiles, keepFiles, keepLast, keptFiles, lastFiles } from "./files/kept.ts";
 import { drawCut } from "./inspection/cutView.ts";
 import * as deviation from "./inspection/deviationPanel.ts";
 import { Probing } from "./inspection/pins/probing.ts";
@@ -38,7 +44,15 @@ import { degreesOf, Pose } from "./scene/pose.ts";
 import { applyFormState, formState } from "./state/formState.ts";
 import { History } from "./state/history.ts";
 import { Client } from "./worker/client.ts";
-import { type FitReply, type PlainOptions, type Reply, SIDES } from "./worker/protocol.ts";
+import {
+  type FitReply,
+  type Placement,
+  type PlainOptions,
+  type Reply,
+  SIDES,
+  type Sides,
+  type Source,
+} from "./worker/protocol.ts";
 
 /** The finest tolerance, in diagonals, and the factor to it from one that does not decide. */
 const FINEST = 1e-9;
@@ -98,7 +112,14 @@ const past = new History((state) => {
   if (openShapes(state)) pending = state;
   else applyFormState(state);
 });
-past.onFileState = (state) => void keepState(state);
+/** The files compared, as links name them. */
+let named: Sides<FileName> = {};
+past.onState = (state) => {
+  if (Object.keys(named).length > 0) void keepLast(named, state);
+};
+const asked = new AskedFiles(() => openShapes());
+/** The state of the link whose files are asked for. */
+let linkedState: string | undefined;
 
 element("panel").addEventListener("submit", (event) => event.preventDefault());
 element("cancel").addEventListener("click", () => client.cancel());
@@ -107,6 +128,8 @@ element("fit").addEventListener("click", () => view.fit());
 element("approach").addEventListener("click", () => view.approachArrow());
 element("add-view").addEventListener("click", () => views.add());
 element("forget").addEventListener("click", () => {
+  named = {};
+  past.files = "";
   void forgetFiles();
   element("kept").hidden = true;
 });
@@ -156,11 +179,23 @@ onScaleUnits(() => {
   moved();
   view.fit();
 });
-onSource((sources, placement) => {
+onSource(({ sources, placement, files }) => {
   resultPanel.hideError();
-  setLoading(true);
-  view.models.clearDrafts();
-  client.load(sources, placement);
+  if (asked.isActive && files.length > 0) {
+    void asked.take(files).then((all) => {
+      if (all === undefined) return;
+      pending = linkedState;
+      read(all, IN_PLACE);
+    });
+    return;
+  }
+  // What was asked for is no longer wanted; the page always has two models.
+  if (asked.isActive) {
+    asked.end();
+    const [example] = presets;
+    const others = example && { a: { shape: example.a }, b: { shape: example.b } };
+    read({ ...others, ...sources }, placement);
+  } else read(sources, placement);
 });
 onExport((format) =>
   exportAs(format, {
@@ -171,6 +206,13 @@ onExport((format) =>
 );
 
 complete();
+
+function read(sources: Sides<Source>, placement: Placement): void {
+  setLoading(true);
+  showReading(sources);
+  view.models.clearDrafts();
+  client.load(sources, placement);
+}
 
 function pose(): Pose {
   return new Pose(position.translation(), position.degrees(), view.models.middle);
@@ -213,6 +255,12 @@ function show(): void {
 }
 
 function measure(): void {
+  if (view.models.aside !== undefined) {
+    client.cancel();
+    resultPanel.clearResult("lone");
+    hideResult();
+    show();
+  }
   if (!view.models.complete) return;
   if (clearance.active) {
     // The deviation shown is no longer that of the models as they are.
@@ -288,14 +336,15 @@ function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): 
   clearFit();
   finer = undefined;
   view.showModels(models);
-  tree.show(view.models.drawn);
-  display.offerFileColors(view.models.hasFileColors);
   showSources(models, placement);
+  view.models.aside = asideSide();
   showFileNotes(models);
   view.models.scale = unitScale();
+  tree.show(view.models.drawn);
+  display.offerFileColors(view.models.hasFileColors);
   faces.propose(view.models.diagonal);
   position.setPlacement(placement, view.models.diagonal);
-  keep(models);
+  void keep();
   clearOwnLimits();
   const state = pending;
   pending = undefined;
@@ -314,15 +363,24 @@ function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): 
   else past.record();
 }
 
-/** Keeps files over a reload; a shape replaces the file that was kept in its place. */
-function keep(models: Extract<Reply, { kind: "loaded" }>["models"]): void {
-  for (const side of SIDES) {
-    const source = models[side]?.source;
-    if (source === undefined) continue;
-    void keepFile(side, "file" in source ? source.file : undefined);
-  }
+/** Names the files compared in the address, and keeps them over a reload. */
+async function keep(): Promise<void> {
   const { drawn } = view.models;
-  element("kept").hidden = !SIDES.some((side) => "file" in (drawn[side]?.source ?? {}));
+  const files: Sides<FileName & { file: File }> = {};
+  for (const side of SIDES) {
+    const source = drawn[side]?.source;
+    if (source === undefined || !("file" in source)) continue;
+    const { file } = source;
+    files[side] = { ...(await nameOf(file)), file };
+  }
+  // Others were opened while the hashes were computed.
+  if (SIDES.some((side) => drawn[side] !== view.models.drawn[side])) return;
+  named = Object.fromEntries(
+    Object.entries(files).map(([side, { name, hash }]) => [side, { name, hash }]),
+  );
+  element("kept").hidden = Object.keys(files).length === 0;
+  past.files = parametersOf(named);
+  await keepFiles(files);
 }
 
 function hideResult(): void {
@@ -351,18 +409,48 @@ function showMeasured({ result, maps, pending }: Extract<Reply, { kind: "measure
 /** Opens what the page begins with: the address's shapes, the files that are kept, or the example. */
 async function openFirst(): Promise<void> {
   const { linked } = History;
+  const wanted = filesNamedBy(linked);
+  if (linked !== undefined && Object.keys(wanted).length > 0) {
+    await openNamed(wanted, linked);
+    return;
+  }
   const parameters = new URLSearchParams(linked);
-  const { files, state } =
-    parameters.has("a") || parameters.has("b") ? { files: {}, state: "" } : await keptFiles();
-  if (Object.keys(files).length > 0) {
-    pending = state;
-    setLoading(true);
-    client.load(
-      { ...{ a: { shape: "bracket" }, b: { shape: "bracket-revised" } }, ...sourcesOf(files) },
-      IN_PLACE,
-    );
-  } else if (linked !== undefined && openShapes(linked)) pending = linked;
+  if (!parameters.has("a") && !parameters.has("b")) {
+    const last = await lastFiles();
+    const kept = await keptFiles(last.files);
+    const count = Object.keys(kept).length;
+    if (count > 0 && count === Object.keys(last.files).length) {
+      await openNamed(last.files, last.state);
+      return;
+    }
+  }
+  if (linked !== undefined && openShapes(linked)) pending = linked;
   else openShapes();
+}
+
+/** Opens the files that a state is about; asks for those that are not kept here. */
+async function openNamed(wanted: Sides<FileName>, state: string): Promise<void> {
+  const kept = await keptFiles(wanted);
+  const sources = sourcesOf(kept);
+  const parameters = new URLSearchParams(state);
+  for (const side of SIDES) {
+    const shape = parameters.get(side);
+    if (wanted[side] === undefined && shape !== null) sources[side] = { shape };
+  }
+  // A single file was compared with nothing.
+  const alone = SIDES.find((side) => wanted[side] === undefined && sources[side] === undefined);
+  if (alone !== undefined) {
+    leaveAside(alone);
+    sources[alone] = { shape: presets[0]?.[alone] ?? "" };
+  }
+  if (SIDES.every((side) => sources[side] !== undefined)) {
+    pending = state;
+    read(sources, IN_PLACE);
+    return;
+  }
+  linkedState = state;
+  asked.ask(wanted, sources);
+  resultPanel.clearResult("asked");
 }
 
 function onReply(reply: Reply): void {
@@ -444,6 +532,7 @@ function onReply(reply: Reply): void {
       resultPanel.showError(reply.code, reply.message);
       if (reply.run === undefined) {
         setLoading(false);
+        showNames(view.models.drawn);
         if (showBefore()) measure();
       }
       // After a file that could not be loaded, the old models and their result stay.

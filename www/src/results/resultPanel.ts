@@ -124,8 +124,10 @@ function stateOf(last: boolean, pending: boolean): string {
 
 /** The result's states without a distance, and what the card says of each. */
 const CLEARED = {
+  asked: "waiting for the files of the link",
   cancelled: "cancelled",
   failed: "failed",
+  lone: "one file is open: drop the one to compare it with",
   paused: "not measured while clearance and clash are",
   working: "computing",
 };

@@ -3,6 +3,7 @@ import { element } from "../../common/elements.ts";
 import { certifiedText, distanceText, intervalText, signedText } from "../../common/numbers.ts";
 import { unitName } from "../../common/units.ts";
 import { commonUnit } from "../../files/fileNotes.ts";
+import { hashOf } from "../../files/identity.ts";
 import { isBeyond, sizeText } from "../../inspection/placeList.ts";
 import type { Place } from "../../inspection/places.ts";
 import { limitText } from "../../results/ownLimits.ts";
@@ -86,13 +87,6 @@ async function fileTerms(
     ["SHA-256", await hashOf(file)],
     ...common,
   ];
-}
-
-/** The SHA-256 of a file; only pages from a safe origin have it. */
-async function hashOf(file: File): Promise<string> {
-  if (globalThis.crypto?.subtle === undefined) return "";
-  const hash = await crypto.subtle.digest("SHA-256", await file.arrayBuffer());
-  return [...new Uint8Array(hash)].map((byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
 function faceRow(place: Place, diagonal: number): string[] {
