@@ -38,15 +38,17 @@ import { Probing } from "./inspection/pins/probing.ts";
 import { PlaceView } from "./inspection/placeView.ts";
 import { clearOwnLimits, ownLimits } from "./results/ownLimits.ts";
 import * as resultPanel from "./results/resultPanel.ts";
-import { needsPrecision, onLimit } from "./results/verdict.ts";
+import { allowed, needsPrecision, onLimit } from "./results/verdict.ts";
 import * as warnings from "./results/warnings.ts";
 import { degreesOf, Pose } from "./scene/pose.ts";
 import { applyFormState, formState } from "./state/formState.ts";
 import { History } from "./state/history.ts";
 import { Client } from "./worker/client.ts";
 import {
+  type BoundReply,
   type FitReply,
   type Placement,
+  type PlainDiffOptions,
   type PlainOptions,
   type Reply,
   SIDES,
@@ -74,13 +76,7 @@ const view = await View.open(canvas, warnings.showNoWebGl, (move, rotation) => {
   moved();
 });
 const faces = new FacesPanel({
-  compare: (limit) =>
-    client.diff({
-      ...{ limit, transform: pose().transform, scaleUnits: scalesUnits() },
-      own: ownLimits().map(({ side, face, above, below }) => ({
-        ...{ side, face, limit: Math.min(above, below) },
-      })),
-    }),
+  compare: (limit) => client.diff(diffOptions(limit)),
   cancel: () => client.cancelDiff(),
   show: (result) => view.showFaces(result),
   select: (change) => view.selectFace(change),
@@ -107,6 +103,8 @@ const clearance = new ClearancePanel({
 let pending: string | undefined;
 /** The tolerance of a measurement that the user's precision did not decide. */
 let finer: number | undefined;
+/** The run whose colours are shown, once they are as fine as they get. */
+let colored: number | undefined;
 let started = false;
 const past = new History((state) => {
   if (openShapes(state)) pending = state;
@@ -158,11 +156,12 @@ sections.onSection(
 window.addEventListener("keydown", ({ key, defaultPrevented }) => {
   if (key === "Escape" && !defaultPrevented) view.back();
 });
-deviation.onScale((scale) => view.rescale(scale));
+deviation.onScale(paint);
 onLimit(() => {
   deviation.rescale();
   places.show();
   refine();
+  boundFaces();
 });
 options.onChange(() => {
   resultPanel.hideError();
@@ -214,8 +213,27 @@ function read(sources: Sides<Source>, placement: Placement): void {
   client.load(sources, placement);
 }
 
+/** Draws maps in their colours. */
+function paint({ scale, maps, largest, isSame }: deviation.Painting): void {
+  if (isSame) {
+    view.rescale(scale);
+    return;
+  }
+  view.showMaps(maps, scale, largest);
+  show();
+}
+
 function pose(): Pose {
   return new Pose(position.translation(), position.degrees(), view.models.middle);
+}
+
+function diffOptions(limit: number): PlainDiffOptions {
+  return {
+    ...{ limit, transform: pose().transform, scaleUnits: scalesUnits() },
+    own: ownLimits().map(({ side, face, above, below }) => ({
+      ...{ side, face, limit: Math.min(above, below) },
+    })),
+  };
 }
 
 function measured(): PlainOptions {
@@ -243,7 +261,7 @@ function moved(): void {
 
 function show(): void {
   view.show(pose(), options.overlays(), {
-    visibility: visibilities(view.models, view.result),
+    visibility: visibilities(view.models, view.result, deviation.paintedSides()),
     orthographic: display.isOrthographic(),
     section: sections.section(),
     gizmo: display.gizmoMode(),
@@ -255,6 +273,8 @@ function show(): void {
 }
 
 function measure(): void {
+  client.cancelBound();
+  delete element("points").dataset.bounded;
   if (view.models.aside !== undefined) {
     client.cancel();
     resultPanel.clearResult("lone");
@@ -390,20 +410,37 @@ function hideResult(): void {
   drawCut(view.models);
 }
 
-function showMeasured({ result, maps, pending }: Extract<Reply, { kind: "measured" }>): void {
+function showMeasured({ run, result, maps, pending }: Extract<Reply, { kind: "measured" }>): void {
   // The colours before stay until new ones replace them.
   const hasMaps = Object.keys(maps).length > 0;
   const replaced = hasMaps || !pending;
   view.showResult(result, replaced);
-  show();
   if (replaced) deviation.hideMaps();
-  if (hasMaps) {
-    const { scale, largest } = deviation.showMaps(result, maps);
-    view.showMaps(maps, scale, largest);
-  }
+  const painting = hasMaps ? deviation.showMaps(result, maps) : undefined;
+  if (painting !== undefined) paint(painting);
+  else show();
   if (!replaced) return;
   places.show();
   drawCut(view.models);
+  colored = pending ? undefined : run;
+  boundFaces();
+}
+
+/** Asks what is certain of each face, for what is allowed now, once the colours are there. */
+function boundFaces(): void {
+  const limits = allowed();
+  client.cancelBound();
+  if (colored === undefined || !client.isNewest(colored) || limits === undefined) return;
+  const limit = Math.min(limits.above, limits.below);
+  if (!(limit > 0) || deviation.painted() === undefined) return;
+  client.bound(colored, diffOptions(limit));
+}
+
+function showBounds(reply: BoundReply): void {
+  if (reply.state !== "done" || !client.isNewest(reply.run) || reply.run !== colored) return;
+  deviation.bound(reply.result);
+  places.show();
+  element("points").dataset.bounded = `${reply.result.limit}`;
 }
 
 /** Opens what the page begins with: the address's shapes, the files that are kept, or the example. */
@@ -509,6 +546,9 @@ function onReply(reply: Reply): void {
     case "diff":
       // A comparison that ended because A was moved is no longer shown.
       if (faces.active || reply.state === "working") faces.show(reply);
+      break;
+    case "bound":
+      showBounds(reply);
       break;
     case "fit":
       showFitted(reply);

@@ -187,9 +187,10 @@ export function showReading(sources: Sides<Source>): void {
 /** Selects the entries of the lists that name the models shown, and allows what they propose. */
 export function showSources(models: Sides<DisplayModel>, placement: Placement): void {
   if (awaited !== undefined) propose(awaited.limit);
+  // What was left without a file has one now, unless it is another one's that is left.
   if (awaited?.aside !== undefined) aside = awaited.aside;
+  else if (aside !== undefined && models[aside] !== undefined) aside = undefined;
   awaited = undefined;
-  if (aside !== undefined && models[aside] !== undefined) aside = undefined;
   showNames(models);
   const index = presets.findIndex(
     (preset) =>

@@ -1,6 +1,6 @@
 // The list of worst places: a button each, which a key goes through.
 import { element } from "../common/elements.ts";
-import { distanceText, signedText } from "../common/numbers.ts";
+import { certifiedText, distanceText, signedText } from "../common/numbers.ts";
 import { exceeds } from "../results/judgement.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
 import type { Place } from "./places.ts";
@@ -76,12 +76,24 @@ export class PlaceList {
 }
 
 /** The deviation of a place, with its sign where it has one. */
-export const sizeText = ({ distance, signed }: Place, diagonal: number): string =>
-  Number.isNaN(signed) ? distanceText(distance, diagonal) : signedText(signed, diagonal);
+export function sizeText({ distance, signed, certified }: Place, diagonal: number): string {
+  const sign = signed < 0 ? "−" : "+";
+  if (certified !== undefined) {
+    const text = certifiedText(distance, [certified.lower, certified.upper], diagonal);
+    return Number.isNaN(signed) || !/^[\d.]/.test(text) ? text : `${sign}${text}`;
+  }
+  return Number.isNaN(signed) ? distanceText(distance, diagonal) : signedText(signed, diagonal);
+}
 
 /** Whether a face deviates by more than is allowed; a distance without a sign counts as either. */
 export function isBeyond(place: Place, allowed: Allowed): boolean {
   const isUnsigned = Number.isNaN(place.signed);
+  const { certified } = place;
+  // What is certain decides, where it does: the map is an estimate.
+  if (certified !== undefined) {
+    if (certified.upper <= Math.min(allowed.above, allowed.below)) return false;
+    if (certified.lower > Math.max(allowed.above, allowed.below)) return true;
+  }
   return (
     (isUnsigned && place.distance > Math.min(allowed.above, allowed.below)) ||
     exceeds(place, allowed)

@@ -4,6 +4,7 @@ import { addMeasured, allowed, allowedOf } from "../results/verdict.ts";
 import type { View } from "../scene/view.ts";
 import type { Side } from "../worker/protocol.ts";
 import { painted } from "./deviationPanel.ts";
+import { boundedPlace } from "./faceBounds.ts";
 import type { Probing } from "./pins/probing.ts";
 import { isBeyond, PlaceList, sizeText } from "./placeList.ts";
 import { type Place, placesOf } from "./places.ts";
@@ -23,7 +24,10 @@ export class PlaceView {
 
   /** The worst place of each face of the maps, the largest first. */
   get all(): Place[] {
-    return placesOf(painted()?.maps ?? {}, this.#view.models.drawn);
+    const { maps = {}, bounds } = painted() ?? {};
+    return placesOf(maps, this.#view.models.drawn)
+      .map((place) => boundedPlace(place, bounds))
+      .sort((one, two) => two.distance - one.distance);
   }
 
   /** Shows the list for what is allowed now. */

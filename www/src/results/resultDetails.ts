@@ -75,22 +75,28 @@ function methods(result: DistanceResult): Detail[] {
   ];
 }
 
-/** Estimates of the deviation over the area of a model. */
+/** Estimates of the deviation over the area of a model; `signs` is undefined where it has none. */
 export function statisticsOf(
   of: Side,
   estimates: Estimates,
-  signs: Signs,
+  signs: Signs | undefined,
   diagonal: number,
 ): Detail[] {
   const [side, other] = of === "a" ? ["A", "B"] : ["B", "A"];
   const text = (value: number) => `≈ ${distanceText(value, diagonal)}`;
+  const bySign: Detail[] =
+    signs === undefined
+      ? [[`${side}: signs`, `none: ${other} has no inside`]]
+      : [
+          [`${side}: signed mean`, `≈ ${signedText(estimates.signedMean, diagonal)}`],
+          [
+            `${side}: negative`,
+            signs === "solid" ? `inside the solid ${other}` : `behind ${other}'s normals`,
+          ],
+        ];
   return [
     [`${side}: mean`, text(estimates.mean)],
-    [`${side}: signed mean`, `≈ ${signedText(estimates.signedMean, diagonal)}`],
-    [
-      `${side}: negative`,
-      signs === "solid" ? `inside the solid ${other}` : `behind ${other}'s normals`,
-    ],
+    ...bySign,
     [`${side}: RMS`, text(estimates.rms)],
     [`${side}: median`, text(estimates.median)],
     [`${side}: 95th percentile`, text(estimates.percentile95)],

@@ -83,6 +83,9 @@ export type Request =
   | { kind: "cancel" }
   | { kind: "diff"; options: PlainDiffOptions }
   | { kind: "cancelDiff" }
+  /** Asks what is certain of each face of the result of a run. */
+  | { kind: "bound"; run: number; options: PlainDiffOptions }
+  | { kind: "cancelBound" }
   | { kind: "fit"; options: PlainFitOptions }
   | { kind: "cancelFit" }
   | { kind: "clearance"; options: PlainGapOptions }
@@ -162,6 +165,10 @@ export type ClearanceState = {
 };
 
 export type ClearanceReply = { kind: "clearance" } & (ClearanceState | Ended);
+export type BoundReply = { kind: "bound"; run: number } & (
+  | { state: "done"; result: DiffResult }
+  | Ended
+);
 export type DiffReply = { kind: "diff" } & (DiffState | Ended);
 export type FitReply = { kind: "fit" } & (FitState | Ended);
 
@@ -169,6 +176,7 @@ export type Reply =
   | ClearanceReply
   | DiffReply
   | FitReply
+  | BoundReply
   | { kind: "ready"; engine: EngineState; shapes: ShapeInfo[] }
   /** A library is fetched that a file needs. */
   | { kind: "loading"; text: string }
