@@ -71,10 +71,15 @@ await nextTask();
 // The view's code and its drawing are tasks of their own.
 const { View } = await import("./scene/view.ts");
 await nextTask();
-const view = await View.open(canvas, warnings.showNoWebGl, (move, rotation) => {
-  position.setPosition(move, degreesOf(rotation));
-  moved();
-});
+const view = await View.open(
+  canvas,
+  warnings.showNoWebGl,
+  warnings.showContext,
+  (move, rotation) => {
+    position.setPosition(move, degreesOf(rotation));
+    moved();
+  },
+);
 const faces = new FacesPanel({
   compare: (limit) => client.diff(diffOptions(limit)),
   cancel: () => client.cancelDiff(),

@@ -34,8 +34,12 @@ export class PlaceList {
 
   /** Shows the places, and marks those that are beyond. */
   show(places: Place[], diagonal: number, beyond?: (place: Place) => boolean): void {
+    const before = this.#places[this.#selected];
     this.#places = places.slice(0, MAX_PLACES);
-    this.#selected = -1;
+    // The same place, wherever it is in the list now.
+    this.#selected = this.#places.findIndex(
+      ({ side, face }) => side === before?.side && face === before.face,
+    );
     button.disabled = places.length === 0;
     list.replaceChildren(
       ...this.#places.map((place, index) => this.#row(place, index, diagonal, beyond?.(place))),
@@ -59,7 +63,7 @@ export class PlaceList {
   #row(place: Place, index: number, diagonal: number, beyond?: boolean): HTMLElement {
     const [item, row] = [document.createElement("li"), document.createElement("button")];
     row.type = "button";
-    row.setAttribute("aria-pressed", "false");
+    row.setAttribute("aria-pressed", `${index === this.#selected}`);
     const letter = document.createElement("b");
     letter.className = place.side;
     letter.textContent = place.side.toUpperCase();

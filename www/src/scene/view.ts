@@ -1,8 +1,9 @@
 // The view of the models and a result. Without WebGL it draws nothing.
-import type { DiffResult, DistanceResult, Vector3 as Point, SurfacePoint } from "nurbs-hausdorff";
+import type { DiffResult, DistanceResult, Vector3 as Point } from "nurbs-hausdorff";
 import { Box3, Vector3 } from "three";
-import { farthestSide } from "../common/direction.ts";
+import { agrees, farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
+import { placeName } from "../common/names.ts";
 import { certifiedText, heldText } from "../common/numbers.ts";
 import { type Change, classesOf } from "../faces/changes.ts";
 import { Pins } from "../inspection/pins/pins.ts";
@@ -73,14 +74,20 @@ export class View {
   /** The box of the files that are being read, as the camera was placed for it. */
   #drawn = new Box3();
 
-  /** Opens a view in some short tasks; calls `withoutWebGl` with the reason if the browser cannot draw. */
+  /**
+   * Opens a view in some short tasks; calls `withoutWebGl` with the reason if the browser cannot draw,
+   * and `onContext` when it no longer can for a while.
+   */
   static async open(
     canvas: HTMLCanvasElement,
     withoutWebGl: (reason: string) => void,
+    onContext: (isThere: boolean) => void,
     onGizmo: OnGizmo,
   ): Promise<View> {
     try {
-      return new View(canvas, onGizmo, await Viewport.open(canvas));
+      const viewport = await Viewport.open(canvas);
+      viewport.onContext = onContext;
+      return new View(canvas, onGizmo, viewport);
     } catch (error) {
       element("tools").hidden = true;
       element("axes", SVGSVGElement).toggleAttribute("hidden", true);
@@ -144,6 +151,13 @@ export class View {
   /** Shows both models; `atOnce` without a way to it. */
   fit(atOnce = false): void {
     this.#viewport?.fit(this.models.box, undefined, atOnce);
+  }
+
+  /** Shows both models, as they are looked at now, if a part of them is outside of the view. */
+  keepInView(): void {
+    const { box } = this.models;
+    if (this.#viewport === undefined || this.#viewport.holds(box)) return;
+    this.#viewport.fit(box, this.#viewport.seen.normal);
   }
 
   /** Shows both models from a standard direction. */
@@ -365,7 +379,7 @@ export class View {
 
   /** The arrow of the result, in the direction in which the distance is attained. */
   #showArrow(): void {
-    if (this.#result === undefined) {
+    if (this.#result === undefined || agrees(this.#result)) {
       this.#arrow.hide();
       return;
     }
@@ -375,8 +389,8 @@ export class View {
     const [own, other] = fromA ? ["A", "B"] : ["B", "A"];
     const texts = {
       length: certifiedText(computed, [lower, upper], diagonal),
-      from: `${own}: ${nameOf(from)}`,
-      to: `${other}: ${nameOf(to)}`,
+      from: `${own}: ${placeName(from)}`,
+      to: `${other}: ${placeName(to)}`,
     };
     this.#arrow.show(from.point, to.point, texts, this.models.center);
   }
@@ -386,9 +400,6 @@ export class View {
     for (const lines of Object.values(this.#lines)) lines.hide();
   }
 }
-
-/** The face of a point, by its name in the source. */
-const nameOf = ({ face, faceName }: SurfacePoint): string => faceName ?? `face ${face}`;
 
 /** The classes of a model of whose faces only one has a class of its own. */
 function only(face: number, [own = "plain"]: FaceClass[]): FaceClass[] {

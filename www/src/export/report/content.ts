@@ -1,5 +1,6 @@
 // What the report says, from the state of the page.
 import { element } from "../../common/elements.ts";
+import { placeName } from "../../common/names.ts";
 import { certifiedText, distanceText, intervalText, signedText } from "../../common/numbers.ts";
 import { unitName } from "../../common/units.ts";
 import { commonUnit } from "../../files/fileNotes.ts";
@@ -47,14 +48,13 @@ function verdictTerms({ result }: ExportedState): [string, string][] {
   const { lower, upper, computed, diagonal, gap, withGaps, witness } = result;
   const unit = commonUnit() ?? "model units";
   const limits = allowed();
-  const name = ({ face, faceName }: typeof witness.a) => faceName ?? `face ${face}`;
   const limit = limits === undefined ? "not stated" : `+${limits.above} / −${limits.below} ${unit}`;
   return [
     ["Measured", element("kind").textContent ?? ""],
     ["Allowed deviation", limit],
     ["Found", `${certifiedText(computed, [lower, upper], diagonal)} ${unit}`],
     ["Certified interval", `${intervalText(lower, upper, diagonal)} ${unit}`],
-    ["Where", `A ${name(witness.a)}, B ${name(witness.b)}`],
+    ["Where", `A ${placeName(witness.a)}, B ${placeName(witness.b)}`],
     ["At", witness.a.point.map((at) => distanceText(at, diagonal)).join(", ")],
     [
       "With the gaps of the files",
