@@ -29,9 +29,10 @@ import { Views } from "./export/views.ts";
 import { FacesPanel } from "./faces/facesPanel.ts";
 import { FaceTree } from "./faces/faceTree.ts";
 import { AskedFiles } from "./files/asked.ts";
-import { onScaleUnits, scalesUnits, showFileNotes, unitScale } from "./files/fileNotes.ts";
+import { showFileNotes } from "./files/fileNotes.ts";
 import { type FileName, filesNamedBy, nameOf, parametersOf } from "./files/identity.ts";
 import { forgetFiles, keepFiles, keepLast, keptFiles, lastFiles } from "./files/kept.ts";
+import { onUnit, showUnits, unitScale } from "./files/units.ts";
 import { drawCut } from "./inspection/cutView.ts";
 import * as deviation from "./inspection/deviationPanel.ts";
 import { Probing } from "./inspection/pins/probing.ts";
@@ -83,7 +84,7 @@ const view = await View.open(
 const faces = new FacesPanel({
   compare: (limit) => client.diff(diffOptions(limit)),
   cancel: () => client.cancelDiff(),
-  show: (result) => view.showFaces(result),
+  show: (result, side) => view.showFaces(result, side),
   select: (change) => view.selectFace(change),
 });
 const tree = new FaceTree({
@@ -175,19 +176,23 @@ options.onChange(() => {
 });
 position.onPosition(moved);
 onFit(
-  () => client.fit({ transform: pose().transform, scaleUnits: scalesUnits() }),
+  () => client.fit({ transform: pose().transform, scaleUnits: true }),
   () => client.cancelFit(),
 );
-onScaleUnits(() => {
-  view.models.scale = unitScale();
-  moved();
-  view.fit();
+onUnit((side, unit) => {
+  const source = view.models.drawn[side]?.source;
+  if (source === undefined || !("file" in source) || source.unit === unit) return;
+  const { unit: _before, ...rest } = source;
+  // The file is read again; all else stays.
+  pending = formState();
+  read({ [side]: unit === undefined ? rest : { ...rest, unit } }, IN_PLACE);
 });
 onSource(({ sources, placement, files }) => {
   resultPanel.hideError();
   if (asked.isActive && files.length > 0) {
     void asked.take(files).then((all) => {
       if (all === undefined) return;
+      leaveAside(undefined);
       pending = linkedState;
       read(all, IN_PLACE);
     });
@@ -234,7 +239,7 @@ function pose(): Pose {
 
 function diffOptions(limit: number): PlainDiffOptions {
   return {
-    ...{ limit, transform: pose().transform, scaleUnits: scalesUnits() },
+    ...{ limit, transform: pose().transform, scaleUnits: true },
     own: ownLimits().map(({ side, face, above, below }) => ({
       ...{ side, face, limit: Math.min(above, below) },
     })),
@@ -246,7 +251,7 @@ function measured(): PlainOptions {
     ...options.distanceOptions(),
     ...(finer !== undefined && { relativeTolerance: finer }),
     transform: pose().transform,
-    scaleUnits: scalesUnits(),
+    scaleUnits: true,
   };
 }
 
@@ -295,7 +300,7 @@ function measure(): void {
     show();
     clearance.showPending();
     const { transform } = pose();
-    client.clearance({ below: clearance.below, transform, scaleUnits: scalesUnits() });
+    client.clearance({ below: clearance.below, transform, scaleUnits: true });
     return;
   }
   show();
@@ -364,6 +369,7 @@ function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): 
   showSources(models, placement);
   view.models.aside = asideSide();
   showFileNotes(models);
+  showUnits(models);
   view.models.scale = unitScale();
   tree.show(view.models.drawn);
   display.offerFileColors(view.models.hasFileColors);

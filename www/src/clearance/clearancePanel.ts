@@ -3,7 +3,7 @@ import type { ClearanceResult, FaceGap, GapsResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { placeName } from "../common/names.ts";
 import { certifiedText, intervalText } from "../common/numbers.ts";
-import { commonUnit } from "../files/fileNotes.ts";
+import { commonUnit } from "../files/units.ts";
 import type { ClearanceReply } from "../worker/protocol.ts";
 
 /** Pairs listed; more are counted. */

@@ -103,7 +103,7 @@ function dropFiles(files: readonly File[], place: Side | undefined): void {
   const side = place ?? aside ?? next;
   if (files.length === 1) next = other(side);
   // Of an example nobody asked what it is like.
-  const isExample = pair.value !== OTHER && SIDES.every((one) => shown[one] !== OTHER);
+  const isExample = pair.value !== OTHER && SIDES.every((one) => shown[one]);
   const waits = files.length === 1 && (isExample || aside === other(side));
   openFiles(files, side, waits ? other(side) : undefined);
 }

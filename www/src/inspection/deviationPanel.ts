@@ -3,7 +3,7 @@
 import type { DiffResult, DistanceResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { distanceText } from "../common/numbers.ts";
-import { commonUnit } from "../files/fileNotes.ts";
+import { commonUnit } from "../files/units.ts";
 import { ownLimits } from "../results/ownLimits.ts";
 import { statisticsOf } from "../results/resultDetails.ts";
 import { showDetails } from "../results/resultPanel.ts";

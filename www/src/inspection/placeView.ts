@@ -9,6 +9,11 @@ import type { Probing } from "./pins/probing.ts";
 import { isBeyond, PlaceList, sizeText } from "./placeList.ts";
 import { type Place, placesOf } from "./places.ts";
 
+/** Digits by which places are ranked: what differs by less is equally far. */
+const RANKED_DIGITS = 6;
+
+const ranked = ({ distance }: Place): number => Number(distance.toPrecision(RANKED_DIGITS));
+
 export class PlaceView {
   readonly #view: View;
   readonly #probing: Probing;
@@ -27,7 +32,7 @@ export class PlaceView {
     const { maps = {}, bounds } = painted() ?? {};
     return placesOf(maps, this.#view.models.drawn)
       .map((place) => boundedPlace(place, bounds))
-      .sort((one, two) => two.distance - one.distance);
+      .sort((one, two) => ranked(two) - ranked(one));
   }
 
   /** Shows the list for what is allowed now. */

@@ -5,7 +5,8 @@ import { agrees, farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
 import { placeName } from "../common/names.ts";
 import { certifiedText, intervalText, twoDigits, upperText } from "../common/numbers.ts";
-import { commonUnit, skippedFaces } from "../files/fileNotes.ts";
+import { skippedFaces } from "../files/fileNotes.ts";
+import { commonUnit } from "../files/units.ts";
 import { type Detail, detailsOf } from "./resultDetails.ts";
 import { showVerdict } from "./verdict.ts";
 

@@ -49,6 +49,8 @@ export class Models {
 
   /** The model that is neither drawn nor compared. */
   aside: Side | undefined;
+  /** The only model that is drawn, where one is compared face by face. */
+  #alone: Side | undefined;
   /** A's units in one of B's; the scene is in A's. */
   #scale = 1;
 
@@ -108,9 +110,28 @@ export class Models {
     return isDrafting;
   }
 
+  /** The sides whose models are not there to be drawn. */
+  get #absent(): readonly Side[] {
+    return this.aside === undefined ? this.#replaced : [...this.#replaced, this.aside];
+  }
+
   /** The sides whose models are not drawn. */
   get #undrawn(): readonly Side[] {
-    return this.aside === undefined ? this.#replaced : [...this.#replaced, this.aside];
+    const others = SIDES.filter((side) => this.#alone !== undefined && side !== this.#alone);
+    return [...this.#absent, ...others];
+  }
+
+  /** Draws one model without the other one; with `undefined`, both as they are displayed. */
+  set alone(side: Side | undefined) {
+    this.#alone = side;
+    for (const one of SIDES) {
+      const mesh = this.#meshes[one];
+      if (mesh === undefined) continue;
+      mesh.group.visible = mesh.visibility !== "hidden" && !this.#undrawn.includes(one);
+      if (mesh.cap !== undefined) {
+        mesh.cap.plane.visible = mesh.group.visible && mesh.cap.group.visible;
+      }
+    }
   }
 
   #hide(side: Side): void {
@@ -185,7 +206,7 @@ export class Models {
   only(side: Side | undefined): void {
     for (const one of SIDES) {
       const mesh = this.#meshes[one];
-      if (mesh === undefined || one === this.aside) continue;
+      if (mesh === undefined || this.#undrawn.includes(one)) continue;
       const shown = mesh.visibility !== "hidden" && (side === undefined || side === one);
       mesh.group.visible = shown;
       if (mesh.cap !== undefined) mesh.cap.plane.visible = shown && mesh.cap.group.visible;
@@ -343,7 +364,7 @@ export class Models {
     for (const side of SIDES) {
       const mesh = this.#meshes[side];
       if (mesh === undefined) continue;
-      if (this.#undrawn.includes(side)) continue;
+      if (this.#absent.includes(side)) continue;
       mesh.group.updateWorldMatrix(true, true);
       box.union(new Box3().setFromObject(mesh.target));
     }

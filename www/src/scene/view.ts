@@ -71,6 +71,7 @@ export class View {
   #unit = 1;
   #result: DistanceResult | undefined;
   #diff: DiffResult | undefined;
+  #diffSide: Side | undefined;
   /** The box of the files that are being read, as the camera was placed for it. */
   #drawn = new Box3();
 
@@ -333,9 +334,14 @@ export class View {
     this.#viewport?.draw();
   }
 
-  /** Colours the faces that a comparison found changed and greys the others; without one, ends that. */
-  showFaces(diff: DiffResult | undefined): void {
+  /**
+   * Colours the faces that a comparison found changed and greys the others, of one model or of both;
+   * without a comparison, ends that.
+   */
+  showFaces(diff: DiffResult | undefined, side?: Side): void {
     this.#diff = diff;
+    this.#diffSide = side;
+    this.models.alone = diff === undefined ? undefined : side;
     this.models.classify(
       diff === undefined ? {} : { a: classesOf(diff.facesOfA), b: classesOf(diff.facesOfB) },
     );
@@ -355,10 +361,11 @@ export class View {
     const diff = this.#diff;
     if (diff === undefined) return;
     if (change === undefined) {
-      this.showFaces(diff);
+      this.showFaces(diff, this.#diffSide);
       return;
     }
     const { side, difference } = change;
+    this.models.alone = side;
     const { a, b } = difference.witness;
     const plain: Sides<FaceClass[]> = { a: [], b: [] };
     this.models.classify({ ...plain, [side]: only(difference.face, classesOf([difference])) });

@@ -26,8 +26,11 @@ export const SIDES: readonly Side[] = ["a", "b"];
 /** A value for each of the two models, or for one of them. */
 export type Sides<T> = Partial<Record<Side, T>>;
 
-/** The source of a model: a shape's name, or a file, with all surfaces or only the first. */
-export type Source = { shape: string } | { file: File; firstSurface?: boolean };
+/**
+ * The source of a model: a shape's name, or a file, with all surfaces or only the first, and the metres
+ * in the unit of one that states none.
+ */
+export type Source = { shape: string } | { file: File; firstSurface?: boolean; unit?: number };
 
 /** The initial position of model A. */
 export interface Placement {
