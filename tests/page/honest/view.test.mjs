@@ -27,7 +27,7 @@ const near = (...rgb) =>
   ["r", "g", "b"].map((name, at) => `Math.abs(${name} - ${rgb[at]}) < 4`).join(" && ");
 /** The green of what is allowed, as in the legend, and the two greys of a cut. */
 const GREEN = near(0x79, 0xb9, 0x8a);
-const CUT = near(0xe4, 0xe7, 0xea);
+const CUT = near(0xcd, 0xd3, 0xd9);
 const BLUE = "b > 110 && b > 1.5 * r && b > 1.3 * g";
 
 test("colours that face the eye are those of the legend, and darker by a third at most", async () => {

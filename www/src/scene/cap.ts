@@ -22,7 +22,7 @@ import type { Side } from "../worker/protocol.ts";
 /** The order in which caps are drawn: after opaque surfaces, one model after the other. */
 const ORDERS = { a: 0.1, b: 0.3 } as const;
 /** The colours of a cut: none of those that stand for deviations. */
-const GROUND = "#e4e7ea";
+const GROUND = "#cdd3d9";
 const LINE = "#5c656e";
 /** Pixels from one line of the hatching to the next, and the part of that which is line. */
 const SPACING = 9;

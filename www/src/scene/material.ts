@@ -64,7 +64,7 @@ export function painted(map: Texture, offset: number): MeshStandardMaterial {
 }
 
 /** The part of a point's radius beyond which it is dark, and how dark: it is seen on any ground. */
-const RIM = { from: 0.7, brightness: 0.35 };
+const RIM = { from: 0.7, brightness: 0.1 };
 
 /** Makes the points of a material round, with a dark rim. */
 export function rounded(material: PointsMaterial): PointsMaterial {

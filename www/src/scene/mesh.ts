@@ -27,7 +27,7 @@ export type Visibility = "solid" | "glass" | "hidden";
 
 const TRIANGLES = { color: 0x101820, wireframe: true, transparent: true, opacity: 0.16 };
 /** The size of the points of a scan, in pixels. */
-const POINT_SIZE = 6;
+const POINT_SIZE = 8;
 /** The opacity of colours that are seen through. */
 const SEE_THROUGH = 0.4;
 /** The outline of a model in its own colours, and of one whose outline alone shows which it is. */
