@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { moduleOf } from "../support/module.mjs";
 
-const { certifiedText, heldText, intervalText } = await moduleOf("common/numbers.ts");
+const { certifiedText, heldText, intervalText, listedText } = await moduleOf("common/numbers.ts");
 
 /** A generator of numbers in [0, 1), the same on every run (Park and Miller's). */
 function random(seed) {
@@ -44,6 +44,12 @@ test("digits are those of the models' size where the interval is narrow, and few
   assert.equal(certifiedText(3, [3, 3], 8), "3.00000");
   assert.equal(certifiedText(0.36, [0.31, 0.39], 8), "0.36");
   assert.equal(certifiedText(1 / 3, [1 / 3, 1 / 3], 8), `${1 / 3}`);
+});
+
+test("a list has the first of many digits, and says that there are more", () => {
+  assert.equal(listedText(2.061552812809, [2.0615528128085, 2.0615528128095], 3.7), "2.06155…");
+  assert.equal(listedText(0.35, [0.3499999, 0.3500001], 107), "0.350");
+  assert.equal(listedText(1e-12, [0, 1.05e-11], 100), "≤ 1.1e-11");
 });
 
 test("an interval that reaches down to nothing states an upper bound", () => {

@@ -63,6 +63,22 @@ export function certifiedText(
   return `${lower <= computed && computed <= upper ? computed : upper}`;
 }
 
+/** Digits after those of the models' size that a list has room for. */
+const MORE_DIGITS = 2;
+
+/** As `certifiedText` for lists: of many digits the first ones, with dots that say that there are more. */
+export function listedText(
+  computed: number,
+  interval: readonly [number, number],
+  diagonal: number,
+): string {
+  const text = certifiedText(computed, interval, diagonal);
+  const shown = digitsAfterPoint(RELATIVE_DIGITS - magnitude(diagonal)) + MORE_DIGITS;
+  const [whole = "", fraction = ""] = text.split(".");
+  const isLong = /^\d+$/.test(fraction) && fraction.length > shown;
+  return isLong ? `${whole}.${fraction.slice(0, shown - MORE_DIGITS)}…` : text;
+}
+
 /** The largest distance of an interval whose distance is not computed, as `certifiedText`. */
 export const heldText = (interval: readonly [number, number], diagonal: number): string =>
   certifiedText((interval[0] + interval[1]) / 2, interval, diagonal);

@@ -1,6 +1,6 @@
 // The list of worst places: a button each, which a key goes through.
 import { element } from "../common/elements.ts";
-import { certifiedText, distanceText, signedText } from "../common/numbers.ts";
+import { distanceText, listedText, signedText } from "../common/numbers.ts";
 import { exceeds } from "../results/judgement.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
 import type { Place } from "./places.ts";
@@ -83,7 +83,7 @@ export class PlaceList {
 export function sizeText({ distance, signed, certified }: Place, diagonal: number): string {
   const sign = signed < 0 ? "−" : "+";
   if (certified !== undefined) {
-    const text = certifiedText(distance, [certified.lower, certified.upper], diagonal);
+    const text = listedText(distance, [certified.lower, certified.upper], diagonal);
     return Number.isNaN(signed) || !/^[\d.]/.test(text) ? text : `${sign}${text}`;
   }
   return Number.isNaN(signed) ? distanceText(distance, diagonal) : signedText(signed, diagonal);
