@@ -86,7 +86,9 @@ test("faces are listed and judged by what is certain of them", async () => {
   assert.ok(Math.abs(Math.abs(Number(size.replace("−", "-").replace("…", ""))) - 0.2) < 2e-4, size);
   await page.locator("#compare").click();
   await page.locator('#faces[data-state="done"]').waitFor();
-  const changed = await page.locator('#face-list button[data-side="a"]').count();
+  const changed = await page
+    .locator('#face-list button[data-side="a"][data-state="changed"]')
+    .count();
   const beyond = await page
     .locator('#place-list button:has(b.a) .size[data-beyond="true"]')
     .count();
