@@ -49,7 +49,9 @@ export function certifiedText(
 ): string {
   if (upper === 0) return "0";
   if (isUpperBound(lower, upper, diagonal)) return `≤ ${upperText(upper)}`;
-  const known = upper > lower ? Math.floor(-Math.log10(upper - lower)) : MAX_DIGITS;
+  const narrow = upper > lower ? Math.floor(-Math.log10(upper - lower)) : MAX_DIGITS;
+  // A wide interval holds what was computed too: two of its digits say more than one.
+  const known = Math.max(narrow, 1 - magnitude(computed));
   const wanted = RELATIVE_DIGITS - magnitude(diagonal);
   const first = digitsAfterPoint(Math.min(wanted, known));
   const last = digitsAfterPoint(SIGNIFICANT_DIGITS - 1 - magnitude(upper));
