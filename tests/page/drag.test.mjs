@@ -31,7 +31,9 @@ for (const method of ["certified", "iteration"]) {
     const { results, heights, perSecond } = await drag(page, "#move-x", REQUIRED);
     context.diagnostic(`${perSecond.toFixed(1)} results a second`);
     assert.ok(results.length >= REQUIRED, `${results.length} results while moving`);
-    for (const { computed, text } of results) assert.equal(text, Number(computed).toFixed(5));
+    for (const { lower, upper, text } of results) {
+      assert.ok(lower <= Number(text) && Number(text) <= upper, `${text} of ${lower} ${upper}`);
+    }
     assert.equal(heights.length, 2, heights.join(", "));
     await page.locator('#result[data-state="done"]').waitFor();
   });

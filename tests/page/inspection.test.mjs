@@ -82,13 +82,17 @@ test("a verdict says that the files' gaps could change it", async () => {
   await page.locator("#limit").fill("");
 });
 
-test("the address of a pair of files does not judge another pair", async () => {
+test("the address of a pair of files names them beside what is allowed of them", async () => {
   const { page } = opened;
   await openPlanes([0], [0.25]);
   await page.locator("#limit").fill("0.6");
   await opened.until("done", () => page.locator("#symmetric").check());
   await page.waitForFunction(() => !location.hash.includes("symmetric="));
-  assert.doesNotMatch(await page.evaluate(() => location.hash), /limit/);
+  const parameters = await page.evaluate(() => location.hash.slice(1));
+  const [a, b, limit] = ["file-a", "file-b", "limit"].map((name) =>
+    new URLSearchParams(parameters).get(name),
+  );
+  assert.deepEqual([a, b, limit], ["a.json", "b.json", "0.6"]);
   await page.locator("#limit").fill("");
   await opened.until("done", () => page.locator("#symmetric").uncheck());
 });

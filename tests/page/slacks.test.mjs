@@ -1,19 +1,11 @@
 // What is certain of the points that a map measures: the model is within the slack of each.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { build } from "esbuild";
+import { moduleOf } from "./support/module.mjs";
 
-/** Imports a module of the page. */
-async function imported(path) {
-  const { outputFiles } = await build({
-    ...{ entryPoints: [`www/src/${path}`], bundle: true, format: "esm", write: false },
-  });
-  return import(`data:text/javascript,${encodeURIComponent(outputFiles[0].text)}`);
-}
-
-const { edgeEnds, edgesOf } = await imported("worker/map/triangles.ts");
-const { joined, middlesOf } = await imported("worker/map/base.ts");
-const { placesOf } = await imported("inspection/places.ts");
+const { edgeEnds, edgesOf } = await moduleOf("worker/map/triangles.ts");
+const { joined, middlesOf } = await moduleOf("worker/map/base.ts");
+const { placesOf } = await moduleOf("inspection/places.ts");
 
 /** A part of the unit circle of this angle, as one edge with the normals of its ends. */
 function arc(angle, lean = 0) {

@@ -7,13 +7,17 @@ import { clearFit, isFitting, onFit, showFit } from "./controls/bestFit.ts";
 import * as display from "./controls/display.ts";
 import * as options from "./controls/options.ts";
 import * as position from "./controls/position.ts";
-import { IN_PLACE } from "./controls/presets.ts";
+import { IN_PLACE, presets } from "./controls/presets.ts";
 import * as sections from "./controls/section.ts";
 import {
+  asideSide,
   fillShapes,
+  leaveAside,
   onSource,
   openShapes,
   setLoading,
+  showNames,
+  showReading,
   showSources,
   sourcesOf,
 } from "./controls/sources.ts";
@@ -24,21 +28,34 @@ import { exportAs } from "./export/exports.ts";
 import { Views } from "./export/views.ts";
 import { FacesPanel } from "./faces/facesPanel.ts";
 import { FaceTree } from "./faces/faceTree.ts";
-import { onScaleUnits, scalesUnits, showFileNotes, unitScale } from "./files/fileNotes.ts";
-import { forgetFiles, keepFile, keepState, keptFiles } from "./files/kept.ts";
+import { AskedFiles } from "./files/asked.ts";
+import { showFileNotes } from "./files/fileNotes.ts";
+import { type FileName, filesNamedBy, nameOf, parametersOf } from "./files/identity.ts";
+import { forgetFiles, keepFiles, keepLast, keptFiles, lastFiles } from "./files/kept.ts";
+import { onUnit, showUnits, unitScale } from "./files/units.ts";
 import { drawCut } from "./inspection/cutView.ts";
 import * as deviation from "./inspection/deviationPanel.ts";
 import { Probing } from "./inspection/pins/probing.ts";
 import { PlaceView } from "./inspection/placeView.ts";
 import { clearOwnLimits, ownLimits } from "./results/ownLimits.ts";
 import * as resultPanel from "./results/resultPanel.ts";
-import { needsPrecision, onLimit } from "./results/verdict.ts";
+import { allowed, needsPrecision, onLimit } from "./results/verdict.ts";
 import * as warnings from "./results/warnings.ts";
 import { degreesOf, Pose } from "./scene/pose.ts";
 import { applyFormState, formState } from "./state/formState.ts";
 import { History } from "./state/history.ts";
 import { Client } from "./worker/client.ts";
-import { type FitReply, type PlainOptions, type Reply, SIDES } from "./worker/protocol.ts";
+import {
+  type BoundReply,
+  type FitReply,
+  type Placement,
+  type PlainDiffOptions,
+  type PlainOptions,
+  type Reply,
+  SIDES,
+  type Sides,
+  type Source,
+} from "./worker/protocol.ts";
 
 /** The finest tolerance, in diagonals, and the factor to it from one that does not decide. */
 const FINEST = 1e-9;
@@ -55,20 +72,19 @@ await nextTask();
 // The view's code and its drawing are tasks of their own.
 const { View } = await import("./scene/view.ts");
 await nextTask();
-const view = await View.open(canvas, warnings.showNoWebGl, (move, rotation) => {
-  position.setPosition(move, degreesOf(rotation));
-  moved();
-});
+const view = await View.open(
+  canvas,
+  warnings.showNoWebGl,
+  warnings.showContext,
+  (move, rotation) => {
+    position.setPosition(move, degreesOf(rotation));
+    moved();
+  },
+);
 const faces = new FacesPanel({
-  compare: (limit) =>
-    client.diff({
-      ...{ limit, transform: pose().transform, scaleUnits: scalesUnits() },
-      own: ownLimits().map(({ side, face, above, below }) => ({
-        ...{ side, face, limit: Math.min(above, below) },
-      })),
-    }),
+  compare: (limit) => client.diff(diffOptions(limit)),
   cancel: () => client.cancelDiff(),
-  show: (result) => view.showFaces(result),
+  show: (result, side) => view.showFaces(result, side),
   select: (change) => view.selectFace(change),
 });
 const tree = new FaceTree({
@@ -93,12 +109,21 @@ const clearance = new ClearancePanel({
 let pending: string | undefined;
 /** The tolerance of a measurement that the user's precision did not decide. */
 let finer: number | undefined;
+/** The run whose colours are shown, once they are as fine as they get. */
+let colored: number | undefined;
 let started = false;
 const past = new History((state) => {
   if (openShapes(state)) pending = state;
   else applyFormState(state);
 });
-past.onFileState = (state) => void keepState(state);
+/** The files compared, as links name them. */
+let named: Sides<FileName> = {};
+past.onState = (state) => {
+  if (Object.keys(named).length > 0) void keepLast(named, state);
+};
+const asked = new AskedFiles(() => openShapes());
+/** The state of the link whose files are asked for. */
+let linkedState: string | undefined;
 
 element("panel").addEventListener("submit", (event) => event.preventDefault());
 element("cancel").addEventListener("click", () => client.cancel());
@@ -107,6 +132,8 @@ element("fit").addEventListener("click", () => view.fit());
 element("approach").addEventListener("click", () => view.approachArrow());
 element("add-view").addEventListener("click", () => views.add());
 element("forget").addEventListener("click", () => {
+  named = {};
+  past.files = "";
   void forgetFiles();
   element("kept").hidden = true;
 });
@@ -135,11 +162,12 @@ sections.onSection(
 window.addEventListener("keydown", ({ key, defaultPrevented }) => {
   if (key === "Escape" && !defaultPrevented) view.back();
 });
-deviation.onScale((scale) => view.rescale(scale));
+deviation.onScale(paint);
 onLimit(() => {
   deviation.rescale();
   places.show();
   refine();
+  boundFaces();
 });
 options.onChange(() => {
   resultPanel.hideError();
@@ -148,19 +176,35 @@ options.onChange(() => {
 });
 position.onPosition(moved);
 onFit(
-  () => client.fit({ transform: pose().transform, scaleUnits: scalesUnits() }),
+  () => client.fit({ transform: pose().transform, scaleUnits: true }),
   () => client.cancelFit(),
 );
-onScaleUnits(() => {
-  view.models.scale = unitScale();
-  moved();
-  view.fit();
+onUnit((side, unit) => {
+  const source = view.models.drawn[side]?.source;
+  if (source === undefined || !("file" in source) || source.unit === unit) return;
+  const { unit: _before, ...rest } = source;
+  // The file is read again; all else stays.
+  pending = formState();
+  read({ [side]: unit === undefined ? rest : { ...rest, unit } }, IN_PLACE);
 });
-onSource((sources, placement) => {
+onSource(({ sources, placement, files }) => {
   resultPanel.hideError();
-  setLoading(true);
-  view.models.clearDrafts();
-  client.load(sources, placement);
+  if (asked.isActive && files.length > 0) {
+    void asked.take(files).then((all) => {
+      if (all === undefined) return;
+      leaveAside(undefined);
+      pending = linkedState;
+      read(all, IN_PLACE);
+    });
+    return;
+  }
+  // What was asked for is no longer wanted; the page always has two models.
+  if (asked.isActive) {
+    asked.end();
+    const [example] = presets;
+    const others = example && { a: { shape: example.a }, b: { shape: example.b } };
+    read({ ...others, ...sources }, placement);
+  } else read(sources, placement);
 });
 onExport((format) =>
   exportAs(format, {
@@ -172,8 +216,34 @@ onExport((format) =>
 
 complete();
 
+function read(sources: Sides<Source>, placement: Placement): void {
+  setLoading(true);
+  showReading(sources);
+  view.models.clearDrafts();
+  client.load(sources, placement);
+}
+
+/** Draws maps in their colours. */
+function paint({ scale, maps, largest, isSame }: deviation.Painting): void {
+  if (isSame) {
+    view.rescale(scale);
+    return;
+  }
+  view.showMaps(maps, scale, largest);
+  show();
+}
+
 function pose(): Pose {
   return new Pose(position.translation(), position.degrees(), view.models.middle);
+}
+
+function diffOptions(limit: number): PlainDiffOptions {
+  return {
+    ...{ limit, transform: pose().transform, scaleUnits: true },
+    own: ownLimits().map(({ side, face, above, below }) => ({
+      ...{ side, face, limit: Math.min(above, below) },
+    })),
+  };
 }
 
 function measured(): PlainOptions {
@@ -181,7 +251,7 @@ function measured(): PlainOptions {
     ...options.distanceOptions(),
     ...(finer !== undefined && { relativeTolerance: finer }),
     transform: pose().transform,
-    scaleUnits: scalesUnits(),
+    scaleUnits: true,
   };
 }
 
@@ -201,7 +271,7 @@ function moved(): void {
 
 function show(): void {
   view.show(pose(), options.overlays(), {
-    visibility: visibilities(view.models, view.result),
+    visibility: visibilities(view.models, view.result, deviation.paintedSides()),
     orthographic: display.isOrthographic(),
     section: sections.section(),
     gizmo: display.gizmoMode(),
@@ -213,6 +283,14 @@ function show(): void {
 }
 
 function measure(): void {
+  client.cancelBound();
+  delete element("points").dataset.bounded;
+  if (view.models.aside !== undefined) {
+    client.cancel();
+    resultPanel.clearResult("lone");
+    hideResult();
+    show();
+  }
   if (!view.models.complete) return;
   if (clearance.active) {
     // The deviation shown is no longer that of the models as they are.
@@ -222,7 +300,7 @@ function measure(): void {
     show();
     clearance.showPending();
     const { transform } = pose();
-    client.clearance({ below: clearance.below, transform, scaleUnits: scalesUnits() });
+    client.clearance({ below: clearance.below, transform, scaleUnits: true });
     return;
   }
   show();
@@ -288,14 +366,16 @@ function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): 
   clearFit();
   finer = undefined;
   view.showModels(models);
+  showSources(models, placement);
+  view.models.aside = asideSide();
+  showFileNotes(models);
+  showUnits(models);
+  view.models.scale = unitScale();
   tree.show(view.models.drawn);
   display.offerFileColors(view.models.hasFileColors);
-  showSources(models, placement);
-  showFileNotes(models);
-  view.models.scale = unitScale();
   faces.propose(view.models.diagonal);
   position.setPlacement(placement, view.models.diagonal);
-  keep(models);
+  void keep();
   clearOwnLimits();
   const state = pending;
   pending = undefined;
@@ -314,15 +394,24 @@ function showLoaded({ models, placement }: Extract<Reply, { kind: "loaded" }>): 
   else past.record();
 }
 
-/** Keeps files over a reload; a shape replaces the file that was kept in its place. */
-function keep(models: Extract<Reply, { kind: "loaded" }>["models"]): void {
-  for (const side of SIDES) {
-    const source = models[side]?.source;
-    if (source === undefined) continue;
-    void keepFile(side, "file" in source ? source.file : undefined);
-  }
+/** Names the files compared in the address, and keeps them over a reload. */
+async function keep(): Promise<void> {
   const { drawn } = view.models;
-  element("kept").hidden = !SIDES.some((side) => "file" in (drawn[side]?.source ?? {}));
+  const files: Sides<FileName & { file: File }> = {};
+  for (const side of SIDES) {
+    const source = drawn[side]?.source;
+    if (source === undefined || !("file" in source)) continue;
+    const { file } = source;
+    files[side] = { ...(await nameOf(file)), file };
+  }
+  // Others were opened while the hashes were computed.
+  if (SIDES.some((side) => drawn[side] !== view.models.drawn[side])) return;
+  named = Object.fromEntries(
+    Object.entries(files).map(([side, { name, hash }]) => [side, { name, hash }]),
+  );
+  element("kept").hidden = Object.keys(files).length === 0;
+  past.files = parametersOf(named);
+  await keepFiles(files);
 }
 
 function hideResult(): void {
@@ -332,37 +421,84 @@ function hideResult(): void {
   drawCut(view.models);
 }
 
-function showMeasured({ result, maps, pending }: Extract<Reply, { kind: "measured" }>): void {
+function showMeasured({ run, result, maps, pending }: Extract<Reply, { kind: "measured" }>): void {
   // The colours before stay until new ones replace them.
   const hasMaps = Object.keys(maps).length > 0;
   const replaced = hasMaps || !pending;
   view.showResult(result, replaced);
-  show();
   if (replaced) deviation.hideMaps();
-  if (hasMaps) {
-    const { scale, largest } = deviation.showMaps(result, maps);
-    view.showMaps(maps, scale, largest);
-  }
+  const painting = hasMaps ? deviation.showMaps(result, maps) : undefined;
+  if (painting !== undefined) paint(painting);
+  else show();
   if (!replaced) return;
   places.show();
   drawCut(view.models);
+  colored = pending ? undefined : run;
+  boundFaces();
+}
+
+/** Asks what is certain of each face, for what is allowed now, once the colours are there. */
+function boundFaces(): void {
+  const limits = allowed();
+  client.cancelBound();
+  if (colored === undefined || !client.isNewest(colored) || limits === undefined) return;
+  const limit = Math.min(limits.above, limits.below);
+  if (!(limit > 0) || deviation.painted() === undefined) return;
+  client.bound(colored, diffOptions(limit));
+}
+
+function showBounds(reply: BoundReply): void {
+  if (reply.state !== "done" || !client.isNewest(reply.run) || reply.run !== colored) return;
+  deviation.bound(reply.result);
+  places.show();
+  element("points").dataset.bounded = `${reply.result.limit}`;
 }
 
 /** Opens what the page begins with: the address's shapes, the files that are kept, or the example. */
 async function openFirst(): Promise<void> {
   const { linked } = History;
+  const wanted = filesNamedBy(linked);
+  if (linked !== undefined && Object.keys(wanted).length > 0) {
+    await openNamed(wanted, linked);
+    return;
+  }
   const parameters = new URLSearchParams(linked);
-  const { files, state } =
-    parameters.has("a") || parameters.has("b") ? { files: {}, state: "" } : await keptFiles();
-  if (Object.keys(files).length > 0) {
-    pending = state;
-    setLoading(true);
-    client.load(
-      { ...{ a: { shape: "bracket" }, b: { shape: "bracket-revised" } }, ...sourcesOf(files) },
-      IN_PLACE,
-    );
-  } else if (linked !== undefined && openShapes(linked)) pending = linked;
+  if (!parameters.has("a") && !parameters.has("b")) {
+    const last = await lastFiles();
+    const kept = await keptFiles(last.files);
+    const count = Object.keys(kept).length;
+    if (count > 0 && count === Object.keys(last.files).length) {
+      await openNamed(last.files, last.state);
+      return;
+    }
+  }
+  if (linked !== undefined && openShapes(linked)) pending = linked;
   else openShapes();
+}
+
+/** Opens the files that a state is about; asks for those that are not kept here. */
+async function openNamed(wanted: Sides<FileName>, state: string): Promise<void> {
+  const kept = await keptFiles(wanted);
+  const sources = sourcesOf(kept);
+  const parameters = new URLSearchParams(state);
+  for (const side of SIDES) {
+    const shape = parameters.get(side);
+    if (wanted[side] === undefined && shape !== null) sources[side] = { shape };
+  }
+  // A single file was compared with nothing.
+  const alone = SIDES.find((side) => wanted[side] === undefined && sources[side] === undefined);
+  if (alone !== undefined) {
+    leaveAside(alone);
+    sources[alone] = { shape: presets[0]?.[alone] ?? "" };
+  }
+  if (SIDES.every((side) => sources[side] !== undefined)) {
+    pending = state;
+    read(sources, IN_PLACE);
+    return;
+  }
+  linkedState = state;
+  asked.ask(wanted, sources);
+  resultPanel.clearResult("asked");
 }
 
 function onReply(reply: Reply): void {
@@ -422,6 +558,9 @@ function onReply(reply: Reply): void {
       // A comparison that ended because A was moved is no longer shown.
       if (faces.active || reply.state === "working") faces.show(reply);
       break;
+    case "bound":
+      showBounds(reply);
+      break;
     case "fit":
       showFitted(reply);
       break;
@@ -444,6 +583,7 @@ function onReply(reply: Reply): void {
       resultPanel.showError(reply.code, reply.message);
       if (reply.run === undefined) {
         setLoading(false);
+        showNames(view.models.drawn);
         if (showBefore()) measure();
       }
       // After a file that could not be loaded, the old models and their result stay.

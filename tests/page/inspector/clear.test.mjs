@@ -12,7 +12,7 @@ const SCREENS = {
   telephone: { width: 390, height: 844 },
 };
 const BROKEN = { name: "cut.step", mimeType: "text/plain", buffer: Buffer.from("ISO-10303-21;\n") };
-/** The colours of maps and caps, and not those of the view's background. */
+/** The colours of maps, and not those of the view's background. */
 const COLOURED = "Math.max(r, g, b) - Math.min(r, g, b) > 40";
 
 let opened;

@@ -66,16 +66,12 @@ test("a file in another format is refused with the formats that are read", async
   assert.match(await error.textContent(), /part\.dwg.*STEP, IGES/);
 });
 
-test("models of different units are not measured unless B is scaled", async () => {
+test("a model of another unit is converted, and the page says so", async () => {
   const { page } = opened;
   // 25.4 mm above A is 1 inch.
   await openFile("a", modelFile("a.json", { unit: 0.001, ...planes(25.4) }));
-  await opened.until("failed", () =>
-    page.setInputFiles("#file-b", modelFile("b.json", { unit: 0.0254, ...planes(0) })),
-  );
-  assert.equal(await page.locator("#error").getAttribute("data-code"), "UNITS_DIFFER");
-  assert.match(await page.locator("#units-text").textContent(), /A is in mm and B in in/);
-  await opened.until("done", () => page.locator("#scale-units").check());
+  await openFile("b", modelFile("b.json", { unit: 0.0254, ...planes(0) }));
+  assert.match(await page.locator("#units-differ").textContent(), /B in in: B is converted to mm/);
   const { lower, upper } = await opened.data();
   assert.ok(Number(lower) <= 25.4 + 1e-12 && 25.4 - 1e-12 <= Number(upper), `${lower} ${upper}`);
   assert.equal(await page.locator("#unit").textContent(), "mm");

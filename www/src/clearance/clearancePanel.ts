@@ -1,8 +1,9 @@
 // The panel of clearance and clash: the least distance, and the faces that come near each other.
-import type { ClearanceResult, FaceGap, GapsResult, SurfacePoint } from "nurbs-hausdorff";
+import type { ClearanceResult, FaceGap, GapsResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
+import { placeName } from "../common/names.ts";
 import { certifiedText, intervalText } from "../common/numbers.ts";
-import { commonUnit } from "../files/fileNotes.ts";
+import { commonUnit } from "../files/units.ts";
 import type { ClearanceReply } from "../worker/protocol.ts";
 
 /** Pairs listed; more are counted. */
@@ -10,6 +11,7 @@ const MAX_PAIRS = 30;
 
 const section = element("clearance");
 const start = element("clearance-start", HTMLButtonElement);
+const end = element("clearance-end", HTMLButtonElement);
 const below = element("below", HTMLInputElement);
 const text = element("clearance-text");
 const list = element("gap-list");
@@ -37,6 +39,7 @@ export class ClearancePanel {
   constructor(listener: ClearanceListener) {
     this.#listener = listener;
     start.addEventListener("click", () => this.#turn(!this.active));
+    end.addEventListener("click", () => this.end());
     below.addEventListener("input", () => {
       if (this.active) listener.change();
     });
@@ -61,6 +64,8 @@ export class ClearancePanel {
   #turn(on: boolean): void {
     start.setAttribute("aria-pressed", `${on}`);
     start.textContent = on ? "End" : "Measure";
+    // Where the panel's part is folded away, the card ends it too.
+    end.hidden = !on;
     section.dataset.state = on ? "working" : "idle";
     if (!on) this.#clear("");
     this.#listener.change();
@@ -112,7 +117,7 @@ export class ClearancePanel {
       const badge = document.createElement("b");
       badge.className = letter;
       badge.textContent = letter.toUpperCase();
-      button.append(badge, ` ${nameOf(point)} `);
+      button.append(badge, ` ${placeName(point)} `);
     }
     const size = document.createElement("span");
     size.className = "size";
@@ -124,15 +129,13 @@ export class ClearancePanel {
   }
 }
 
-export const nameOf = ({ face, faceName }: SurfacePoint): string => faceName ?? `face ${face}`;
-
 function meetingOf({ overlap, lower, upper, tolerance }: ClearanceResult): Meeting {
   if (overlap?.kind === "intersecting" || overlap?.kind === "contained") return "clash";
   return lower === 0 && upper <= tolerance ? "touching" : "apart";
 }
 
 function sentence(result: ClearanceResult, meeting: Meeting): string {
-  const { overlap, lower, upper, diagonal, witness } = result;
+  const { overlap, lower, upper, diagonal, witness, gap, withGaps } = result;
   if (meeting === "clash") {
     return overlap?.kind === "contained"
       ? "Clash: a part of one lies inside the other."
@@ -140,8 +143,13 @@ function sentence(result: ClearanceResult, meeting: Meeting): string {
   }
   const unit = commonUnit();
   const size = certifiedText(upper, [lower, upper], diagonal);
-  const places = `A ${nameOf(witness.a)} and B ${nameOf(witness.b)}`;
+  const places = `A ${placeName(witness.a)} and B ${placeName(witness.b)}`;
   if (meeting === "touching")
     return `Touching or crossing: ${places}, ${size}${unit ? ` ${unit}` : ""}.`;
-  return `Apart by ${size}${unit ? ` ${unit}` : ""}, in ${intervalText(lower, upper, diagonal)}: ${places}.`;
+  // The files leave open what the models of both are, by their gaps.
+  const open =
+    gap > 0
+      ? `; with the gaps of the files in ${intervalText(Math.max(0, withGaps.lower), withGaps.upper, diagonal)}`
+      : "";
+  return `Apart by ${size}${unit ? ` ${unit}` : ""}, in ${intervalText(lower, upper, diagonal)}${open}: ${places}.`;
 }

@@ -1,10 +1,11 @@
 // How near the models come, in the view: the faces of the gaps, and the place of a clash.
 
-import { distanceText } from "../common/numbers.ts";
+import { placeName } from "../common/names.ts";
+import { certifiedText } from "../common/numbers.ts";
 import type { FaceClass } from "../scene/faces.ts";
 import type { View } from "../scene/view.ts";
-import type { Sides } from "../worker/protocol.ts";
-import { nameOf, type ShownClearance } from "./clearancePanel.ts";
+import type { Side, Sides } from "../worker/protocol.ts";
+import type { ShownClearance } from "./clearancePanel.ts";
 
 /** Shows a clearance; without one, the deviations again. */
 export function showMeeting(view: View, shown: ShownClearance | undefined): void {
@@ -14,7 +15,10 @@ export function showMeeting(view: View, shown: ShownClearance | undefined): void
     return;
   }
   const { clearance, gaps, meeting } = shown;
-  const classes: Required<Sides<FaceClass[]>> = { a: [], b: [] };
+  // Faces that are not near have the colours of their models, which are seen through.
+  const own = (side: Side): FaceClass[] =>
+    Array(view.models.drawn[side]?.faceCount ?? 0).fill("own");
+  const classes: Required<Sides<FaceClass[]>> = { a: own("a"), b: own("b") };
   for (const { lower, upper, witness } of gaps?.pairs ?? []) {
     const met = meeting !== "apart" && lower === 0 && upper <= clearance.tolerance;
     for (const side of ["a", "b"] as const) {
@@ -23,7 +27,9 @@ export function showMeeting(view: View, shown: ShownClearance | undefined): void
     }
   }
   view.classify(classes);
-  const { overlap, witness, diagonal, upper } = clearance;
+  // A that was moved is not lost.
+  view.keepInView();
+  const { overlap, witness, diagonal, lower, upper } = clearance;
   if (overlap !== undefined && "insideBoth" in overlap) {
     const { insideBoth } = overlap;
     view.point({ from: insideBoth, to: insideBoth, texts: { length: "clash", from: "", to: "" } });
@@ -31,9 +37,9 @@ export function showMeeting(view: View, shown: ShownClearance | undefined): void
   }
   const { a, b } = witness;
   const texts = {
-    length: meeting === "touching" ? "touching" : distanceText(upper, diagonal),
-    from: `A: ${nameOf(a)}`,
-    to: `B: ${nameOf(b)}`,
+    length: meeting === "touching" ? "touching" : certifiedText(upper, [lower, upper], diagonal),
+    from: `A: ${placeName(a)}`,
+    to: `B: ${placeName(b)}`,
   };
   view.point({ from: a.point, to: b.point, texts });
 }

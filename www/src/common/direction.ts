@@ -1,4 +1,4 @@
-// The direction in which a result's distance is attained.
+// Whether models agree, and the direction in which a result's distance is attained.
 import type { DistanceResult } from "nurbs-hausdorff";
 import type { Side } from "../worker/protocol.ts";
 
@@ -10,3 +10,10 @@ export function farthestSide({ forward, reverse }: DistanceResult): Side {
   if (forward === undefined || reverse === undefined) return "a";
   return reverse.computed > forward.computed ? "b" : "a";
 }
+
+/** The distance, in diagonals, below which no place is farther than another: that of a map's rounding. */
+const AGREEING = 5e-7;
+
+/** Whether models certainly agree but for rounding. */
+export const agrees = ({ upper, diagonal }: DistanceResult): boolean =>
+  upper <= AGREEING * diagonal;

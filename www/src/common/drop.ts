@@ -1,20 +1,34 @@
 // Drag and drop of model files. The left half of the view and A's row of the
 // panel take model A, the right half and B's row take model B; two files
-// dropped together become A and B.
+// dropped together become A and B, and more are left out.
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { element } from "./elements.ts";
 
-/** Calls back with files that are dropped; `zone` takes them for either model, one after the other. */
-export function onFilesDropped(callback: (files: Sides<File>) => void, zone?: HTMLElement): void {
+/** Where files were dropped: on a model's place, or with `undefined` where either may be meant. */
+export type DropPlace = Side | undefined;
+
+/** The models that files are for: two are A and B, and one is that of the place. */
+export function sidesOf(
+  [first, second]: readonly File[],
+  place: DropPlace,
+): Sides<File> | undefined {
+  if (first === undefined) return undefined;
+  if (second !== undefined) return { a: first, b: second };
+  return place && { [place]: first };
+}
+
+/** Calls back with files that are dropped, and where; `zone` takes them for either model. */
+export function onFilesDropped(
+  callback: (files: readonly File[], place: DropPlace) => void,
+  zone?: HTMLElement,
+): void {
   const stage = element("stage");
   const overlay = element("drop");
   const rows: Record<Side, HTMLElement> = { a: element("model-a"), b: element("model-b") };
 
-  let nextSide: Side = "a";
   const sideAt = (event: DragEvent): Side | undefined => {
     const target = event.target instanceof Node ? event.target : null;
     const row = SIDES.find((side) => rows[side].contains(target));
-    if (zone?.contains(target)) return nextSide;
     if (row !== undefined || !stage.contains(target)) return row;
     const { left, width } = stage.getBoundingClientRect();
     return event.clientX < left + width / 2 ? "a" : "b";
@@ -34,13 +48,9 @@ export function onFilesDropped(callback: (files: Sides<File>) => void, zone?: HT
     if (!event.dataTransfer?.types.includes("Files")) return;
     event.preventDefault();
     overlay.hidden = true;
-    const [first, second] = Array.from(event.dataTransfer.files);
-    if (first === undefined) return;
+    const files = Array.from(event.dataTransfer.files);
     const side = sideAt(event);
-    if (second !== undefined) callback({ a: first, b: second });
-    else if (side !== undefined) {
-      callback({ [side]: first });
-      nextSide = side === "a" ? "b" : "a";
-    }
+    const isZone = event.target instanceof Node && zone?.contains(event.target);
+    if (files.length > 1 || side !== undefined || isZone) callback(files, side);
   });
 }

@@ -38,8 +38,9 @@ const isUpperBound = (lower: number, upper: number, diagonal: number): boolean =
   lower <= upper - lower && upper < 10 ** (magnitude(diagonal) - RELATIVE_DIGITS + 1);
 
 /**
- * The distance in this interval: `computed`, or where the interval states only
- * an upper bound, that bound, such as ≤ 1.1e-11.
+ * The distance in this interval, as a number that the interval holds: the fewest digits with which
+ * one is near `computed`, at least those of the models' size as far as the interval is narrow enough
+ * for them. Where the interval states only an upper bound it is that bound, such as ≤ 1.1e-11.
  */
 export function certifiedText(
   computed: number,
@@ -47,10 +48,42 @@ export function certifiedText(
   diagonal: number,
 ): string {
   if (upper === 0) return "0";
-  return isUpperBound(lower, upper, diagonal)
-    ? `≤ ${upperText(upper)}`
-    : distanceText(computed, diagonal);
+  if (isUpperBound(lower, upper, diagonal)) return `≤ ${upperText(upper)}`;
+  const narrow = upper > lower ? Math.floor(-Math.log10(upper - lower)) : MAX_DIGITS;
+  // A wide interval holds what was computed too: two of its digits say more than one.
+  const known = Math.max(narrow, 1 - magnitude(computed));
+  const wanted = RELATIVE_DIGITS - magnitude(diagonal);
+  const first = digitsAfterPoint(Math.min(wanted, known));
+  const last = digitsAfterPoint(SIGNIFICANT_DIGITS - 1 - magnitude(upper));
+  for (let digits = first; digits <= last; digits++) {
+    const step = 10 ** -digits;
+    const texts = [computed, computed - step, computed + step].map((at) => at.toFixed(digits));
+    const held = texts.find((text) => lower <= Number(text) && Number(text) <= upper);
+    if (held !== undefined) return held;
+  }
+  // An interval between two neighbours of such numbers: its own end, with all its digits.
+  return `${lower <= computed && computed <= upper ? computed : upper}`;
 }
+
+/** Digits after those of the models' size that a list has room for. */
+const MORE_DIGITS = 2;
+
+/** As `certifiedText` for lists: of many digits the first ones, with dots that say that there are more. */
+export function listedText(
+  computed: number,
+  interval: readonly [number, number],
+  diagonal: number,
+): string {
+  const text = certifiedText(computed, interval, diagonal);
+  const shown = digitsAfterPoint(RELATIVE_DIGITS - magnitude(diagonal)) + MORE_DIGITS;
+  const [whole = "", fraction = ""] = text.split(".");
+  const isLong = /^\d+$/.test(fraction) && fraction.length > shown;
+  return isLong ? `${whole}.${fraction.slice(0, shown - MORE_DIGITS)}…` : text;
+}
+
+/** The largest distance of an interval whose distance is not computed, as `certifiedText`. */
+export const heldText = (interval: readonly [number, number], diagonal: number): string =>
+  certifiedText((interval[0] + interval[1]) / 2, interval, diagonal);
 
 /** A signed distance, always with its sign. */
 export function signedText(distance: number, diagonal: number): string {

@@ -74,6 +74,7 @@ export function onSection(listener: SectionListener, onChange: () => void): void
   axis.addEventListener("input", () => {
     // One that is chosen anew is straight; a state sets its tilts after its axis.
     for (const tilt of tilts) tilt.value = "0";
+    showCutFace(listener.seen());
     if (axis.value === FREE && freeFacing() === undefined) setFree(listener, listener.seen());
     else changed();
   });
@@ -140,6 +141,13 @@ function rangeOf({ box, center }: Models): [number, number] | undefined {
   const zero =
     along === undefined ? -normal.dot(through ?? new Vector3()) : center.getComponent(along);
   return [low + zero, high + zero];
+}
+
+/** Keeps the side of a section along an axis whose cut the user sees; a state says which side after its axis. */
+function showCutFace(seen: Facing | undefined): void {
+  const along = Number(axis.value);
+  if (axis.value === "" || !Number.isInteger(along) || seen === undefined) return;
+  flipped.checked = seen.normal.getComponent(along) < 0;
 }
 
 /** Cuts by a plane of any normal, as far beneath a point as is said. */

@@ -1,6 +1,6 @@
 // Selection of the models: the lists of pairs and shapes, and files.
 import type { ShapeInfo } from "nurbs-hausdorff";
-import { onFilesDropped } from "../common/drop.ts";
+import { onFilesDropped, sidesOf } from "../common/drop.ts";
 import { element } from "../common/elements.ts";
 import { ACCEPT } from "../files/formats.ts";
 import { allowed, setAllowed } from "../results/verdict.ts";
@@ -23,13 +23,25 @@ const lists: Record<Side, HTMLSelectElement> = {
   b: element("shape-b", HTMLSelectElement),
 };
 
+/** What the user opens. */
+export interface Opened {
+  sources: Sides<Source>;
+  placement: Placement;
+  /** The files, in the order in which they were given. */
+  files: readonly File[];
+}
+
 /** The shapes shown. */
 const shown: Sides<string> = {};
-let open: (sources: Sides<Source>, placement: Placement) => void = () => {};
+let open: (opened: Opened) => void = () => {};
 /** The allowed deviation that an example began with, until the user changes it. */
 let proposed: number | undefined;
-/** What the models that are being opened propose: a file that cannot be read leaves what is allowed. */
-let awaited: { limit?: number | undefined } | undefined;
+/** What the models that are being opened propose, and the model that they leave without a file. */
+let awaited: { limit?: number | undefined; aside?: Side | undefined } | undefined;
+/** The model that is not compared: one file was dropped, and the other one was an example's. */
+let aside: Side | undefined;
+/** The model that the next single file is for where either may be meant. */
+let next: Side = "a";
 
 /** Allows what an example states; models of the user are not judged by an example's. */
 function propose(limit: number | undefined): void {
@@ -39,12 +51,16 @@ function propose(limit: number | undefined): void {
   proposed = limit;
 }
 
+/** The model that waits for a file, and is not compared meanwhile. */
+export const asideSide = (): Side | undefined => aside;
+
+/** Leaves a model without a file, because nothing is known of what it is compared with. */
+export function leaveAside(side: Side | undefined): void {
+  awaited = { ...awaited, aside: side };
+}
+
 /** Calls back with the models that the user selects. Only presets move A; other models keep their positions. */
-export function onSource(listener: (sources: Sides<Source>, placement: Placement) => void): void {
-  const callback = (sources: Sides<Source>, placement: Placement, limit?: number) => {
-    awaited = { limit };
-    listener(sources, placement);
-  };
+export function onSource(listener: (opened: Opened) => void): void {
   open = listener;
   pair.append(
     ...presets.map(({ title }, index) => new Option(title, `${index}`)),
@@ -53,30 +69,65 @@ export function onSource(listener: (sources: Sides<Source>, placement: Placement
   pair.addEventListener("change", () => {
     const preset = presets[Number(pair.value)];
     if (preset === undefined) return;
-    callback({ a: { shape: preset.a }, b: { shape: preset.b } }, preset.placement, preset.allowed);
+    const sources = { a: { shape: preset.a }, b: { shape: preset.b } };
+    openAll({ sources, placement: preset.placement, files: [] }, { limit: preset.allowed });
   });
   for (const side of SIDES) {
     lists[side].addEventListener("change", () => {
-      callback({ [side]: { shape: lists[side].value } }, IN_PLACE);
+      openAll({
+        sources: { [side]: { shape: lists[side].value } },
+        placement: IN_PLACE,
+        files: [],
+      });
     });
     const input = element(`file-${side}`, HTMLInputElement);
     input.accept = ACCEPT;
     input.addEventListener("change", () => {
       const file = input.files?.[0];
-      if (file) callback({ [side]: { file } }, IN_PLACE);
+      if (file) openFiles([file], side);
       // Otherwise choosing the same file again, after an edit, raises no event.
       input.value = "";
     });
   }
-  const openFiles = (files: Sides<File>) => callback(sourcesOf(files), IN_PLACE);
-  onFilesDropped(openFiles, element("dropzone"));
+  onFilesDropped(dropFiles, element("dropzone"));
   const both = element("file-both", HTMLInputElement);
   both.accept = ACCEPT;
   both.addEventListener("change", () => {
-    const [a, b] = both.files ?? [];
-    if (a !== undefined) openFiles(b === undefined ? { a } : { a, b });
+    dropFiles([...(both.files ?? [])], undefined);
     both.value = "";
   });
+}
+
+/** Opens files that are given for a comparison: nothing else is compared with a single one. */
+function dropFiles(files: readonly File[], place: Side | undefined): void {
+  const side = place ?? aside ?? next;
+  if (files.length === 1) next = other(side);
+  // Of an example nobody asked what it is like.
+  const isExample = pair.value !== OTHER && SIDES.every((one) => shown[one]);
+  const waits = files.length === 1 && (isExample || aside === other(side));
+  openFiles(files, side, waits ? other(side) : undefined);
+}
+
+function openFiles(files: readonly File[], place: Side, without?: Side): void {
+  const sides = sidesOf(files, place);
+  if (sides === undefined) return;
+  openAll({ sources: sourcesOf(sides), placement: IN_PLACE, files }, { aside: without });
+  const more = files.slice(2).map(({ name }) => name);
+  note(more.length === 0 ? "" : `Two files are compared: ${more.join(", ")} was not opened.`);
+}
+
+function openAll(opened: Opened, proposal: NonNullable<typeof awaited> = {}): void {
+  note("");
+  awaited = proposal;
+  open(opened);
+}
+
+const other = (side: Side): Side => (side === "a" ? "b" : "a");
+
+/** Says something of the files that were given. */
+function note(text: string): void {
+  element("files-note").textContent = text;
+  element("files-note").hidden = text === "";
 }
 
 /** The sources that files are, A's first. */
@@ -103,7 +154,7 @@ export function openShapes(state?: string): boolean {
   }
   if (Object.keys(sources).length === 0) return false;
   awaited = undefined;
-  open(sources, IN_PLACE);
+  open({ sources, placement: IN_PLACE, files: [] });
   return true;
 }
 
@@ -124,23 +175,23 @@ export function setLoading(loading: boolean, text = "loading…"): void {
   element("loading").textContent = text;
 }
 
+/** Shows in the rows which models are being read, whose results are not there yet. */
+export function showReading(sources: Sides<Source>): void {
+  for (const side of SIDES) {
+    const source = sources[side];
+    if (source !== undefined) showName(side, source);
+  }
+  pair.value = OTHER;
+}
+
 /** Selects the entries of the lists that name the models shown, and allows what they propose. */
 export function showSources(models: Sides<DisplayModel>, placement: Placement): void {
   if (awaited !== undefined) propose(awaited.limit);
+  // What was left without a file has one now, unless it is another one's that is left.
+  if (awaited?.aside !== undefined) aside = awaited.aside;
+  else if (aside !== undefined && models[aside] !== undefined) aside = undefined;
   awaited = undefined;
-  for (const side of SIDES) {
-    const model = models[side];
-    if (model === undefined) continue;
-    const { source, faceCount } = model;
-    const list = lists[side];
-    list.value = "shape" in source ? source.shape : OTHER;
-    shown[side] = list.value;
-    if ("file" in source) {
-      const option = list.querySelector<HTMLOptionElement>(`option[value="${OTHER}"]`);
-      if (option) option.textContent = source.file.name;
-    }
-    list.title = `${faceCount} ${faceCount === 1 ? "face" : "faces"}`;
-  }
+  showNames(models);
   const index = presets.findIndex(
     (preset) =>
       preset.a === lists.a.value &&
@@ -148,6 +199,34 @@ export function showSources(models: Sides<DisplayModel>, placement: Placement): 
       samePlacement(preset.placement, placement),
   );
   pair.value = index < 0 ? OTHER : `${index}`;
+}
+
+/** Shows the names of models again, because those that were read instead are not there. */
+export function showNames(models: Sides<DisplayModel>): void {
+  for (const side of SIDES) {
+    const model = models[side];
+    if (side === aside) {
+      nameOther(side, "no file yet");
+      shown[side] = OTHER;
+    } else if (model !== undefined) {
+      showName(side, model.source);
+      shown[side] = lists[side].value;
+      const { faceCount } = model;
+      lists[side].title = `${faceCount} ${faceCount === 1 ? "face" : "faces"}`;
+    }
+  }
+}
+
+function showName(side: Side, source: Source): void {
+  if ("shape" in source) lists[side].value = source.shape;
+  else nameOther(side, source.file.name);
+}
+
+/** Shows a name that is none of the list. */
+function nameOther(side: Side, name: string): void {
+  const option = lists[side].querySelector<HTMLOptionElement>(`option[value="${OTHER}"]`);
+  if (option) option.textContent = name;
+  lists[side].value = OTHER;
 }
 
 /** Compares by value, as the worker returns copies of placements. */

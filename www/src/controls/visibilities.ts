@@ -13,13 +13,15 @@ const NEARLY = 0.05;
 /**
  * Returns what is shown of the models, so that nothing hides what is painted: of models that nearly
  * coincide, the one with the farthest point is solid, and one that encloses the other is not.
+ * `shown` are the models that are painted, where it is known.
  */
 export function visibilities(
   { outer: enclosing }: Models,
   result: DistanceResult | undefined,
+  shown: readonly Side[] | undefined,
 ): Record<Side, Visibility> {
   const { lines, deviation: colours } = options.overlays();
-  const painted = colours ? options.paint() : (["a"] as const);
+  const painted = colours ? (shown ?? options.paint()) : (["a"] as const);
   const wiped = display.wipe() !== undefined;
   const near = result === undefined || result.computed < NEARLY * result.diagonal;
   const covers = painted.length > 1 && near && !wiped;

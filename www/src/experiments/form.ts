@@ -1,6 +1,6 @@
 // The form of the experiments: the pair, the methods and the settings.
 import type { ShapeInfo } from "nurbs-hausdorff";
-import { onFilesDropped } from "../common/drop.ts";
+import { onFilesDropped, sidesOf } from "../common/drop.ts";
 import { element } from "../common/elements.ts";
 import { ACCEPT } from "../files/formats.ts";
 import { SIDES, type Side, type Sides, type Source } from "../worker/protocol.ts";
@@ -32,7 +32,10 @@ export function fill(): void {
       input.value = "";
     });
   }
-  onFilesDropped(takeFiles);
+  onFilesDropped((files, place) => {
+    const sides = sidesOf(files, place);
+    if (sides !== undefined) takeFiles(sides);
+  });
   showModels();
 }
 

@@ -1,6 +1,6 @@
 // What each export contains.
 import type { DiffResult, DistanceResult, Vector3 } from "nurbs-hausdorff";
-import { metresPerUnit } from "../files/fileNotes.ts";
+import { metresPerUnit } from "../files/units.ts";
 import { painted } from "../inspection/deviationPanel.ts";
 import { sizeText } from "../inspection/placeList.ts";
 import type { Place } from "../inspection/places.ts";

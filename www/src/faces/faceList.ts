@@ -1,5 +1,5 @@
 // The list of changed faces: buttons; arrow keys select the next and the previous.
-import { distanceText, intervalText } from "../common/numbers.ts";
+import { heldText, intervalText } from "../common/numbers.ts";
 import type { Change } from "./changes.ts";
 
 /** Rows shown; a list of more is not read. */
@@ -63,7 +63,10 @@ export class FaceList {
     button.append(
       letter,
       part("name", difference.witness[side].faceName ?? `face ${difference.face}`),
-      part("size", difference.state === "undecided" ? "undecided" : distanceText(lower, diagonal)),
+      part(
+        "size",
+        difference.state === "undecided" ? "undecided" : heldText([lower, upper], diagonal),
+      ),
       part("interval", intervalText(lower, upper, diagonal)),
     );
     button.addEventListener("click", () => this.select(this.#selected === row ? undefined : row));

@@ -4,12 +4,15 @@ import { element } from "../common/elements.ts";
 import { duration, grouped } from "../common/numbers.ts";
 import { ownLimits } from "../results/ownLimits.ts";
 import { allowed, onLimit } from "../results/verdict.ts";
-import { type DiffReply, SIDES } from "../worker/protocol.ts";
+import { type DiffReply, SIDES, type Side } from "../worker/protocol.ts";
 import { type Change, changesOf, countsOf, facesOf } from "./changes.ts";
 import { FaceList } from "./faceList.ts";
 
 /** The limit proposed where nothing is allowed yet, as a fraction of the diagonal. */
 const RELATIVE_LIMIT = 1e-5;
+
+/** Milliseconds after which a limit that is typed is compared by. */
+const PAUSE = 300;
 
 /** What the colours of compared faces mean. */
 const COLORS =
@@ -21,14 +24,16 @@ const compare = element("compare", HTMLButtonElement);
 const progress = element("compare-progress", HTMLProgressElement);
 const cancel = element("compare-cancel", HTMLButtonElement);
 const summary = element("face-summary");
+const shownRow = element("faces-shown");
+const shownSide = element("faces-side", HTMLSelectElement);
 const clear = element("faces-clear", HTMLButtonElement);
 
 export interface FacesListener {
   /** The user requests a comparison with this limit. */
   compare: (limit: number) => void;
   cancel: () => void;
-  /** The result to show in the view, or none. */
-  show: (result: DiffResult | undefined) => void;
+  /** The result to show in the view, or none, of one model or of both. */
+  show: (result: DiffResult | undefined, side?: Side) => void;
   /** The face to show in the view, or none. */
   select: (change: Change | undefined) => void;
 }
@@ -40,6 +45,9 @@ export class FacesPanel {
   #diagonal = 0;
   /** Whether the user has typed a limit for these models; else it is what is allowed. */
   #isTyped = false;
+  /** Whether the models have not been compared yet. */
+  #isNew = true;
+  #timer = 0;
 
   constructor(listener: FacesListener) {
     this.#listener = listener;
@@ -49,8 +57,13 @@ export class FacesPanel {
     });
     limit.addEventListener("input", () => {
       this.#isTyped = limit.value !== "";
+      this.#compareAgain();
     });
-    onLimit(() => this.#proposeLimit());
+    onLimit(() => {
+      this.#proposeLimit();
+      this.#compareAgain();
+    });
+    shownSide.addEventListener("input", () => this.#showSide());
     limit.addEventListener("keydown", ({ key }) => {
       if (key === "Enter") compare.click();
     });
@@ -62,6 +75,7 @@ export class FacesPanel {
   propose(diagonal: number): void {
     this.#diagonal = diagonal;
     this.#isTyped = false;
+    this.#isNew = true;
     this.#proposeLimit();
   }
 
@@ -73,6 +87,23 @@ export class FacesPanel {
     if (smaller > 0) limit.value = `${smaller}`;
     else if (this.#diagonal > 0)
       limit.value = `${Number((RELATIVE_LIMIT * this.#diagonal).toPrecision(1))}`;
+  }
+
+  /** Compares again where what is shown is by another limit: a list never outlives its limit. */
+  #compareAgain(): void {
+    clearTimeout(this.#timer);
+    if (!this.active || !limit.checkValidity()) return;
+    if (limit.valueAsNumber === this.#result?.limit && ownLimits().length === 0) return;
+    this.#timer = window.setTimeout(() => {
+      if (this.active && limit.checkValidity()) this.#listener.compare(limit.valueAsNumber);
+    }, PAUSE);
+  }
+
+  /** Draws the faces of the model that was chosen, or of both. */
+  #showSide(): void {
+    this.#list.select(undefined);
+    const { value } = shownSide;
+    this.#listener.show(this.#result, value === "both" ? undefined : (value as Side));
   }
 
   /** The comparison shown. */
@@ -115,6 +146,7 @@ export class FacesPanel {
     this.#result = undefined;
     this.#list.show([], 0);
     clear.hidden = true;
+    shownRow.hidden = true;
     this.#listener.show(undefined);
   }
 
@@ -144,7 +176,12 @@ export class FacesPanel {
     section.dataset.result = result.state;
     clear.hidden = false;
     this.#list.show(changesOf(result), result.diagonal);
-    this.#listener.show(result);
+    shownRow.hidden = false;
+    // Both would be drawn over each other: first the one with the larger change.
+    const [first] = changesOf(result);
+    if (this.#isNew) shownSide.value = first?.side ?? "a";
+    this.#isNew = false;
+    this.#showSide();
   }
 
   #setState(state: string): void {

@@ -11,10 +11,6 @@ import { FORMATS } from "./formats.ts";
 const MAX_SKIPPED = 50;
 
 const notes: Record<Side, HTMLElement> = { a: element("note-a"), b: element("note-b") };
-const mismatch = element("units-differ");
-const mismatchText = element("units-text");
-const scaling = element("scale-units", HTMLInputElement);
-const units: Sides<number | null> = {};
 const skipped: Sides<number> = {};
 
 /** Shows the notes of models that were loaded. */
@@ -23,48 +19,31 @@ export function showFileNotes(models: Sides<DisplayModel>): void {
     const model = models[side];
     if (model === undefined) continue;
     const { report } = model;
-    units[side] = model.unit;
     skipped[side] = report?.skipped.length ?? 0;
-    const told = report === null || isSilent(report) ? [] : [note(report)];
-    notes[side].replaceChildren(...told);
-    notes[side].hidden = told.length === 0;
+    const told = report === null || isSilent(report) ? undefined : note(report);
+    const shown = model.isMesh ? [meshNote(model), told] : [told];
+    const lines = shown.filter((line) => line !== undefined);
+    notes[side].replaceChildren(...lines);
+    notes[side].hidden = lines.length === 0;
   }
-  const { a = null, b = null } = units;
-  const differ = a !== null && b !== null && unitName(a) !== unitName(b);
-  const oneKnown = (a === null) !== (b === null);
-  mismatch.hidden = !(differ || oneKnown);
-  element("scale-units-label").hidden = !differ;
-  const name = (unit: number | null) => (unit === null ? "an unknown unit" : unitName(unit));
-  mismatchText.textContent = oneKnown
-    ? `A is in ${name(a)} and B in ${name(b)}: the numbers of both are taken as they are.`
-    : `A is in ${name(a)} and B in ${name(b)}.`;
-  element("position-unit").textContent = `in ${commonUnit() ?? "model units"}`;
-}
-
-/** Calls back when the user decides whether B is scaled. */
-export function onScaleUnits(callback: () => void): void {
-  scaling.addEventListener("input", callback);
-}
-
-/** Whether B is scaled to A's unit. */
-export const scalesUnits = (): boolean => scaling.checked;
-
-/** Returns A's units in one of B's, which is 1 unless B is scaled. */
-export function unitScale(): number {
-  const { a = null, b = null } = units;
-  return scaling.checked && a !== null && b !== null ? b / a : 1;
 }
 
 /** Returns how many faces of both files were skipped. */
 export const skippedFaces = (): number => (skipped.a ?? 0) + (skipped.b ?? 0);
 
-/** Returns the metres in a unit of the scene, 1 where none is stated. */
-export const metresPerUnit = (): number => units.a ?? units.b ?? 1;
-
-/** Returns the unit of the results, or undefined where it is unknown of one of the models. */
-export function commonUnit(): string | undefined {
-  const { a = null, b = null } = units;
-  return a === null || b === null ? undefined : unitName(a);
+/** The line about a mesh or a cloud of points: how many triangles or points, and the unit; none for surfaces. */
+function meshNote({ isMesh, tessellation, unit }: DisplayModel): HTMLElement | undefined {
+  if (!isMesh) return undefined;
+  const { indices, positions } = tessellation;
+  const [count, what] =
+    indices.length > 0 ? [indices.length / 3, "triangle"] : [positions.length / 3, "point"];
+  const line = document.createElement("span");
+  line.textContent = [
+    indices.length > 0 ? "mesh" : "points",
+    `${grouped(count)} ${what}${count === 1 ? "" : "s"}`,
+    unit === null ? "unit unknown" : unitName(unit),
+  ].join(" · ");
+  return line;
 }
 
 /** Whether a report has nothing to say: that of a mesh which was read as a whole. */

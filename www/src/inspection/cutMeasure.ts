@@ -2,7 +2,7 @@
 // points of the contours. Contours are those of the drawn triangles, so that numbers are estimates.
 import { element } from "../common/elements.ts";
 import { distanceText, signedText } from "../common/numbers.ts";
-import { commonUnit } from "../files/fileNotes.ts";
+import { commonUnit } from "../files/units.ts";
 import type { Side } from "../worker/protocol.ts";
 import type { Piece, Vertex } from "./cutPlot.ts";
 

@@ -19,7 +19,7 @@ export function drawCut(models: Models): void {
     showCut(undefined);
     return;
   }
-  const { maps, scale, extent } = shown;
+  const { drawn: maps, scale, extent } = shown;
   showCut({
     ...{ maps, scale, cut, largest: extent.largest },
     place: (side, vertex) => {

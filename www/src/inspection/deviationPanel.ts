@@ -1,9 +1,9 @@
 // The deviation shown: the scale's options, the legend, statistics, and the area that is beyond
 // what is allowed.
-import type { DistanceResult } from "nurbs-hausdorff";
+import type { DiffResult, DistanceResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { distanceText } from "../common/numbers.ts";
-import { commonUnit } from "../files/fileNotes.ts";
+import { commonUnit } from "../files/units.ts";
 import { ownLimits } from "../results/ownLimits.ts";
 import { statisticsOf } from "../results/resultDetails.ts";
 import { showDetails } from "../results/resultPanel.ts";
@@ -15,8 +15,9 @@ import {
   type ScaleOptions,
 } from "../scene/colors/scale.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
-import { SIDES, type Sides } from "../worker/protocol.ts";
+import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { areaBeyond, totalArea } from "./cumulative.ts";
+import { keepWithin } from "./faceBounds.ts";
 import { hideLegend, type Legend, showLegend } from "./legend.ts";
 
 /** The deviation that the map resolves, in diagonals: its vertices are in float32. */
@@ -30,21 +31,42 @@ const steps = element("scale-steps", HTMLSelectElement);
 const band = element("scale-band", HTMLInputElement);
 const unfocus = element("focus-clear", HTMLButtonElement);
 
-/** The maps shown, with the result that they are of. */
+/** The maps of a result. */
 export interface ShownMaps {
+  /** Those of both models, where both were asked for. */
   maps: Sides<MapDisplay>;
+  /** Those that are drawn in their colours. */
+  drawn: Sides<MapDisplay>;
   result: DistanceResult;
   extent: Extent;
+  /** What is certain of each face, once it is known. */
+  bounds?: DiffResult;
 }
 
 let shown: ShownMaps | undefined;
 let focus: readonly [from: number, to: number] | undefined;
-let listener: (scale: ColorScale) => void = () => {};
+let listener: (painting: Painting) => void = () => {};
 
-/** Calls back with the scale whenever the user changes it. */
-export function onScale(callback: (scale: ColorScale) => void): void {
+/** Maps to draw, in the colours of a scale. */
+export interface Painting {
+  scale: ColorScale;
+  maps: Sides<MapDisplay>;
+  /** The largest distance of them. */
+  largest: number;
+  /** Whether only the scale is another one than before. */
+  isSame: boolean;
+}
+
+/** Calls back with what to draw whenever the user changes it. */
+export function onScale(callback: (painting: Painting) => void): void {
   listener = callback;
-  for (const control of [map, kind, range, steps, band]) {
+  kind.addEventListener("input", () => {
+    if (shown !== undefined) shown = { ...shown, ...shownOf(shown.result, shown.maps) };
+    focus = undefined;
+    unfocus.hidden = true;
+    repaint();
+  });
+  for (const control of [map, range, steps, band]) {
     control.addEventListener("input", () => setFocus(undefined));
   }
   unfocus.addEventListener("click", () => setFocus(undefined));
@@ -58,27 +80,62 @@ export function onScale(callback: (scale: ColorScale) => void): void {
 /** Draws with the options as they are now. */
 export function rescale(): void {
   if (shown === undefined) return;
-  listener(draw(shown));
+  listener({ ...paintingOf(shown), isSame: true });
 }
 
-/** Shows the maps of a result, and returns their scale and their largest distance. */
-export function showMaps(
-  result: DistanceResult,
-  maps: Sides<MapDisplay>,
-): { scale: ColorScale; largest: number } {
-  const all = Object.values(maps);
-  const largest = Math.max(0, ...all.map(({ largest }) => largest));
-  focus = undefined;
-  shown = {
-    ...{ maps, result },
-    extent: {
-      lowest: Math.min(0, ...all.map(({ lowest }) => lowest)),
-      highest: Math.max(0, ...all.map(({ highest }) => highest)),
-      ...{ largest, floor: floorOf(result) },
-    },
-  };
-  return { scale: draw(shown), largest };
+/** Draws the maps anew, because their deviations or what is drawn of them changed. */
+function repaint(): void {
+  if (shown !== undefined) listener({ ...paintingOf(shown), isSame: false });
 }
+
+/** Shows the maps of a result, and returns what to draw. */
+export function showMaps(result: DistanceResult, maps: Sides<MapDisplay>): Painting {
+  focus = undefined;
+  shown = shownOf(result, maps);
+  return { ...paintingOf(shown), isSame: false };
+}
+
+/** Keeps the maps within what is certain of each face. */
+export function bound(bounds: DiffResult): void {
+  if (shown === undefined) return;
+  const changed = keepWithin(shown.maps, bounds);
+  shown = { ...shownOf(shown.result, shown.maps), bounds };
+  if (changed) repaint();
+}
+
+/** The models that are painted. */
+export const paintedSides = (): readonly Side[] | undefined =>
+  shown && SIDES.filter((side) => shown?.drawn[side] !== undefined);
+
+function shownOf(result: DistanceResult, maps: Sides<MapDisplay>): ShownMaps {
+  const drawn = drawnOf(maps);
+  const all = Object.values(drawn);
+  const largest = Math.max(0, ...all.map(({ largest }) => largest));
+  const extent = {
+    lowest: Math.min(0, ...all.map(({ lowest }) => lowest)),
+    highest: Math.max(0, ...all.map(({ highest }) => highest)),
+    ...{ largest, floor: floorOf(result) },
+  };
+  return { maps, drawn, result, extent };
+}
+
+/** The maps with signs where one has them and the other has none: a common scale would lose them. */
+function drawnOf(maps: Sides<MapDisplay>): Sides<MapDisplay> {
+  if (kind.value === "absolute") return maps;
+  const signed = SIDES.flatMap((side) => {
+    const map = maps[side];
+    return map === undefined || isUnsigned(map) ? [] : [[side, map] as const];
+  });
+  return signed.length === 0 ? maps : Object.fromEntries(signed);
+}
+
+const paintingOf = (now: ShownMaps): Omit<Painting, "isSame"> => ({
+  ...{ scale: draw(now), maps: now.drawn, largest: now.extent.largest },
+});
+
+/** Whether no deviation of a map has a sign. */
+const isUnsigned = ({ largest, distribution }: MapDisplay): boolean =>
+  largest > 0 && totalArea(distribution.signed) === 0;
 
 export function hideMaps(): void {
   shown = undefined;
@@ -103,13 +160,9 @@ function floorOf(result: DistanceResult): number {
   return Math.max(width, rounding, POINT_ACCURACY * result.diagonal);
 }
 
-/** Whether distances are shown: the user wants them, or a whole model has no signs. */
-function isAbsolute(): boolean {
-  const all = Object.values(shown?.maps ?? {});
-  const isUnsigned = ({ largest, distribution }: MapDisplay) =>
-    largest > 0 && totalArea(distribution.signed) === 0;
-  return kind.value === "absolute" || all.some(isUnsigned);
-}
+/** Whether distances are shown: the user wants them, or what is drawn has no signs. */
+const isAbsolute = (): boolean =>
+  kind.value === "absolute" || Object.values(shown?.drawn ?? {}).some(isUnsigned);
 
 function options(): ScaleOptions {
   const end = range.valueAsNumber;
@@ -123,9 +176,12 @@ function options(): ScaleOptions {
 
 const scaleOf = ({ extent }: ShownMaps): ColorScale => new ColorScale(extent, options());
 
-function legendOf({ maps, result, extent }: ShownMaps): Legend {
+function legendOf({ maps, drawn, result, extent }: ShownMaps): Legend {
   const { absolute } = options();
-  const names = SIDES.filter((side) => maps[side]).map((side) => side.toUpperCase());
+  const namesOf = (which: Sides<MapDisplay>) =>
+    SIDES.filter((side) => which[side]).map((side) => side.toUpperCase());
+  const names = namesOf(drawn);
+  const without = namesOf(maps).filter((name) => !names.includes(name));
   const what = absolute ? "Distance" : "Signed deviation";
   const unit = commonUnit();
   return {
@@ -134,8 +190,8 @@ function legendOf({ maps, result, extent }: ShownMaps): Legend {
     ...{ absolute, allowed: allowed(), diagonal: result.diagonal },
     lowest: absolute ? 0 : extent.lowest,
     highest: absolute ? extent.largest : extent.highest,
-    title: `${what} of ${names.join(" and ")}${unit === undefined ? "" : `, ${unit}`}`,
-    distributions: Object.values(maps).map(({ distribution }) => distribution),
+    title: `${what} of ${names.join(" and ")}${unit === undefined ? "" : `, ${unit}`}${without.map((name) => `; ${name}’s has no sign`).join("")}`,
+    distributions: Object.values(drawn).map(({ distribution }) => distribution),
   };
 }
 
@@ -151,8 +207,10 @@ function draw(now: ShownMaps): ColorScale {
     .join("; ");
   showDetails(element("statistics"), [
     ...SIDES.flatMap((side) => {
-      const { estimates, signs } = maps[side] ?? {};
-      return estimates && signs ? statisticsOf(side, estimates, signs, diagonal) : [];
+      const map = maps[side];
+      if (map?.estimates === undefined) return [];
+      const signs = isUnsigned(map) ? undefined : map.signs;
+      return statisticsOf(side, map.estimates, signs, diagonal);
     }),
     ["maximum of the map", distanceText(extent.largest, diagonal)],
   ]);

@@ -1,6 +1,6 @@
 // The list of worst places: a button each, which a key goes through.
 import { element } from "../common/elements.ts";
-import { distanceText, signedText } from "../common/numbers.ts";
+import { distanceText, listedText, signedText } from "../common/numbers.ts";
 import { exceeds } from "../results/judgement.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
 import type { Place } from "./places.ts";
@@ -34,8 +34,12 @@ export class PlaceList {
 
   /** Shows the places, and marks those that are beyond. */
   show(places: Place[], diagonal: number, beyond?: (place: Place) => boolean): void {
+    const before = this.#places[this.#selected];
     this.#places = places.slice(0, MAX_PLACES);
-    this.#selected = -1;
+    // The same place, wherever it is in the list now.
+    this.#selected = this.#places.findIndex(
+      ({ side, face }) => side === before?.side && face === before.face,
+    );
     button.disabled = places.length === 0;
     list.replaceChildren(
       ...this.#places.map((place, index) => this.#row(place, index, diagonal, beyond?.(place))),
@@ -59,7 +63,7 @@ export class PlaceList {
   #row(place: Place, index: number, diagonal: number, beyond?: boolean): HTMLElement {
     const [item, row] = [document.createElement("li"), document.createElement("button")];
     row.type = "button";
-    row.setAttribute("aria-pressed", "false");
+    row.setAttribute("aria-pressed", `${index === this.#selected}`);
     const letter = document.createElement("b");
     letter.className = place.side;
     letter.textContent = place.side.toUpperCase();
@@ -76,12 +80,24 @@ export class PlaceList {
 }
 
 /** The deviation of a place, with its sign where it has one. */
-export const sizeText = ({ distance, signed }: Place, diagonal: number): string =>
-  Number.isNaN(signed) ? distanceText(distance, diagonal) : signedText(signed, diagonal);
+export function sizeText({ distance, signed, certified }: Place, diagonal: number): string {
+  const sign = signed < 0 ? "−" : "+";
+  if (certified !== undefined) {
+    const text = listedText(distance, [certified.lower, certified.upper], diagonal);
+    return Number.isNaN(signed) || !/^[\d.]/.test(text) ? text : `${sign}${text}`;
+  }
+  return Number.isNaN(signed) ? distanceText(distance, diagonal) : signedText(signed, diagonal);
+}
 
 /** Whether a face deviates by more than is allowed; a distance without a sign counts as either. */
 export function isBeyond(place: Place, allowed: Allowed): boolean {
   const isUnsigned = Number.isNaN(place.signed);
+  const { certified } = place;
+  // What is certain decides, where it does: the map is an estimate.
+  if (certified !== undefined) {
+    if (certified.upper <= Math.min(allowed.above, allowed.below)) return false;
+    if (certified.lower > Math.max(allowed.above, allowed.below)) return true;
+  }
   return (
     (isUnsigned && place.distance > Math.min(allowed.above, allowed.below)) ||
     exceeds(place, allowed)

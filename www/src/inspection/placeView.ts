@@ -4,9 +4,15 @@ import { addMeasured, allowed, allowedOf } from "../results/verdict.ts";
 import type { View } from "../scene/view.ts";
 import type { Side } from "../worker/protocol.ts";
 import { painted } from "./deviationPanel.ts";
+import { boundedPlace } from "./faceBounds.ts";
 import type { Probing } from "./pins/probing.ts";
 import { isBeyond, PlaceList, sizeText } from "./placeList.ts";
 import { type Place, placesOf } from "./places.ts";
+
+/** Digits by which places are ranked: what differs by less is equally far. */
+const RANKED_DIGITS = 6;
+
+const ranked = ({ distance }: Place): number => Number(distance.toPrecision(RANKED_DIGITS));
 
 export class PlaceView {
   readonly #view: View;
@@ -23,7 +29,10 @@ export class PlaceView {
 
   /** The worst place of each face of the maps, the largest first. */
   get all(): Place[] {
-    return placesOf(painted()?.maps ?? {}, this.#view.models.drawn);
+    const { maps = {}, bounds } = painted() ?? {};
+    return placesOf(maps, this.#view.models.drawn)
+      .map((place) => boundedPlace(place, bounds))
+      .sort((one, two) => ranked(two) - ranked(one));
   }
 
   /** Shows the list for what is allowed now. */

@@ -1,5 +1,5 @@
 // The worst place of each face of the maps, the largest first.
-
+import type { FaceDifference } from "nurbs-hausdorff";
 import type { MeasuredFace } from "../results/judgement.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
 import type { DisplayModel, Side, Sides } from "../worker/protocol.ts";
@@ -15,6 +15,8 @@ export interface Place extends MeasuredFace {
   signed: number;
   /** What a point of the face deviates by at least. */
   sure: MeasuredFace;
+  /** What is certain of the face, once it is known. */
+  certified?: FaceDifference;
 }
 
 /** Returns one place for every face that has triangles. O(n) in their number. */

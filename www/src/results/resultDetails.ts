@@ -1,6 +1,7 @@
 // The details of a result, as terms and texts.
 import type { DistanceResult, Signs } from "nurbs-hausdorff";
 import {
+  certifiedText,
   distanceText,
   duration,
   grouped,
@@ -43,8 +44,8 @@ function gapOf({ gap }: DistanceResult): Detail[] {
 function directions({ forward, reverse, diagonal }: DistanceResult): Detail[] {
   if (forward === undefined || reverse === undefined) return [];
   return [
-    ["directed, A to B", distanceText(forward.computed, diagonal)],
-    ["directed, B to A", distanceText(reverse.computed, diagonal)],
+    ["directed, A to B", certifiedText(forward.computed, [forward.lower, forward.upper], diagonal)],
+    ["directed, B to A", certifiedText(reverse.computed, [reverse.lower, reverse.upper], diagonal)],
   ];
 }
 
@@ -74,22 +75,28 @@ function methods(result: DistanceResult): Detail[] {
   ];
 }
 
-/** Estimates of the deviation over the area of a model. */
+/** Estimates of the deviation over the area of a model; `signs` is undefined where it has none. */
 export function statisticsOf(
   of: Side,
   estimates: Estimates,
-  signs: Signs,
+  signs: Signs | undefined,
   diagonal: number,
 ): Detail[] {
   const [side, other] = of === "a" ? ["A", "B"] : ["B", "A"];
   const text = (value: number) => `≈ ${distanceText(value, diagonal)}`;
+  const bySign: Detail[] =
+    signs === undefined
+      ? [[`${side}: signs`, `none: ${other} has no inside`]]
+      : [
+          [`${side}: signed mean`, `≈ ${signedText(estimates.signedMean, diagonal)}`],
+          [
+            `${side}: negative`,
+            signs === "solid" ? `inside the solid ${other}` : `behind ${other}'s normals`,
+          ],
+        ];
   return [
     [`${side}: mean`, text(estimates.mean)],
-    [`${side}: signed mean`, `≈ ${signedText(estimates.signedMean, diagonal)}`],
-    [
-      `${side}: negative`,
-      signs === "solid" ? `inside the solid ${other}` : `behind ${other}'s normals`,
-    ],
+    ...bySign,
     [`${side}: RMS`, text(estimates.rms)],
     [`${side}: median`, text(estimates.median)],
     [`${side}: 95th percentile`, text(estimates.percentile95)],

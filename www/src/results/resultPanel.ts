@@ -1,10 +1,12 @@
 // The panel of results: distance, interval and details, or an error. The
 // section's data attributes hold the same for tests and other programs.
 import type { DistanceResult } from "nurbs-hausdorff";
-import { farthestSide } from "../common/direction.ts";
+import { agrees, farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
+import { placeName } from "../common/names.ts";
 import { certifiedText, intervalText, twoDigits, upperText } from "../common/numbers.ts";
-import { commonUnit, skippedFaces } from "../files/fileNotes.ts";
+import { skippedFaces } from "../files/fileNotes.ts";
+import { commonUnit } from "../files/units.ts";
 import { type Detail, detailsOf } from "./resultDetails.ts";
 import { showVerdict } from "./verdict.ts";
 
@@ -89,10 +91,12 @@ export function showResult(
 
 /** Where the distance is attained. */
 function whereText(result: DistanceResult): string {
+  // Between models that agree, no place is farther than another.
+  if (agrees(result)) return "The models agree: no place is farther than another";
   const { a, b } = result.witness;
   const fromA = farthestSide(result) === "a";
-  const name = ({ face, faceName }: typeof a) => faceName ?? `face ${face}`;
-  const [from, to] = fromA ? [`A ${name(a)}`, `B ${name(b)}`] : [`B ${name(b)}`, `A ${name(a)}`];
+  const [onA, onB] = [`A ${placeName(a)}`, `B ${placeName(b)}`];
+  const [from, to] = fromA ? [onA, onB] : [onB, onA];
   return `Farthest: ${from}, from ${to}`;
 }
 
@@ -124,8 +128,10 @@ function stateOf(last: boolean, pending: boolean): string {
 
 /** The result's states without a distance, and what the card says of each. */
 const CLEARED = {
+  asked: "waiting for the files of the link",
   cancelled: "cancelled",
   failed: "failed",
+  lone: "one file is open: drop the one to compare it with",
   paused: "not measured while clearance and clash are",
   working: "computing",
 };

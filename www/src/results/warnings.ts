@@ -6,6 +6,7 @@ import type { EngineState } from "../worker/protocol.ts";
 
 const TITLES = {
   webgl: "No WebGL: the models cannot be drawn, but distances are computed",
+  context: "The view stands still: the browser took its 3D context away",
   result: "The GPU could not be used for all of this distance",
 };
 type Kind = keyof typeof TITLES;
@@ -37,6 +38,13 @@ export function showResultNotice(notice: string | undefined, engine: EngineState
 /** Shows why the models cannot be drawn. */
 export function showNoWebGl(reason: string): void {
   set("webgl", reason);
+}
+
+/** Shows that the view cannot be drawn for a while, or that it can again. */
+export function showContext(isThere: boolean): void {
+  const reason =
+    "Numbers and verdict are right. The view comes back by itself when the browser allows; else reload the page.";
+  set("context", isThere ? null : reason);
 }
 
 function set(kind: Kind, reason: string | null): void {

@@ -5,12 +5,12 @@
 import {
   AlwaysStencilFunc,
   type BufferGeometry,
+  Color,
   DoubleSide,
   Group,
   InvertStencilOp,
   Mesh,
   MeshBasicMaterial,
-  MeshStandardMaterial,
   NotEqualStencilFunc,
   type Plane,
   PlaneGeometry,
@@ -21,8 +21,14 @@ import type { Side } from "../worker/protocol.ts";
 
 /** The order in which caps are drawn: after opaque surfaces, one model after the other. */
 const ORDERS = { a: 0.1, b: 0.3 } as const;
-/** How much darker a cap is than its model. */
-const DARKENED = 0.72;
+/** The colours of a cut: none of those that stand for deviations. */
+const GROUND = "#cdd3d9";
+const LINE = "#5c656e";
+/** Pixels from one line of the hatching to the next, and the part of that which is line. */
+const SPACING = 9;
+const LINE_PART = 0.16;
+/** The slant of the hatching, which tells the models apart. */
+const SLANTS: Readonly<Record<Side, "+" | "-">> = { a: "+", b: "-" };
 
 export class Cap {
   /** What is counted: moves with the model. */
@@ -31,7 +37,7 @@ export class Cap {
   readonly plane: Mesh;
   readonly #counted: MeshBasicMaterial;
 
-  constructor(geometry: BufferGeometry, side: Side, color: string) {
+  constructor(geometry: BufferGeometry, side: Side) {
     const order = ORDERS[side];
     this.#counted = new MeshBasicMaterial({
       ...{ side: DoubleSide, colorWrite: false, depthWrite: false, depthTest: false },
@@ -40,8 +46,8 @@ export class Cap {
     const counted = new Mesh(geometry, this.#counted);
     counted.renderOrder = order;
     this.group.add(counted);
-    const material = new MeshStandardMaterial({
-      ...{ color, roughness: 0.9, side: 2 },
+    const material = new MeshBasicMaterial({
+      ...{ color: GROUND, side: DoubleSide, toneMapped: false },
       ...{ stencilWrite: true, stencilRef: 0, stencilFunc: NotEqualStencilFunc },
       ...{
         stencilFail: ReplaceStencilOp,
@@ -49,7 +55,7 @@ export class Cap {
         stencilZPass: ReplaceStencilOp,
       },
     });
-    material.color.multiplyScalar(DARKENED);
+    hatch(material, SLANTS[side]);
     this.plane = new Mesh(new PlaneGeometry(1, 1), material);
     this.plane.renderOrder = order + 0.1;
     this.plane.onAfterRender = (renderer) => renderer.clearStencil();
@@ -74,7 +80,22 @@ export class Cap {
   dispose(): void {
     this.plane.removeFromParent();
     this.plane.geometry.dispose();
-    (this.plane.material as MeshStandardMaterial).dispose();
+    (this.plane.material as MeshBasicMaterial).dispose();
     this.#counted.dispose();
   }
+}
+
+/** Draws lines over a material, as drawings have them over what is cut. */
+function hatch(material: MeshBasicMaterial, slant: "+" | "-"): void {
+  const { r, g, b } = new Color(LINE);
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace(
+      "#include <opaque_fragment>",
+      `float across = fract((gl_FragCoord.x ${slant} gl_FragCoord.y) / ${SPACING.toFixed(1)});
+      if (across < ${LINE_PART.toFixed(3)}) outgoingLight = vec3(${[r, g, b].map((part) => part.toFixed(4)).join(", ")});
+      #include <opaque_fragment>`,
+    );
+  };
+  // Materials that differ only by what they hatch have shaders of their own.
+  material.customProgramCacheKey = () => `hatch ${slant}`;
 }

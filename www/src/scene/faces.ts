@@ -4,9 +4,9 @@ import { Box3, BufferAttribute, BufferGeometry, type Material, Mesh, Vector3 } f
 import type { Side } from "../worker/protocol.ts";
 import { glass, satin } from "./material.ts";
 
-export type FaceClass = "plain" | "undecided" | "changed" | "near" | "clash";
+export type FaceClass = "plain" | "own" | "undecided" | "changed" | "near" | "clash";
 
-const CLASSES: readonly FaceClass[] = ["plain", "undecided", "changed", "near", "clash"];
+const CLASSES: readonly FaceClass[] = ["plain", "own", "undecided", "changed", "near", "clash"];
 
 /** The colour of faces that need no attention, and of faces that the search did not decide. */
 const PLAIN = "#98a3ad";
@@ -43,6 +43,7 @@ export class FaceColors {
     }
     this.mesh = new Mesh(geometry, [
       glass(PLAIN),
+      glass(color),
       satin(UNDECIDED, OFFSETS[side]),
       satin(color, OFFSETS[side]),
       satin(NEAR, OFFSETS[side]),

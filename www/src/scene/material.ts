@@ -1,5 +1,11 @@
-// The materials of the models: an opaque one, a glass-like one, and a painted one.
-import { DoubleSide, MeshPhysicalMaterial, MeshStandardMaterial, type Texture } from "three";
+// The materials of the models: an opaque one, a glass-like one, a painted one, and points.
+import {
+  DoubleSide,
+  MeshPhysicalMaterial,
+  MeshStandardMaterial,
+  type PointsMaterial,
+  type Texture,
+} from "three";
 
 /** The opacity of glass seen face on. */
 const FACING = 0.28;
@@ -24,14 +30,20 @@ export function satin(color: string, offset = 1): MeshPhysicalMaterial {
   });
 }
 
+/** The brightness of a painted surface that is seen edge on, beside one that faces the eye: as in reports. */
+const EDGE_ON = 0.65;
+/** The exponent from brightness as it is displayed to that in which three.js computes. */
+const GAMMA = 2.2;
+
 /**
- * Returns a matt material in the colours of a scale. It is drawn among the
- * transparent objects and after them, so that neither gloss nor glass changes
- * the colours. The larger the offset is, the farther back it lies.
+ * Returns a material in exactly the colours of a scale where it faces the eye, and little darker
+ * elsewhere: no light changes what a colour means. It is drawn among the transparent objects and
+ * after them, so that neither gloss nor glass does. The larger the offset is, the farther back it lies.
  */
 export function painted(map: Texture, offset: number): MeshStandardMaterial {
-  return new MeshStandardMaterial({
+  const material = new MeshStandardMaterial({
     map,
+    toneMapped: false,
     transparent: true,
     roughness: 0.9,
     metalness: 0,
@@ -40,6 +52,33 @@ export function painted(map: Texture, offset: number): MeshStandardMaterial {
     polygonOffsetFactor: offset,
     polygonOffsetUnits: offset,
   });
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace(
+      "#include <opaque_fragment>",
+      `float facing = abs(dot(isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(vViewPosition), normal));
+      outgoingLight = diffuseColor.rgb * pow(mix(${EDGE_ON.toFixed(3)}, 1.0, facing), ${GAMMA.toFixed(3)});
+      #include <opaque_fragment>`,
+    );
+  };
+  return material;
+}
+
+/** The part of a point's radius beyond which it is dark, and how dark: it is seen on any ground. */
+const RIM = { from: 0.7, brightness: 0.1 };
+
+/** Makes the points of a material round, with a dark rim. */
+export function rounded(material: PointsMaterial): PointsMaterial {
+  material.toneMapped = false;
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace(
+      "#include <opaque_fragment>",
+      `float away = 2.0 * length(gl_PointCoord - 0.5);
+      if (away > 1.0) discard;
+      outgoingLight *= away > ${RIM.from.toFixed(3)} ? ${RIM.brightness.toFixed(3)} : 1.0;
+      #include <opaque_fragment>`,
+    );
+  };
+  return material;
 }
 
 /**

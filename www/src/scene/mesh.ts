@@ -20,14 +20,14 @@ import { concatenated } from "../common/arrays.ts";
 import type { DisplayModel, Side } from "../worker/protocol.ts";
 import { Cap } from "./cap.ts";
 import { type FaceClass, FaceColors } from "./faces.ts";
-import { glass, painted, satin } from "./material.ts";
+import { glass, painted, rounded, satin } from "./material.ts";
 
 /** How much of a model is shown: all, a see-through surface, or nothing. */
 export type Visibility = "solid" | "glass" | "hidden";
 
 const TRIANGLES = { color: 0x101820, wireframe: true, transparent: true, opacity: 0.16 };
 /** The size of the points of a scan, in pixels. */
-const POINT_SIZE = 3;
+const POINT_SIZE = 8;
 /** The opacity of colours that are seen through. */
 const SEE_THROUGH = 0.4;
 /** The outline of a model in its own colours, and of one whose outline alone shows which it is. */
@@ -69,14 +69,14 @@ export class ModelMesh {
     edges.setAttribute("position", geometry.getAttribute("position"));
     edges.setIndex(new BufferAttribute(model.outline.edges, 1));
     const dots = { size: POINT_SIZE, sizeAttenuation: false };
-    this.#satin = isCloud ? new PointsMaterial({ color, ...dots }) : satin(color);
+    this.#satin = isCloud ? rounded(new PointsMaterial({ color, ...dots })) : satin(color);
     this.#glass = isCloud
-      ? new PointsMaterial({ color, ...dots, transparent: true, opacity: SEE_THROUGH })
+      ? rounded(new PointsMaterial({ color, ...dots, transparent: true, opacity: SEE_THROUGH }))
       : glass(color);
     this.#surface = isCloud ? new Points(geometry, this.#satin) : new Mesh(geometry, this.#satin);
     // B lies a little behind A, so that coincident colours do not fight for depth.
     const paint = isCloud
-      ? new PointsMaterial({ map, ...dots, transparent: true })
+      ? rounded(new PointsMaterial({ map, ...dots, transparent: true }))
       : painted(map, side === "a" ? 1 : 3);
     const unpainted = likePaint(geometry);
     this.#painted = isCloud ? new Points(unpainted, paint) : new Mesh(unpainted, paint);
@@ -109,7 +109,7 @@ export class ModelMesh {
     const whole = new BufferGeometry();
     whole.setAttribute("position", this.#surface.geometry.getAttribute("position"));
     whole.setIndex(new BufferAttribute(this.model.tessellation.indices, 1));
-    this.#cap = new Cap(whole, this.#side, this.#color);
+    this.#cap = new Cap(whole, this.#side);
     this.group.add(this.#cap.group);
     return this.#cap;
   }

@@ -47,6 +47,10 @@ export class Models {
     this.#map = map;
   }
 
+  /** The model that is neither drawn nor compared. */
+  aside: Side | undefined;
+  /** The only model that is drawn, where one is compared face by face. */
+  #alone: Side | undefined;
   /** A's units in one of B's; the scene is in A's. */
   #scale = 1;
 
@@ -106,6 +110,30 @@ export class Models {
     return isDrafting;
   }
 
+  /** The sides whose models are not there to be drawn. */
+  get #absent(): readonly Side[] {
+    return this.aside === undefined ? this.#replaced : [...this.#replaced, this.aside];
+  }
+
+  /** The sides whose models are not drawn. */
+  get #undrawn(): readonly Side[] {
+    const others = SIDES.filter((side) => this.#alone !== undefined && side !== this.#alone);
+    return [...this.#absent, ...others];
+  }
+
+  /** Draws one model without the other one; with `undefined`, both as they are displayed. */
+  set alone(side: Side | undefined) {
+    this.#alone = side;
+    for (const one of SIDES) {
+      const mesh = this.#meshes[one];
+      if (mesh === undefined) continue;
+      mesh.group.visible = mesh.visibility !== "hidden" && !this.#undrawn.includes(one);
+      if (mesh.cap !== undefined) {
+        mesh.cap.plane.visible = mesh.group.visible && mesh.cap.group.visible;
+      }
+    }
+  }
+
   #hide(side: Side): void {
     const mesh = this.#meshes[side];
     if (mesh === undefined) return;
@@ -133,7 +161,7 @@ export class Models {
       mesh.visibility = visibility[side];
       mesh.triangles = triangles;
     }
-    for (const side of this.#replaced) this.#hide(side);
+    for (const side of this.#undrawn) this.#hide(side);
   }
 
   /** Whether a model has colours of its file. */
@@ -156,7 +184,7 @@ export class Models {
       if (mesh.cap !== undefined) mesh.cap.size = size;
       mesh.clipping = planes;
     }
-    for (const side of this.#replaced) this.#hide(side);
+    for (const side of this.#undrawn) this.#hide(side);
   }
 
   /** The planes of the section. */
@@ -178,7 +206,7 @@ export class Models {
   only(side: Side | undefined): void {
     for (const one of SIDES) {
       const mesh = this.#meshes[one];
-      if (mesh === undefined) continue;
+      if (mesh === undefined || this.#undrawn.includes(one)) continue;
       const shown = mesh.visibility !== "hidden" && (side === undefined || side === one);
       mesh.group.visible = shown;
       if (mesh.cap !== undefined) mesh.cap.plane.visible = shown && mesh.cap.group.visible;
@@ -303,14 +331,14 @@ export class Models {
     return Object.fromEntries(
       SIDES.flatMap((side) => {
         const model = this.#meshes[side]?.model;
-        return model === undefined ? [] : [[side, model]];
+        return model === undefined || side === this.aside ? [] : [[side, model]];
       }),
     );
   }
 
-  /** Whether both models are loaded. */
+  /** Whether both models are loaded, and compared. */
   get complete(): boolean {
-    return SIDES.every((side) => this.#meshes[side] !== undefined);
+    return SIDES.every((side) => this.#meshes[side] !== undefined && side !== this.aside);
   }
 
   /** The larger diagonal of the two models' boxes. */
@@ -336,7 +364,7 @@ export class Models {
     for (const side of SIDES) {
       const mesh = this.#meshes[side];
       if (mesh === undefined) continue;
-      if (this.#replaced.includes(side)) continue;
+      if (this.#absent.includes(side)) continue;
       mesh.group.updateWorldMatrix(true, true);
       box.union(new Box3().setFromObject(mesh.target));
     }

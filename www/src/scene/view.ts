@@ -1,9 +1,10 @@
 // The view of the models and a result. Without WebGL it draws nothing.
-import type { DiffResult, DistanceResult, Vector3 as Point, SurfacePoint } from "nurbs-hausdorff";
+import type { DiffResult, DistanceResult, Vector3 as Point } from "nurbs-hausdorff";
 import { Box3, Vector3 } from "three";
-import { farthestSide } from "../common/direction.ts";
+import { agrees, farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
-import { certifiedText, distanceText } from "../common/numbers.ts";
+import { placeName } from "../common/names.ts";
+import { certifiedText, heldText } from "../common/numbers.ts";
 import { type Change, classesOf } from "../faces/changes.ts";
 import { Pins } from "../inspection/pins/pins.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
@@ -70,17 +71,24 @@ export class View {
   #unit = 1;
   #result: DistanceResult | undefined;
   #diff: DiffResult | undefined;
+  #diffSide: Side | undefined;
   /** The box of the files that are being read, as the camera was placed for it. */
   #drawn = new Box3();
 
-  /** Opens a view in some short tasks; calls `withoutWebGl` with the reason if the browser cannot draw. */
+  /**
+   * Opens a view in some short tasks; calls `withoutWebGl` with the reason if the browser cannot draw,
+   * and `onContext` when it no longer can for a while.
+   */
   static async open(
     canvas: HTMLCanvasElement,
     withoutWebGl: (reason: string) => void,
+    onContext: (isThere: boolean) => void,
     onGizmo: OnGizmo,
   ): Promise<View> {
     try {
-      return new View(canvas, onGizmo, await Viewport.open(canvas));
+      const viewport = await Viewport.open(canvas);
+      viewport.onContext = onContext;
+      return new View(canvas, onGizmo, viewport);
     } catch (error) {
       element("tools").hidden = true;
       element("axes", SVGSVGElement).toggleAttribute("hidden", true);
@@ -144,6 +152,13 @@ export class View {
   /** Shows both models; `atOnce` without a way to it. */
   fit(atOnce = false): void {
     this.#viewport?.fit(this.models.box, undefined, atOnce);
+  }
+
+  /** Shows both models, as they are looked at now, if a part of them is outside of the view. */
+  keepInView(): void {
+    const { box } = this.models;
+    if (this.#viewport === undefined || this.#viewport.holds(box)) return;
+    this.#viewport.fit(box, this.#viewport.seen.normal);
   }
 
   /** Shows both models from a standard direction. */
@@ -319,9 +334,14 @@ export class View {
     this.#viewport?.draw();
   }
 
-  /** Colours the faces that a comparison found changed and greys the others; without one, ends that. */
-  showFaces(diff: DiffResult | undefined): void {
+  /**
+   * Colours the faces that a comparison found changed and greys the others, of one model or of both;
+   * without a comparison, ends that.
+   */
+  showFaces(diff: DiffResult | undefined, side?: Side): void {
     this.#diff = diff;
+    this.#diffSide = side;
+    this.models.alone = diff === undefined ? undefined : side;
     this.models.classify(
       diff === undefined ? {} : { a: classesOf(diff.facesOfA), b: classesOf(diff.facesOfB) },
     );
@@ -341,16 +361,17 @@ export class View {
     const diff = this.#diff;
     if (diff === undefined) return;
     if (change === undefined) {
-      this.showFaces(diff);
+      this.showFaces(diff, this.#diffSide);
       return;
     }
     const { side, difference } = change;
+    this.models.alone = side;
     const { a, b } = difference.witness;
     const plain: Sides<FaceClass[]> = { a: [], b: [] };
     this.models.classify({ ...plain, [side]: only(difference.face, classesOf([difference])) });
     const [from, to] = side === "a" ? [a.point, b.point] : [b.point, a.point];
-    const length = new Vector3(...from).distanceTo(new Vector3(...to));
-    const texts = { length: distanceText(length, diff.diagonal), from: "", to: "" };
+    const { lower, upper } = difference;
+    const texts = { length: heldText([lower, upper], diff.diagonal), from: "", to: "" };
     this.#arrow.show(from, to, texts, this.models.center);
     const box = this.models.faceBox(side, difference.face);
     for (const point of [from, to]) {
@@ -365,7 +386,7 @@ export class View {
 
   /** The arrow of the result, in the direction in which the distance is attained. */
   #showArrow(): void {
-    if (this.#result === undefined) {
+    if (this.#result === undefined || agrees(this.#result)) {
       this.#arrow.hide();
       return;
     }
@@ -375,8 +396,8 @@ export class View {
     const [own, other] = fromA ? ["A", "B"] : ["B", "A"];
     const texts = {
       length: certifiedText(computed, [lower, upper], diagonal),
-      from: `${own}: ${nameOf(from)}`,
-      to: `${other}: ${nameOf(to)}`,
+      from: `${own}: ${placeName(from)}`,
+      to: `${other}: ${placeName(to)}`,
     };
     this.#arrow.show(from.point, to.point, texts, this.models.center);
   }
@@ -386,9 +407,6 @@ export class View {
     for (const lines of Object.values(this.#lines)) lines.hide();
   }
 }
-
-/** The face of a point, by its name in the source. */
-const nameOf = ({ face, faceName }: SurfacePoint): string => faceName ?? `face ${face}`;
 
 /** The classes of a model of whose faces only one has a class of its own. */
 function only(face: number, [own = "plain"]: FaceClass[]): FaceClass[] {

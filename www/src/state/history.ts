@@ -23,10 +23,12 @@ const redoButton = element("redo", HTMLButtonElement);
 
 export class History {
   readonly #restore: (state: string) => void;
-  /** Whether a model is of a file, which no address opens. */
+  /** Called with the state whenever it changes. */
+  onState: (state: string) => void = () => {};
+  /** Whether a model is of a file: an address that does not name it holds nothing about the pair. */
   ofFiles = false;
-  /** Called with the state of files, which the address does not hold. */
-  onFileState: (state: string) => void = () => {};
+  /** The parameters that name the files compared, which an address does not hold. */
+  #files = "";
   #camera = "";
   #past: string[] = [];
   #future: string[] = [];
@@ -71,6 +73,12 @@ export class History {
     if (this.#current !== undefined) this.#show(this.#current);
   }
 
+  /** Names the files compared in the address. */
+  set files(parameters: string) {
+    this.#files = parameters;
+    if (this.#current !== undefined) this.#show(this.#current);
+  }
+
   /** Records the state of the controls, once they rest. */
   record(): void {
     clearTimeout(this.#timer);
@@ -107,10 +115,10 @@ export class History {
 
   #show(state: string): void {
     this.#current = state;
-    if (this.ofFiles) this.onFileState(state);
-    const own = this.ofFiles ? withoutPair(state) : state;
+    this.onState(state);
+    const own = this.ofFiles && this.#files === "" ? withoutPair(state) : state;
     const camera = this.#camera === "" ? "" : `${CAMERA}=${this.#camera}`;
-    const shared = [own, camera].filter((part) => part !== "").join("&");
+    const shared = [this.#files, own, camera].filter((part) => part !== "").join("&");
     history.replaceState(null, "", shared === "" ? location.pathname : `#${shared}`);
     this.#showButtons();
   }

@@ -109,6 +109,15 @@ export class Client {
     this.#post({ kind: "diff", options });
   }
 
+  /** Requests what is certain of each face of the result of a run. */
+  bound(run: number, options: PlainDiffOptions): void {
+    this.#post({ kind: "bound", run, options });
+  }
+
+  cancelBound(): void {
+    this.#post({ kind: "cancelBound" });
+  }
+
   cancelDiff(): void {
     this.#post({ kind: "cancelDiff" });
   }

@@ -1,6 +1,6 @@
 // The tasks that compare both models beside the measurement: face by face, the best fit, and
 // the clearance.
-import type { Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
+import type { DiffResult, Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
 import { diffByLimits } from "./diffs.ts";
 import { globalFit } from "./fit/globalFit.ts";
 import { Latest } from "./latest.ts";
@@ -14,6 +14,16 @@ import type {
   Reply,
 } from "./protocol.ts";
 
+/** Seconds that bounds of faces may take which nobody asked for. */
+const BOUND_SECONDS = 20;
+
+/** What is certain of each face, for the maps of a run. */
+interface BoundState {
+  state: "done";
+  run: number;
+  result: DiffResult;
+}
+
 interface Pair {
   a: NurbsModel;
   b: NurbsModel;
@@ -22,12 +32,16 @@ interface Pair {
 export class Comparisons {
   readonly #engine: Hausdorff;
   readonly #faces: Latest<DiffState>;
+  readonly #bounds: Latest<BoundState>;
   readonly #fit: Latest<FitState>;
   readonly #clearance: Latest<ClearanceState>;
 
   constructor(engine: Hausdorff, reply: (reply: Reply) => void) {
     this.#engine = engine;
     this.#faces = new Latest((state) => reply({ kind: "diff", ...state }));
+    this.#bounds = new Latest((state) => {
+      if ("run" in state) reply({ kind: "bound", ...state });
+    });
     this.#fit = new Latest((state) => reply({ kind: "fit", ...state }));
     this.#clearance = new Latest((state) => reply({ kind: "clearance", ...state }));
   }
@@ -40,6 +54,18 @@ export class Comparisons {
       const result = await diffByLimits(this.#engine, { a, b }, { ...options, signal, onProgress });
       return { state: "done", result };
     });
+  }
+
+  /** Bounds the deviation of each face, for a run's maps: after all that the user waits for. */
+  boundFaces({ a, b }: Pair, run: number, options: PlainDiffOptions): Promise<void> {
+    return this.#bounds.run(async (signal) => {
+      const bounded = { ...options, maxSeconds: BOUND_SECONDS, signal };
+      return { state: "done", run, result: await diffByLimits(this.#engine, { a, b }, bounded) };
+    });
+  }
+
+  cancelBounds(): void {
+    this.#bounds.drop();
   }
 
   /** Fits A to B, from the position of the options and from others. */
@@ -79,6 +105,7 @@ export class Comparisons {
   /** Ends all tasks because their models are replaced; a fit is replied to. */
   drop(): void {
     this.#faces.drop();
+    this.#bounds.drop();
     this.#clearance.drop();
     this.#fit.cancel();
   }

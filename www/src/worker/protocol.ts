@@ -26,8 +26,11 @@ export const SIDES: readonly Side[] = ["a", "b"];
 /** A value for each of the two models, or for one of them. */
 export type Sides<T> = Partial<Record<Side, T>>;
 
-/** The source of a model: a shape's name, or a file, with all surfaces or only the first. */
-export type Source = { shape: string } | { file: File; firstSurface?: boolean };
+/**
+ * The source of a model: a shape's name, or a file, with all surfaces or only the first, and the metres
+ * in the unit of one that states none.
+ */
+export type Source = { shape: string } | { file: File; firstSurface?: boolean; unit?: number };
 
 /** The initial position of model A. */
 export interface Placement {
@@ -83,6 +86,9 @@ export type Request =
   | { kind: "cancel" }
   | { kind: "diff"; options: PlainDiffOptions }
   | { kind: "cancelDiff" }
+  /** Asks what is certain of each face of the result of a run. */
+  | { kind: "bound"; run: number; options: PlainDiffOptions }
+  | { kind: "cancelBound" }
   | { kind: "fit"; options: PlainFitOptions }
   | { kind: "cancelFit" }
   | { kind: "clearance"; options: PlainGapOptions }
@@ -162,6 +168,10 @@ export type ClearanceState = {
 };
 
 export type ClearanceReply = { kind: "clearance" } & (ClearanceState | Ended);
+export type BoundReply = { kind: "bound"; run: number } & (
+  | { state: "done"; result: DiffResult }
+  | Ended
+);
 export type DiffReply = { kind: "diff" } & (DiffState | Ended);
 export type FitReply = { kind: "fit" } & (FitState | Ended);
 
@@ -169,6 +179,7 @@ export type Reply =
   | ClearanceReply
   | DiffReply
   | FitReply
+  | BoundReply
   | { kind: "ready"; engine: EngineState; shapes: ShapeInfo[] }
   /** A library is fetched that a file needs. */
   | { kind: "loading"; text: string }

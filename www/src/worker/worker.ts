@@ -47,6 +47,12 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
     case "cancelDiff":
       comparisons.cancelFaces();
       break;
+    case "bound":
+      if (a && b) void comparisons.boundFaces({ a, b }, data.run, data.options);
+      break;
+    case "cancelBound":
+      comparisons.cancelBounds();
+      break;
     case "fit":
       if (a && b) void comparisons.fit({ a, b }, data.options);
       break;

@@ -1,8 +1,10 @@
 // What the report says, from the state of the page.
 import { element } from "../../common/elements.ts";
+import { placeName } from "../../common/names.ts";
 import { certifiedText, distanceText, intervalText, signedText } from "../../common/numbers.ts";
 import { unitName } from "../../common/units.ts";
-import { commonUnit } from "../../files/fileNotes.ts";
+import { hashOf } from "../../files/identity.ts";
+import { commonUnit } from "../../files/units.ts";
 import { isBeyond, sizeText } from "../../inspection/placeList.ts";
 import type { Place } from "../../inspection/places.ts";
 import { limitText } from "../../results/ownLimits.ts";
@@ -46,14 +48,13 @@ function verdictTerms({ result }: ExportedState): [string, string][] {
   const { lower, upper, computed, diagonal, gap, withGaps, witness } = result;
   const unit = commonUnit() ?? "model units";
   const limits = allowed();
-  const name = ({ face, faceName }: typeof witness.a) => faceName ?? `face ${face}`;
   const limit = limits === undefined ? "not stated" : `+${limits.above} / −${limits.below} ${unit}`;
   return [
     ["Measured", element("kind").textContent ?? ""],
     ["Allowed deviation", limit],
     ["Found", `${certifiedText(computed, [lower, upper], diagonal)} ${unit}`],
     ["Certified interval", `${intervalText(lower, upper, diagonal)} ${unit}`],
-    ["Where", `A ${name(witness.a)}, B ${name(witness.b)}`],
+    ["Where", `A ${placeName(witness.a)}, B ${placeName(witness.b)}`],
     ["At", witness.a.point.map((at) => distanceText(at, diagonal)).join(", ")],
     [
       "With the gaps of the files",
@@ -86,13 +87,6 @@ async function fileTerms(
     ["SHA-256", await hashOf(file)],
     ...common,
   ];
-}
-
-/** The SHA-256 of a file; only pages from a safe origin have it. */
-async function hashOf(file: File): Promise<string> {
-  if (globalThis.crypto?.subtle === undefined) return "";
-  const hash = await crypto.subtle.digest("SHA-256", await file.arrayBuffer());
-  return [...new Uint8Array(hash)].map((byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
 function faceRow(place: Place, diagonal: number): string[] {

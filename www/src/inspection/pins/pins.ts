@@ -2,7 +2,7 @@
 import { type Plane, Vector3 } from "three";
 import { element } from "../../common/elements.ts";
 import { distanceText, signedText } from "../../common/numbers.ts";
-import { commonUnit } from "../../files/fileNotes.ts";
+import { commonUnit } from "../../files/units.ts";
 import type { Viewport } from "../../scene/camera/viewport.ts";
 import type { Probe } from "../../worker/protocol.ts";
 

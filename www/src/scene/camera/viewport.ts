@@ -61,6 +61,8 @@ export class Viewport {
   readonly controls: OrbitControls;
   /** Called before every drawing, after the camera was updated. */
   onDraw: () => void = () => {};
+  /** Called when the browser takes the means of drawing away, and when it gives them back. */
+  onContext: (isThere: boolean) => void = () => {};
   readonly #canvas: HTMLCanvasElement;
   readonly #renderer: WebGLRenderer;
   /** The camera that the controls move; the orthographic one follows it. */
@@ -122,7 +124,11 @@ export class Viewport {
       cancelAnimationFrame(this.#way);
       this.#fitted = undefined;
     });
-    canvas.addEventListener("webglcontextrestored", () => this.draw());
+    canvas.addEventListener("webglcontextlost", () => this.onContext(false));
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.onContext(true);
+      this.draw();
+    });
     new ResizeObserver(() => this.#resize()).observe(canvas);
   }
 
@@ -156,6 +162,19 @@ export class Viewport {
     this.#settle((free) => -Math.min(free[0] * width, free[1] * height));
     if (this.#fitted !== undefined) this.fit(this.#fitted.box, this.#fitted.direction, true);
     this.draw();
+  }
+
+  /** Whether the corners of a box are within the view. */
+  holds(box: Box3): boolean {
+    this.#updateCameras();
+    const [width, height] = this.#size;
+    return [0, 1, 2, 3, 4, 5, 6, 7].every((corner) => {
+      const [x, y, z] = [1, 2, 4].map((bit) => (corner & bit) !== 0);
+      const { min, max } = box;
+      const point = new Vector3((x ? max : min).x, (y ? max : min).y, (z ? max : min).z);
+      const at = this.project(point);
+      return at !== undefined && at[0] >= 0 && at[0] <= width && at[1] >= 0 && at[1] <= height;
+    });
   }
 
   /** Draws one model left of a fraction of the view and the other one right of it. */

@@ -80,8 +80,9 @@ export class ColorScale {
     const { absolute, allowed, focus, map } = this.#options;
     const shown = absolute ? size : deviation;
     if (focus !== undefined && (shown < focus[0] || shown > focus[1])) return UNFOCUSED;
-    if (size <= this.#floor) return ROUNDING;
+    // What agrees is allowed: on all parts in one colour, whether rounding can be told from 0 or not.
     if (allowed !== undefined && isWithin(deviation, signed, allowed)) return WITHIN;
+    if (size <= this.#floor) return ROUNDING;
     if (!signed && !absolute) return UNSIGNED;
     const value = stepped(shown, this.low, this.high, this.#steps);
     const end = Math.max(-this.low, this.high);

@@ -27,6 +27,8 @@ const LEADER = 22;
 const BELOW = 8;
 /** Pixels from end to end above which both have labels of their own. */
 const MIN_APART = 70;
+/** Pixels between labels that would lie over each other. */
+const APART = 3;
 const UP = new Vector3(0, 1, 0);
 
 /** What the arrow's labels say. */
@@ -123,6 +125,7 @@ export class Arrow {
       moveTo(label, ends[index]);
     }
     this.#keepWithin(viewport.over, [place, ...ends]);
+    this.#keepApart();
     this.#size(pixel);
   }
 
@@ -144,6 +147,19 @@ export class Arrow {
       const free = at < begin ? 0 : begin;
       const shift = Math.max(free + half - at, Math.min(0, width - half - at));
       label.style.setProperty("--across", `${shift}px`);
+    }
+  }
+
+  /** Moves the labels of ends below that of the length, where they would lie over it. */
+  #keepApart(): void {
+    for (const label of this.#ends) label.style.removeProperty("--down");
+    if (this.#label.hidden) return;
+    const own = this.#label.getBoundingClientRect();
+    for (const label of this.#ends) {
+      if (label.hidden) continue;
+      const { left, right, top, bottom } = label.getBoundingClientRect();
+      const isOver = left < own.right && right > own.left && top < own.bottom && bottom > own.top;
+      if (isOver) label.style.setProperty("--down", `${own.bottom - top + APART}px`);
     }
   }
 

@@ -2,10 +2,10 @@
 import type { FaceDraft } from "nurbs-hausdorff/cad";
 import type { Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
 
-/** Reads a model from a file's bytes; the name is for errors. */
+/** Reads a model from a file's bytes; the name is for errors, the unit for a file that states none. */
 export type FileReader = (
   bytes: ArrayBuffer,
-  name: string,
+  { name, unit }: { name: string; unit: number | undefined },
   onFace: (face: FaceDraft) => void,
 ) => Promise<NurbsModel>;
 
@@ -16,6 +16,9 @@ const NOTES = {
 
 /** Returns the reader of files, which announces the library that it fetches. */
 export function reader(engine: Hausdorff, onLibrary: (text: string) => void): FileReader {
-  return (bytes, name, onFace) =>
-    engine.readCad(bytes, { name, onLibrary: (library) => onLibrary(NOTES[library]), onFace });
+  return (bytes, { name, unit }, onFace) =>
+    engine.readCad(bytes, {
+      ...{ name, onLibrary: (library) => onLibrary(NOTES[library]), onFace },
+      ...(unit !== undefined && { unit }),
+    });
 }

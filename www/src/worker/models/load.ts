@@ -50,8 +50,8 @@ export async function load(
       const source = sources[side];
       if (source === undefined) continue;
       const drafts = new Drafts((draft) => onDraft(side, draft));
-      const model = await createModel(engine, source, (bytes, name) =>
-        readFile(bytes, name, (face) => drafts.add(face)),
+      const model = await createModel(engine, source, (bytes, name, unit) =>
+        readFile(bytes, { name, unit }, (face) => drafts.add(face)),
       );
       models[side] = model;
       // The engine reads the next file while this one is outlined.
@@ -79,11 +79,17 @@ async function displayOf(source: Source, model: NurbsModel): Promise<DisplayMode
     report: model.report,
     box: model.boundingBox,
     tessellation,
-    outline: outline(tessellation),
+    outline: outline(tessellation, isMesh(model)),
     isMesh: isMesh(model),
-    faceNames: Array.from({ length: model.faceCount }, (_, face) => faceName(model, face)),
+    faceNames: Array.from({ length: model.faceCount }, (_, face) => listedName(model, face)),
     faceColors: colorsOf(model),
   };
+}
+
+/** A face by its name; the groups of a mesh and the points of a scan are no faces. */
+function listedName(model: NurbsModel, face: number): string {
+  if (!isMesh(model)) return faceName(model, face);
+  return model.faceName(face) ?? (model.faceCount === 1 ? "all of it" : `group ${face}`);
 }
 
 /** The colours of the faces; none at all if no face has one. */
@@ -107,22 +113,23 @@ function unpacked(file: File): Promise<ArrayBuffer> {
 async function createModel(
   engine: Hausdorff,
   source: Source,
-  readFile: (bytes: ArrayBuffer, name: string) => Promise<NurbsModel>,
+  readFile: (bytes: ArrayBuffer, name: string, unit?: number) => Promise<NurbsModel>,
 ): Promise<NurbsModel> {
   if ("shape" in source) {
     const own = example(source.shape);
     return own === undefined ? engine.shape(source.shape) : engine.model(own);
   }
-  const { file, firstSurface } = source;
+  const { file, firstSurface, unit } = source;
   try {
     const bytes = await readBytes(file);
     const name = unpackedName(file);
     const mesh = meshFormatOf(name);
     if (mesh !== undefined) {
-      return noted(await engine.readMesh(name === file.name ? bytes : await unpacked(file), mesh));
+      const content = name === file.name ? bytes : await unpacked(file);
+      return noted(await engine.readMesh(content, mesh, unit === undefined ? {} : { unit }));
     }
     if (!firstSurface) {
-      return await readFile(bytes, file.name).catch((error) => stepMesh(engine, file, error));
+      return await readFile(bytes, file.name, unit).catch((error) => stepMesh(engine, file, error));
     }
     return engine.model(withFirstSurface(new TextDecoder().decode(bytes)));
   } catch (error) {

@@ -1,6 +1,7 @@
 // The outline of a model: the edges of its faces, creases and gaps.
-import type { Tessellation } from "nurbs-hausdorff";
+import type { Tessellation, Vector3 } from "nurbs-hausdorff";
 import type { Outline } from "../protocol.ts";
+import { cross } from "../rigid.ts";
 import { type Edge, smooth } from "./edges.ts";
 import { withoutInner } from "./innerBorders.ts";
 
@@ -9,18 +10,22 @@ import { withoutInner } from "./innerBorders.ts";
  * from it as the tessellation's tolerance allows.
  */
 const BORDER_TOLERANCE = 4e-4;
+/** The cosine of the angle from which on triangles of a mesh bend: facets of a round part do not. */
+const BEND_COSINE = Math.cos((30 * Math.PI) / 180);
 
 /**
  * Returns the edges that belong to only one triangle, two vertices per edge.
  * Creases are among them, because the tessellation duplicates their vertices;
- * seams and borders between the pieces of one smooth face are not.
+ * seams and borders between the pieces of one smooth face are not. Of a mesh they are those at which
+ * its triangles bend.
  * O(n log n) in the number of triangles.
  */
-export function outline(tessellation: Tessellation): Outline {
+export function outline(tessellation: Tessellation, isMesh = false): Outline {
   const { indices, faces } = tessellation;
   const tolerance = BORDER_TOLERANCE * diagonalOf(tessellation.positions);
   const edges = faces.map(({ firstIndex, indexCount }) => {
     const own = indices.subarray(firstIndex, firstIndex + indexCount);
+    if (isMesh) return creases(tessellation, own);
     const edges = withoutDoubled(openEdges(tessellation, own), tessellation);
     return withoutInner(edges, tessellation, tolerance);
   });
@@ -31,6 +36,58 @@ export function outline(tessellation: Tessellation): Outline {
   });
   return { edges: new Uint32Array(edges.flat(2)), ends };
 }
+
+/** The edges of a mesh at which its triangles bend, and those of one triangle only. O(n log n). */
+function creases({ positions }: Tessellation, indices: Uint32Array): Edge[] {
+  const count = positions.length / 3;
+  const corners = Float64Array.from(indices, (from, corner) => {
+    const first = corner - (corner % 3);
+    const to = indices[first + ((corner + 1) % 3)] ?? 0;
+    return Math.min(from, to) * count + Math.max(from, to);
+  });
+  const order = Uint32Array.from(corners.keys()).sort(
+    (one, other) => (corners[one] ?? 0) - (corners[other] ?? 0),
+  );
+  const edges: Edge[] = [];
+  for (let index = 0; index < order.length; ) {
+    const begin = index;
+    const key = corners[order[begin] ?? 0] ?? 0;
+    while (index < order.length && corners[order[index] ?? 0] === key) index += 1;
+    const [one, other] = [order[begin], order[begin + 1]];
+    const [from, to] = [Math.floor(key / count), key % count];
+    const isFlat =
+      index - begin === 2 &&
+      isSmoothAcross(positions, indices, Math.floor((one ?? 0) / 3), Math.floor((other ?? 0) / 3));
+    if (!isFlat && distinct(positions, from, to)) edges.push([from, to]);
+  }
+  return edges;
+}
+
+/** Whether two triangles bend little where they meet; those without an area do not bend. */
+function isSmoothAcross(
+  positions: Float32Array,
+  indices: Uint32Array,
+  one: number,
+  other: number,
+): boolean {
+  const [m, n] = [one, other].map((triangle) => {
+    const [a, b, c] = [0, 1, 2].map((corner) => {
+      const at = 3 * (indices[3 * triangle + corner] ?? 0);
+      return [positions[at] ?? 0, positions[at + 1] ?? 0, positions[at + 2] ?? 0] as const;
+    });
+    const side = (to: Point = ORIGIN, from: Point = ORIGIN): Vector3 => [
+      to[0] - from[0],
+      to[1] - from[1],
+      to[2] - from[2],
+    ];
+    return cross(side(b, a), side(c, a));
+  }) as [Vector3, Vector3];
+  const sizes = Math.hypot(...m) * Math.hypot(...n);
+  return sizes === 0 || m[0] * n[0] + m[1] * n[1] + m[2] * n[2] >= BEND_COSINE * sizes;
+}
+
+type Point = readonly [number, number, number];
+const ORIGIN: Point = [0, 0, 0];
 
 function openEdges({ positions }: Tessellation, indices: Uint32Array): Edge[] {
   const count = positions.length / 3;

@@ -1,0 +1,100 @@
+// The unit beside each model: what its file states, or what the user says of one that states none.
+import { element } from "../common/elements.ts";
+import { unitName } from "../common/units.ts";
+import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
+
+/** Lengths that files are often in, in metres. */
+const COMMON: readonly number[] = [1e-6, 1e-3, 1e-2, 0.0254, 0.3048, 1];
+/** Factors between units that are confused, with their names. */
+const CONFUSED: readonly (readonly [factor: number, names: string])[] = [
+  [25.4, "inches and millimetres"],
+  [10, "centimetres and millimetres"],
+  [1000, "metres and millimetres"],
+];
+/** The part by which the sizes of models may differ from such a factor: one is a revision of the other. */
+const LIKE = 0.05;
+
+const selects: Record<Side, HTMLSelectElement> = {
+  a: element("unit-a", HTMLSelectElement),
+  b: element("unit-b", HTMLSelectElement),
+};
+const note = element("units-differ");
+const units: Sides<number | null> = {};
+const sizes: Sides<number> = {};
+
+for (const select of Object.values(selects)) {
+  select.append(
+    new Option("unit?", ""),
+    ...COMMON.map((metres) => new Option(unitName(metres), `${metres}`)),
+  );
+}
+
+/** Shows the units of models that were loaded. */
+export function showUnits(models: Sides<DisplayModel>): void {
+  for (const side of SIDES) {
+    const model = models[side];
+    if (model === undefined) continue;
+    const { unit, source, box } = model;
+    units[side] = unit;
+    sizes[side] = Math.hypot(...box.max.map((end, axis) => end - (box.min[axis] ?? 0)));
+    const said = "file" in source ? source.unit : undefined;
+    const isOpen = "file" in source && (unit === null || said !== undefined);
+    const [none] = selects[side].options;
+    if (none) none.textContent = isOpen || unit === null ? "unit?" : unitName(unit);
+    selects[side].disabled = !isOpen;
+    selects[side].title = isOpen
+      ? "The file states no unit: say which one its numbers are in"
+      : "As the model states it";
+    selects[side].value = said === undefined ? "" : `${said}`;
+  }
+  const text = textOf(units.a ?? null, units.b ?? null);
+  note.hidden = text === "";
+  note.textContent = text;
+  element("position-unit").textContent = `in ${commonUnit() ?? "model units"}`;
+}
+
+/** What the user has to know of the units of A and B; nothing where they are the same. */
+function textOf(a: number | null, b: number | null): string {
+  if (a !== null && b !== null) {
+    if (unitName(a) === unitName(b)) return "";
+    return `A is in ${unitName(a)} and B in ${unitName(b)}: B is converted to ${unitName(a)}.`;
+  }
+  const hint = hintOf((sizes.a ?? 0) / (sizes.b || 1));
+  if (a === null && b === null) return hint;
+  const [known, unknown] = a === null ? ["B", "A"] : ["A", "B"];
+  return `${known} is in ${unitName(a ?? b ?? 1)}, and the file of ${unknown} states no unit: its numbers are taken as they are until you say which.${hint === "" ? "" : ` ${hint}`}`;
+}
+
+/** What a factor between the sizes of models suggests. */
+function hintOf(factor: number): string {
+  const found = CONFUSED.find(([one]) =>
+    [factor, 1 / factor].some((size) => Math.abs(size / one - 1) < LIKE),
+  );
+  if (found === undefined) return "";
+  return `One model is about ${found[0]} times as large as the other, as ${found[1]} are.`;
+}
+
+/** Calls back with the metres in a unit that the user says a file is in; with `undefined`, none. */
+export function onUnit(callback: (side: Side, metres: number | undefined) => void): void {
+  for (const side of SIDES) {
+    selects[side].addEventListener("input", () => {
+      const { value } = selects[side];
+      callback(side, value === "" ? undefined : Number(value));
+    });
+  }
+}
+
+/** Returns A's units in one of B's: B is converted where both are known. */
+export function unitScale(): number {
+  const { a = null, b = null } = units;
+  return a !== null && b !== null ? b / a : 1;
+}
+
+/** Returns the metres in a unit of the scene, 1 where none is stated. */
+export const metresPerUnit = (): number => units.a ?? units.b ?? 1;
+
+/** Returns the unit of the results, or undefined where it is unknown of one of the models. */
+export function commonUnit(): string | undefined {
+  const { a = null, b = null } = units;
+  return a === null || b === null ? undefined : unitName(a);
+}
