@@ -14,7 +14,7 @@ mod samples;
 mod search;
 mod system;
 
-pub(crate) use field::{Field, FootField, Place, Residual};
+pub(crate) use field::FootField;
 pub(crate) use fit::{LocalFit, Step};
 pub(crate) use loss::Loss;
 pub use loss::Robust;
