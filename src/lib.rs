@@ -149,7 +149,7 @@ pub mod internals {
     shown!(bezier bvh certified closest engine error facets flatness gpu hierarchy iteration model progress untrim);
 }
 
-pub use alignment::Robust;
+pub use alignment::{Datum, DatumFit, Feature, PointPair, Robust};
 pub use area::Area;
 pub use axis::Axis;
 #[cfg(feature = "cad")]

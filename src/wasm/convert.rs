@@ -2,9 +2,9 @@
 
 use super::failure::to_object;
 use crate::engine::{
-    BestFitOptions, ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions, DistanceOptions,
-    DistanceResult, FaceDeviations, FieldOptions, GapOptions, NamedOptions, Signs, Statistics,
-    StatisticsOptions,
+    BestFitOptions, ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions,
+    DistanceOptions, DistanceResult, FaceDeviations, FieldOptions, GapOptions, NamedOptions, Signs,
+    Statistics, StatisticsOptions,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
