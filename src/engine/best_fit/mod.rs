@@ -2,6 +2,9 @@
 
 mod options;
 mod points;
+#[cfg(all(test, feature = "shapes", not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests;
 
 use super::direction::Direction;
 use super::{Computation, Engine, PreparedModel};
