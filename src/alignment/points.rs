@@ -203,7 +203,8 @@ mod tests {
         };
         let best = RigidTransform::from_point_pairs(&pairs).unwrap();
         let least = sum(&best);
-        assert!(least > 0.1);
+        // No motion lays all of them on each other.
+        assert!(least > 1e-3);
         for axis in DVec3::AXES {
             for sign in [-1e-4, 1e-4] {
                 assert!(sum(&best.followed(sign * axis, DVec3::ZERO, DVec3::ZERO)) > least);
