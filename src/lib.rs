@@ -85,6 +85,7 @@
     allow(clippy::arc_with_non_send_sync, reason = "natively the same values are shared between threads")
 )]
 
+mod alignment;
 mod approximation;
 mod area;
 mod axis;
@@ -149,6 +150,7 @@ pub mod internals {
     shown!(bezier bvh certified closest engine error facets flatness gpu hierarchy iteration model progress untrim);
 }
 
+pub use alignment::{Datum, DatumFit, Feature, PointPair, Robust};
 pub use area::Area;
 pub use axis::Axis;
 #[cfg(feature = "cad")]
@@ -157,12 +159,13 @@ pub use brep::FileKind;
 pub use brep::inflated;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, Beyond, Bounded, CertifiedOptions, CertifiedStatistics, ClearanceOptions, ClearanceResult,
-    ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation, Details, DeviationField, DiffOptions,
-    DiffResult, DistanceOptions, DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState,
-    FieldOptions, FreeEdge, GapOptions, GapsResult, HierarchyOptions, IterationOptions, Measure, Method,
-    MethodName, ModelInfo, NamedOptions, Overlap, OverlapUnknown, Percentile, PreparedModel, Shell, Signs,
-    Solid, Statistics, StatisticsOptions, Witness,
+    Backend, BestFit, BestFitOptions, Beyond, Bounded, CertifiedOptions, CertifiedStatistics,
+    ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation,
+    Details, DeviationField, DiffOptions, DiffResult, DistanceOptions, DistanceResult, Engine,
+    FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart, FreeEdge, GapOptions,
+    GapsResult, HierarchyOptions, IterationOptions, LeftOut, Measure, Method, MethodName, ModelInfo,
+    NamedOptions, Overlap, OverlapUnknown, Percentile, PreparedModel, Shell, Signs, Solid, Statistics,
+    StatisticsOptions, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

@@ -32,6 +32,9 @@ pub trait Monitor: MaybeSend {
     /// much longer than so far; false once it has halved again.
     fn stalled(&mut self, _stalled: bool) {}
 
+    /// Receives, after every step of a best fit, its number and the root mean square of the distances.
+    fn step(&mut self, _step: usize, _rms: f64) {}
+
     /// Returns whether to stop; called between chunks of work.
     fn cancelled(&self) -> bool;
 }
@@ -108,6 +111,11 @@ impl<'a> Progress<'a> {
     pub(crate) fn interval(&mut self, lower: f64, upper: f64, stalled: bool) {
         self.monitor.interval(lower, upper);
         self.monitor.stalled(stalled);
+    }
+
+    /// Reports a step of a best fit.
+    pub(crate) fn step(&mut self, step: usize, rms: f64) {
+        self.monitor.step(step, rms);
     }
 
     /// Reports that everything is done.

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from . import testing
 from ._errors import NurbsHausdorffError
-from ._fit import BestFit, best_fit
+from ._fit import BestFit, FitPose, LeftOut, best_fit
 from ._measure import clearance, closest_points, diff, distance, field, gaps, statistics
 from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell, Solid
 from ._results.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
@@ -24,9 +24,9 @@ from ._transform import Transform
 
 __all__ = [
     "BestFit", "Beyond", "Bounded", "CertifiedStatistics", "ClearanceResult", "ClosestPoints",
-    "DiffResult", "DistanceResult", "FaceDifference", "FaceGap", "Field", "FieldPart",
-    "FreeEdge", "GapsResult", "Mesh", "MeshReport", "Model", "NurbsHausdorffError", "Overlap",
-    "ReadReport", "Remark", "Shell", "Solid", "Statistics", "SurfacePoint", "Transform",
-    "Witness", "best_fit", "clearance", "closest_points", "diff", "distance", "field", "gaps",
-    "model", "read", "statistics", "testing",
+    "DiffResult", "DistanceResult", "FaceDifference", "FaceGap", "Field", "FieldPart", "FitPose",
+    "FreeEdge", "GapsResult", "LeftOut", "Mesh", "MeshReport", "Model", "NurbsHausdorffError",
+    "Overlap", "ReadReport", "Remark", "Shell", "Solid", "Statistics", "SurfacePoint",
+    "Transform", "Witness", "best_fit", "clearance", "closest_points", "diff", "distance",
+    "field", "gaps", "model", "read", "statistics", "testing",
 ]  # fmt: skip

@@ -4,7 +4,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Model", "clearance", "closest_points", "diff", "distance", "field", "gaps", "names_beside", "statistics"]
+__all__ = ["Model", "best_fit", "clearance", "closest_points", "diff", "distance", "field", "gaps", "names_beside", "statistics"]
 
 _Report = Callable[[float, tuple[float, float] | None], bool]
 _Motion = tuple[tuple[float, float, float, float], tuple[float, float, float]]
@@ -48,6 +48,9 @@ def distance(
     a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
 ) -> dict[str, Any]: ...
 def diff(
+    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
+) -> dict[str, Any]: ...
+def best_fit(
     a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
 ) -> dict[str, Any]: ...
 def clearance(

@@ -53,17 +53,3 @@ def reporter(
         return cancel is not None and cancel.is_set()
 
     return report
-
-
-class Share:
-    """The bar of one of several computations in turn: a part of the whole's progress."""
-
-    total = 1.0
-
-    def __init__(self, report: Callable[[float, None], bool], start: float, share: float) -> None:
-        self._report, self._done, self._share = report, start, share
-
-    def update(self, n: float = 1.0) -> None:
-        """Add a part of the computation."""
-        self._done += n * self._share
-        self._report(self._done, None)

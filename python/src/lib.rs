@@ -16,7 +16,7 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _native {
     #[pymodule_export]
-    use crate::measure::{clearance, closest_points, diff, distance, field, gaps, statistics};
+    use crate::measure::{best_fit, clearance, closest_points, diff, distance, field, gaps, statistics};
     #[pymodule_export]
     use crate::model::{Model, names_beside};
 }

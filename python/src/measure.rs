@@ -7,7 +7,7 @@ use crate::running::{Caller, on_live_threads, run};
 use numpy::PyReadonlyArray1;
 use nurbs_hausdorff::result::Stop;
 use nurbs_hausdorff::{
-    Backend, ClearanceOptions, ClosestPointOptions, DiffOptions, DistanceOptions, DistanceResult, Engine,
+    Backend, BestFitOptions, ClearanceOptions, ClosestPointOptions, DiffOptions, DistanceOptions, DistanceResult, Engine,
     FieldOptions, GapOptions, MethodName, NamedOptions, StatisticsOptions,
 };
 use pyo3::prelude::*;
@@ -118,6 +118,23 @@ pub(crate) fn statistics<'py>(
     let compute = |caller: &mut Caller| {
         engine.statistics(a.prepared(), b.prepared(), &options).monitored(caller).wait()
     };
+    to_dict(py, &run(py, report, compute, |_| false)?)
+}
+
+#[pyfunction]
+pub(crate) fn best_fit<'py>(
+    py: Python<'py>,
+    a: &Model,
+    b: &Model,
+    options: &Bound<'py, PyDict>,
+    motion: Motion,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let mut options: BestFitOptions = convert::options(options)?;
+    options.transform = convert::transform(py, motion)?;
+    let engine = cpu(py);
+    let compute =
+        |caller: &mut Caller| engine.best_fit(a.prepared(), b.prepared(), &options).monitored(caller).wait();
     to_dict(py, &run(py, report, compute, |_| false)?)
 }
 

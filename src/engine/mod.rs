@@ -1,6 +1,7 @@
 //! The distance between two prepared models: the choice of method and backend,
 //! and the result.
 
+mod best_fit;
 mod certified;
 mod clearance;
 mod closest_points;
@@ -20,6 +21,7 @@ mod signs;
 mod solid;
 mod statistics;
 
+pub use best_fit::{BestFit, BestFitOptions, FitPose, FitStart, LeftOut};
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
     OverlapUnknown,

@@ -4,8 +4,6 @@ import { type MeshFormat, type MeshOptions, readMesh } from "./cad/mesh.js";
 import type { CadOptions } from "./cad/options.js";
 import { readCad } from "./cad/read.js";
 import { HausdorffError, translated, translating } from "./error.js";
-import { bestFit } from "./fit/best-fit.js";
-import type { BestFit, BestFitOptions } from "./fit/fit.js";
 import { checkKeys } from "./keys.js";
 import { load, type ModuleSource, requireLoaded, setSource } from "./load.js";
 import { Reached, requireWhole } from "./measure/cancelled.js";
@@ -19,6 +17,7 @@ import type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 import type { DiffOptions, DiffResult } from "./measure/diff.js";
 import type { DistanceEngine } from "./measure/engine.js";
 import type { DeviationField, FieldOptions } from "./measure/field.js";
+import type { BestFit, BestFitOptions } from "./measure/fit.js";
 import { type Backend, type DistanceOptions, split } from "./measure/options.js";
 import type { Results } from "./measure/result.js";
 import type { CertifiedStatistics, StatisticsOptions } from "./measure/statistics.js";
@@ -236,7 +235,10 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   }
 
   async bestFit(a: NurbsModel, b: NurbsModel, options: BestFitOptions = {}): Promise<BestFit> {
-    return requireWhole(await bestFit(this, a, b, options), options.signal);
+    const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    // Its progress is by steps; the module calls either kind with what it reports.
+    const plain = options as Omit<BestFitOptions, "onProgress"> as FieldOptions;
+    return this.#inTurn(plain, (engine, call) => engine.bestFit(...models, call));
   }
 
   /** Runs a method of the engine when no other is running. */

@@ -6,8 +6,6 @@ export type { CadOptions } from "./cad/options.js";
 export type { Libraries, LibraryOptions, PeerLoader } from "./cad/peers/peers.js";
 export type { CadReader, CadReport, FaceNote, SkippedFace } from "./cad/report.js";
 export { type ErrorCode, HausdorffError, type HausdorffErrorOptions } from "./error.js";
-export type { BestFit, BestFitOptions } from "./fit/fit.js";
-export type { Rigid } from "./fit/rigid.js";
 export type { ModuleSource } from "./load.js";
 export type {
   ClearanceOptions,
@@ -22,6 +20,7 @@ export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./measure/diff.js";
 export type { DistanceEngine } from "./measure/engine.js";
 export type { DeviationField, FieldOptions } from "./measure/field.js";
+export type { BestFit, BestFitOptions, FitPose, Rigid } from "./measure/fit.js";
 export { Latest } from "./measure/latest.js";
 export type {
   Backend,

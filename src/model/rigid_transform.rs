@@ -56,6 +56,21 @@ impl RigidTransform {
         Self::new(DQuat::IDENTITY, translation)
     }
 
+    /// Returns the rotation that moves the point `from` onto `to`.
+    pub(crate) fn about(rotation: DQuat, from: DVec3, to: DVec3) -> Self {
+        Self { rotation, translation: to - rotation * from }
+    }
+
+    /// Returns the transform followed by a rotation about `center` and a shift. The rotation vector
+    /// has the direction of the axis and the length of the angle in radians.
+    pub(crate) fn followed(&self, vector: DVec3, center: DVec3, shift: DVec3) -> Self {
+        let turn = DQuat::from_scaled_axis(vector);
+        Self {
+            rotation: (turn * self.rotation).normalize(),
+            translation: turn * (self.translation - center) + center + shift,
+        }
+    }
+
     /// Returns the image of a point.
     #[must_use]
     pub fn apply(&self, point: DVec3) -> DVec3 {

@@ -34,6 +34,11 @@ impl Call {
 }
 
 impl Call {
+    /// The same call with progress by the steps of a fit.
+    pub(super) fn by_steps(self) -> Self {
+        Self { monitor: self.monitor.by_steps(), ..self }
+    }
+
     /// The options, by the function that reads them from the plain object and the transform.
     pub(super) fn options<T>(
         &self,

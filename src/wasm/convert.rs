@@ -2,9 +2,9 @@
 
 use super::failure::to_object;
 use crate::engine::{
-    ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions, DistanceOptions,
-    DistanceResult, FaceDeviations, FieldOptions, GapOptions, NamedOptions, Signs, Statistics,
-    StatisticsOptions,
+    BestFitOptions, ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions,
+    DistanceOptions, DistanceResult, FaceDeviations, FieldOptions, GapOptions, NamedOptions, Signs,
+    Statistics, StatisticsOptions,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -87,6 +87,16 @@ pub(super) fn field_options(options: &JsValue, transform: &JsValue) -> Result<Fi
     let transform = rigid_transform(transform)?;
     let options: FieldOptions = properties(options).map_err(invalid)?;
     Ok(FieldOptions { transform, ..options })
+}
+
+/// The options of a best fit, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn best_fit_options(options: &JsValue, transform: &JsValue) -> Result<BestFitOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: BestFitOptions = properties(options).map_err(invalid)?;
+    Ok(BestFitOptions { transform, ..options })
 }
 
 /// The options of a tessellation, as [`options`].

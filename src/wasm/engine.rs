@@ -57,6 +57,16 @@ impl Engine {
         })
     }
 
+    /// The pose of `a` that fits `b` best; progress is reported by steps.
+    #[wasm_bindgen(js_name = bestFit)]
+    pub fn best_fit(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
+        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
+        let options = call.options(convert::best_fit_options);
+        call.by_steps().run(async move |monitor| {
+            to_object(&engine.best_fit(&a, &b, &options?).monitored(monitor).await?)
+        })
+    }
+
     /// The comparison of all faces of two models.
     pub fn diff(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());

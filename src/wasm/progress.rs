@@ -11,12 +11,29 @@ pub(super) struct JsMonitor {
     on_progress: Option<Function>,
     interval: Option<[f64; 2]>,
     stalled: bool,
+    /// The last step of a fit and its residual; `None` of what has no steps.
+    fit: Option<(usize, f64)>,
+    fraction: f64,
     thrown: Option<JsValue>,
 }
 
 impl JsMonitor {
     pub(super) fn new(signal: Option<AbortSignal>, on_progress: Option<Function>) -> Self {
-        Self { signal, on_progress, interval: None, stalled: false, thrown: None }
+        let (interval, fit) = (None, None);
+        Self { signal, on_progress, interval, stalled: false, fit, fraction: 0.0, thrown: None }
+    }
+
+    /// Reports steps of a fit, in place of fractions and intervals.
+    pub(super) fn by_steps(self) -> Self {
+        Self { fit: Some((0, f64::INFINITY)), ..self }
+    }
+
+    fn call(&mut self, [first, second, third]: [JsValue; 3]) {
+        if let Some(on_progress) = &self.on_progress
+            && let Err(thrown) = on_progress.call3(&JsValue::UNDEFINED, &first, &second, &third)
+        {
+            self.thrown.get_or_insert(thrown);
+        }
     }
 
     /// The value that the function threw, which also cancelled the work.
@@ -27,14 +44,23 @@ impl JsMonitor {
 
 impl Monitor for JsMonitor {
     fn progress(&mut self, fraction: f64) {
+        self.fraction = fraction;
+        match self.fit {
+            // Steps report themselves.
+            Some((step, _)) if step > 0 => return,
+            Some((step, rms)) => return self.call([(step as f64).into(), rms.into(), fraction.into()]),
+            None => {}
+        }
         let interval = self
             .interval
             .map_or(JsValue::UNDEFINED, |[lower, upper]| Array::of2(&lower.into(), &upper.into()).into());
-        if let Some(on_progress) = &self.on_progress
-            && let Err(thrown) =
-                on_progress.call3(&JsValue::UNDEFINED, &fraction.into(), &interval, &self.stalled.into())
-        {
-            self.thrown.get_or_insert(thrown);
+        self.call([fraction.into(), interval, self.stalled.into()]);
+    }
+
+    fn step(&mut self, step: usize, rms: f64) {
+        if self.fit.is_some() {
+            self.fit = Some((step, rms));
+            self.call([(step as f64).into(), rms.into(), self.fraction.into()]);
         }
     }
 

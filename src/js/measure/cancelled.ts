@@ -18,7 +18,8 @@ export class Reached {
 
   /** Takes a report of the call and passes it on. */
   readonly onProgress: OnProgress = (fraction, interval, stalled) => {
-    this.interval = interval ?? this.interval;
+    // Steps of a fit report a number in its place.
+    this.interval = Array.isArray(interval) ? interval : this.interval;
     this.#forward?.(fraction, interval, stalled);
   };
 }

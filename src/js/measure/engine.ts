@@ -1,11 +1,11 @@
 import type { MeshFormat, MeshOptions } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
-import type { BestFit, BestFitOptions } from "../fit/fit.js";
 import type { BrepText, Numbers } from "../model/surface.js";
 import type { ClearanceOptions, ClearanceResult, GapOptions, GapsResult } from "./clearance.js";
 import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 import type { DiffOptions, DiffResult } from "./diff.js";
 import type { DeviationField, FieldOptions } from "./field.js";
+import type { BestFit, BestFitOptions } from "./fit.js";
 import type { DistanceOptions } from "./options.js";
 import type { Results } from "./result.js";
 import type { CertifiedStatistics, StatisticsOptions } from "./statistics.js";
@@ -112,11 +112,12 @@ export interface DistanceEngine<Model> {
    * Marquardt; a step that raises the sum is not taken. Directions in which nothing changes,
    * such as the rotation of a sphere, stay as they are.
    *
-   * The minimum found is a local one: start from a position where most samples lie nearest to
-   * the parts of `b` that they belong to. It is no certified result: measure `distance` there.
+   * The fit starts from rotations spread over all, from principal axes and from `transform`, and the
+   * best is taken; `ambiguous` lists the other poses of symmetric parts. `converged` is never
+   * true of a residual that a random pose has. It is no certified result: measure `distance` there.
    *
    * @throws {HausdorffError} as `field`; `OPTION_OUT_OF_RANGE` for a tolerance or a number of
-   * steps that is not positive.
+   * steps that is not positive, and for outliers beyond 0 to 0.95.
    */
   bestFit(a: Model, b: Model, options?: BestFitOptions): Promise<BestFit>;
 

@@ -21,7 +21,12 @@ test("a part that a rigid motion moved returns", async () => {
   const steps = [];
   const fit = await hd.bestFit(part, part, {
     transform,
-    onProgress: (step, rms) => steps.push([step, rms]),
+    onProgress: (step, rms, fraction) => {
+      assert.ok(fraction >= 0 && fraction <= 1, `${fraction}`);
+      // While poses are searched the step is 0.
+      if (step === 0) assert.equal(rms, Number.POSITIVE_INFINITY);
+      else steps.push([step, rms]);
+    },
   });
   assert.ok(fit.converged, JSON.stringify(fit));
   assert.ok(fit.rmsBefore > 0.01, `${fit.rmsBefore}`);
@@ -88,16 +93,22 @@ test("the best fit of two squares at heights 0 and 1 to a plane is their mean", 
 
 test("a model on itself stays, and wrong options are refused", async () => {
   const model = hd.model([square(0)]);
-  const { transform, rms, steps, converged } = await hd.bestFit(model, model);
+  const { transform, rms, steps, converged, ambiguous, freedoms } = await hd.bestFit(model, model);
   assert.deepEqual(transform, { rotation: [0, 0, 0, 1], translation: [0, 0, 0] });
   near(rms, 0, 1e-15);
   assert.deepEqual([steps, converged], [0, true]);
+  // A square lies on itself in eight poses, and slides in its plane nowhere else as well.
+  assert.ok(ambiguous.length >= 7, `${ambiguous.length}`);
+  assert.equal(freedoms, 3);
   const refused = (options, code, message) =>
     assert.rejects(hd.bestFit(model, model, options), withCode(code, message));
   await refused({ tolerance: 0 }, "OPTION_OUT_OF_RANGE", /tolerance/);
-  await refused({ relativeTolerance: 0 }, "OPTION_OUT_OF_RANGE", /relativeTolerance/);
+  await refused({ relativeTolerance: 0 }, "OPTION_OUT_OF_RANGE", /relative tolerance/);
   await refused({ tolerance: 1, relativeTolerance: 1 }, "OPTION_INVALID", /both/);
-  await refused({ maxSteps: -1 }, "OPTION_OUT_OF_RANGE", /maxSteps/);
+  await refused({ maxSteps: 0 }, "OPTION_OUT_OF_RANGE", /maxSteps/);
+  await refused({ outliers: 1 }, "OPTION_OUT_OF_RANGE", /outliers/);
+  await refused({ outliers: 0.1, robust: "none" }, "OPTION_INVALID", /outliers/);
+  await refused({ start: "elsewhere" }, "OPTION_INVALID", /start/);
   await refused({ samples: 1 }, "OPTION_OUT_OF_RANGE", /samples/);
   await refused({ signal: AbortSignal.abort() }, "CANCELLED");
   model.dispose();

@@ -9,8 +9,6 @@ const STOP = "Stop fitting";
 const button = element("best-fit", HTMLButtonElement);
 const text = element("fit-text");
 
-/** The root mean square, in diagonals, above which a fit is no good one. */
-const POOR = 0.01;
 const POOR_TEXT =
   ". A poor fit: the parts differ much, or A has to be turned by hand near to where it belongs.";
 
@@ -33,13 +31,17 @@ export function showFit(reply: FitReply, diagonal: number): void {
   const length = (value: number) => `≈ ${distanceText(value, diagonal)}`;
   switch (reply.state) {
     case "working":
-      text.textContent = `step ${reply.step}: RMS ${length(reply.rms)}`;
+      text.textContent =
+        reply.step > 0
+          ? `step ${reply.step}: RMS ${length(reply.rms)}`
+          : `searching poses: ${Math.round(100 * reply.fraction)} %`;
       return;
     case "done": {
-      const { rms, rmsBefore, steps, converged } = reply.fit;
+      const { rms, rmsBefore, steps, converged, ambiguous } = reply.fit;
       const end = converged ? "" : ", not converged";
-      const poor = rms > POOR * diagonal ? POOR_TEXT : "";
-      text.textContent = `RMS ${length(rmsBefore)} before, ${length(rms)} now (${steps} steps${end})${poor}`;
+      const poor = converged ? "" : POOR_TEXT;
+      const others = ambiguous.length > 0 ? `; ${ambiguous.length} other poses fit as well` : "";
+      text.textContent = `RMS ${length(rmsBefore)} before, ${length(rms)} now (${steps} steps${end})${others}${poor}`;
       text.dataset.poor = `${poor !== ""}`;
       break;
     }

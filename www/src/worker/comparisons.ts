@@ -2,7 +2,6 @@
 // the clearance.
 import type { DiffResult, Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
 import { diffByLimits } from "./diffs.ts";
-import { globalFit } from "./fit/globalFit.ts";
 import { Latest } from "./latest.ts";
 import type {
   ClearanceState,
@@ -68,11 +67,12 @@ export class Comparisons {
     this.#bounds.drop();
   }
 
-  /** Fits A to B, from the position of the options and from others. */
+  /** Fits A to B from any pose; of equal fits the one nearest to where A is. */
   fit({ a, b }: Pair, options: PlainFitOptions): Promise<void> {
     return this.#fit.run(async (signal, report) => {
-      const onProgress = (step: number, rms: number) => report({ state: "working", step, rms });
-      const fit = await globalFit(this.#engine, { a, b }, { options, signal, onProgress });
+      const onProgress = (step: number, rms: number, fraction: number) =>
+        report({ state: "working", step, rms, fraction });
+      const fit = await this.#engine.bestFit(a, b, { ...options, signal, onProgress });
       return { state: "done", fit };
     });
   }

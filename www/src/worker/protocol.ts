@@ -157,7 +157,7 @@ export type DiffState =
 
 /** The state of the best fit. */
 export type FitState =
-  | { state: "working"; step: number; rms: number }
+  | { state: "working"; step: number; rms: number; fraction: number }
   | { state: "done"; fit: BestFit };
 
 /** The state of a clearance; `gaps` where faces come nearer than asked for. */

@@ -1,9 +1,24 @@
 //! The arguments.
 
+/// A library enum by its names on the command line.
+macro_rules! named {
+    ($name:ident, $library:ident, $($variant:ident),+) => {
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+        pub(crate) enum $name { $($variant),+ }
+        impl From<$name> for $library {
+            fn from(name: $name) -> Self {
+                match name { $($name::$variant => Self::$variant),+ }
+            }
+        }
+    };
+}
+
+pub(crate) mod align;
 pub(crate) mod motion;
 pub(crate) mod usage;
 
 use crate::reports::Format;
+use align::AlignArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use motion::{Rotation, Translation};
@@ -49,6 +64,12 @@ pub(crate) enum Command {
     ///
     /// Exit status: 0 if they were computed, 2 for bad input.
     Statistics(StatisticsArguments),
+    /// Lays A on B: finds the rigid motion of A that fits B best, from any pose.
+    ///
+    /// The last line printed measures the pair in that pose.
+    ///
+    /// Exit status: 0 if a fit was found, 2 for bad input, 3 if the best pose is no fit.
+    Align(AlignArguments),
     /// Answers many pairs of files: lines of JSON in, lines of JSON out, in their order.
     ///
     /// A line has an id, the files a and b, a command (distance, diff or clearance; distance if
@@ -426,19 +447,6 @@ impl DistanceArguments {
             deviations: self.deviations,
         })
     }
-}
-
-/// A library enum by its names on the command line.
-macro_rules! named {
-    ($name:ident, $library:ident, $($variant:ident),+) => {
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-        pub(crate) enum $name { $($variant),+ }
-        impl From<$name> for $library {
-            fn from(name: $name) -> Self {
-                match name { $($name::$variant => Self::$variant),+ }
-            }
-        }
-    };
 }
 
 named!(MethodChoice, MethodName, Certified, Iteration, Hierarchy);

@@ -1,5 +1,6 @@
 //! The commands.
 
+pub(crate) mod align;
 pub(crate) mod clearance;
 pub(crate) mod completions;
 pub(crate) mod convert;

@@ -1,0 +1,102 @@
+//! The model that samples are laid on: the foot of a point, and the direction in which its distance
+//! changes.
+
+use crate::closest::{self, closest_above, newton};
+use crate::facets::{Facet, FacetTarget};
+use glam::DVec3;
+
+/// The largest number of Newton steps from the foot of the step before: near it a few suffice.
+const MAX_ITERATIONS: u32 = 16;
+
+/// The distance, as a part of the model's size, below which the direction from foot to point is
+/// mostly rounding, and the model's normal takes its place.
+const TOUCHING: f64 = 1e-6;
+
+/// The place of a foot on its model: a patch with parameters, or a facet.
+pub(crate) type Place = Option<(u32, [f64; 2])>;
+
+/// A point, its offset from its foot, and the direction along which that is measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Residual {
+    pub(crate) point: DVec3,
+    /// The point less its foot.
+    pub(crate) offset: DVec3,
+    /// The unit vector along which the distance to the model changes; `None` if the foot is a point
+    /// of a cloud, towards which all three coordinates change it.
+    pub(crate) direction: Option<DVec3>,
+}
+
+impl Residual {
+    /// Returns the distance from the foot.
+    pub(crate) fn distance(&self) -> f64 {
+        self.offset.length()
+    }
+}
+
+/// A model as the residuals of points.
+pub(crate) trait Field: Sync {
+    /// Returns the residual of a point; `place` is where its foot was last, and is set to where it is
+    /// now. `None` for a model without points.
+    fn residual(&self, point: DVec3, place: &mut Place) -> Option<Residual>;
+}
+
+/// Patches or facets, with their closest points. No sign is decided.
+#[derive(Clone, Copy)]
+pub(crate) enum FootField<'a> {
+    /// Patches; the excess of a distance over the least one; the size of the model.
+    Patches { target: &'a closest::Target, gap: f64, size: f64 },
+    /// Facets, whose nearest is found exactly.
+    Facets { target: &'a FacetTarget, size: f64 },
+}
+
+impl FootField<'_> {
+    /// Returns the field with feet up to another excess.
+    pub(crate) fn up_to(self, excess: f64) -> Self {
+        match self {
+            Self::Patches { target, size, .. } => Self::Patches { target, gap: excess, size },
+            facets @ Self::Facets { .. } => facets,
+        }
+    }
+}
+
+impl Field for FootField<'_> {
+    fn residual(&self, point: DVec3, place: &mut Place) -> Option<Residual> {
+        match self {
+            Self::Patches { target, gap, size } => {
+                let start = place.map(|(patch, start)| {
+                    let patch_of_foot = target.patches.patch(patch as usize);
+                    (patch, newton(&patch_of_foot, point, start, MAX_ITERATIONS).parameters)
+                });
+                let closest = closest_above(target, point, *gap, start, 0.0, None)?;
+                *place = Some((closest.patch as u32, closest.parameters));
+                let offset = point - closest.point;
+                let normal = || {
+                    let jet = target.patches.patch(closest.patch).jet(closest.parameters);
+                    jet.s.cross(jet.t).normalize_or_zero()
+                };
+                Some(Residual { point, offset, direction: Some(direction(offset, *size, normal)) })
+            }
+            Self::Facets { target, size } => {
+                let start = place.map_or(0, |(facet, _)| facet);
+                let foot = target.nearest(point, start, 0.0);
+                *place = Some((foot.facet, [0.0; 2]));
+                let facet = target.facet(foot.facet);
+                let offset = point - facet.point(facet.nearest(point).weights);
+                let direction = match facet {
+                    Facet::Point(_) => None,
+                    Facet::Triangle([a, b, c]) => {
+                        let normal = || (b - a).cross(c - a).normalize_or_zero();
+                        Some(direction(offset, *size, normal))
+                    }
+                };
+                Some(Residual { point, offset, direction })
+            }
+        }
+    }
+}
+
+/// Returns the direction of an offset from a foot; the model's normal where the point touches it.
+pub(super) fn direction(offset: DVec3, size: f64, normal: impl FnOnce() -> DVec3) -> DVec3 {
+    let length = offset.length();
+    if length > TOUCHING * size { offset / length } else { normal() }
+}

@@ -1,0 +1,170 @@
+//! The fit in the mean near a pose: damped Newton steps (Levenberg–Marquardt) on the distances.
+
+use super::field::{Field, Place, Residual};
+use super::loss::Loss;
+use super::samples::Samples;
+use super::system::System;
+use crate::model::RigidTransform;
+use crate::threads::parallel::map_ranges;
+
+/// The damping of the first step, relative to unit weights, and how it changes.
+const FIRST_DAMPING: f64 = 1e-3;
+const DAMPING_FACTOR: f64 = 10.0;
+
+/// The smallest damping: directions from feet are off by 1e-8, and where the samples determine
+/// nothing, a step is that error over the damping.
+const MIN_DAMPING: f64 = 1e-6;
+
+/// The damping beyond which no shorter step is tried: rounding then decides.
+const MAX_DAMPING: f64 = 1e12;
+
+/// The part of the mean square by which a step has to lower it: above its rounding.
+const MIN_GAIN: f64 = 1e-12;
+
+/// The part of the gyration that counts as no distance when outliers are told: above rounding.
+const LEAST_SCALE: f64 = 1e-9;
+
+/// The way in which one step ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Step {
+    /// The pose is better.
+    Better,
+    /// The pose stays, and the next step is shorter.
+    Shorter,
+    /// A step would be below the tolerance, or has nothing to gain.
+    Converged,
+}
+
+/// The state of a fit.
+pub(crate) struct LocalFit<'a, F> {
+    field: F,
+    samples: &'a Samples,
+    loss: Loss,
+    /// The length of a step that ends the fit.
+    smallest: f64,
+    extent: f64,
+    pub(crate) motion: RigidTransform,
+    residuals: Vec<Residual>,
+    distances: Vec<f64>,
+    places: Vec<Place>,
+    damping: f64,
+}
+
+impl<'a, F: Field> LocalFit<'a, F> {
+    /// Starts from a pose; `None` for a field without points. O(samples) feet.
+    pub(crate) fn new(
+        field: F,
+        samples: &'a Samples,
+        loss: Loss,
+        smallest: f64,
+        motion: RigidTransform,
+    ) -> Option<Self> {
+        let places = vec![None; samples.points.len()];
+        let mut fit = Self {
+            field,
+            samples,
+            loss,
+            smallest,
+            extent: samples.extent(),
+            motion,
+            residuals: Vec::new(),
+            distances: Vec::new(),
+            places,
+            damping: FIRST_DAMPING,
+        };
+        (fit.residuals, fit.places) = fit.at(&motion)?;
+        fit.distances = fit.residuals.iter().map(Residual::distance).collect();
+        Some(fit)
+    }
+
+    fn at(&self, motion: &RigidTransform) -> Option<(Vec<Residual>, Vec<Place>)> {
+        let parts = map_ranges(self.samples.points.len(), |range| {
+            let mut last = None;
+            let of = |index: usize| {
+                let mut place = self.places[index].or(last);
+                let residual = self.field.residual(motion.apply(self.samples.points[index]), &mut place)?;
+                last = place;
+                Some((residual, place))
+            };
+            range.map(of).collect::<Option<Vec<_>>>()
+        });
+        let all = parts.into_iter().collect::<Option<Vec<_>>>()?;
+        Some(all.into_iter().flatten().unzip())
+    }
+
+    /// The distance beyond which a sample counts as left out here.
+    pub(crate) fn scale(&self) -> f64 {
+        let least = LEAST_SCALE * self.samples.gyration;
+        self.loss.scale(&self.distances, &self.samples.weights, least)
+    }
+
+    fn cost(&self, distances: &[f64], scale: f64) -> f64 {
+        let parts = distances.iter().zip(&self.samples.weights);
+        parts.map(|(&distance, weight)| weight * self.loss.cost(distance, scale)).sum()
+    }
+
+    fn system(&self, scale: f64) -> System {
+        let mut system = System::new(self.motion.apply(self.samples.center), self.samples.gyration);
+        for ((residual, &distance), weight) in
+            self.residuals.iter().zip(&self.distances).zip(&self.samples.weights)
+        {
+            system.add(residual, weight * self.loss.weight(distance, scale));
+        }
+        system
+    }
+
+    /// Takes one step. No step raises the sum of the loss at the scale of the step.
+    pub(crate) fn advance(&mut self) -> Step {
+        let scale = self.scale();
+        let cost = self.cost(&self.distances, scale);
+        let system = self.system(scale);
+        let step = system.step(self.damping);
+        let length = step.shift.length() + self.extent * step.vector.length();
+        if !(length > self.smallest) || !(step.gain > MIN_GAIN * cost) || self.damping > MAX_DAMPING {
+            return Step::Converged;
+        }
+        let center = self.motion.apply(self.samples.center);
+        let motion = self.motion.followed(step.vector, center, step.shift);
+        let next = self.at(&motion).map(|(residuals, places)| {
+            let distances: Vec<f64> = residuals.iter().map(Residual::distance).collect();
+            (residuals, places, distances)
+        });
+        match next {
+            Some((residuals, places, distances)) if self.cost(&distances, scale) < cost => {
+                (self.motion, self.residuals) = (motion, residuals);
+                (self.places, self.distances) = (places, distances);
+                self.damping = (self.damping / DAMPING_FACTOR).max(MIN_DAMPING);
+                Step::Better
+            }
+            _ => {
+                self.damping *= DAMPING_FACTOR;
+                Step::Shorter
+            }
+        }
+    }
+
+    /// Takes steps until the fit has converged or has taken this many; returns whether it has.
+    pub(crate) fn run(&mut self, steps: usize) -> bool {
+        (0..steps).any(|_| self.advance() == Step::Converged)
+    }
+
+    /// Returns the root mean square of the distances that are not left out, weighted.
+    pub(crate) fn rms(&self) -> f64 {
+        let scale = self.scale();
+        let kept =
+            || self.distances.iter().zip(&self.samples.weights).filter(|(distance, _)| **distance <= scale);
+        let total: f64 = kept().map(|(_, weight)| weight).sum();
+        let squares: f64 = kept().map(|(distance, weight)| weight * distance * distance).sum();
+        if total > 0.0 { (squares / total).sqrt() } else { f64::INFINITY }
+    }
+
+    /// Returns the distances of all samples.
+    pub(crate) fn distances(&self) -> &[f64] {
+        &self.distances
+    }
+
+    /// Returns the number of independent motions that change no distance to first order.
+    pub(crate) fn freedoms(&self) -> usize {
+        self.system(self.scale()).freedoms()
+    }
+}

@@ -1,0 +1,193 @@
+//! The search for poses: many starts by a grid of feet, the best of which are fitted by exact feet.
+
+use super::field::{Field, FootField};
+use super::fit::LocalFit;
+use super::foot_grid::FootGrid;
+use super::loss::Loss;
+use super::moments::Principal;
+use super::poses::{Candidate, distinct, spiral};
+use super::samples::Samples;
+use crate::bvh::Aabb;
+use crate::model::RigidTransform;
+use crate::threads::parallel::map;
+use glam::{DQuat, DVec3};
+
+/// The number of rotations that are tried: within 30° of any there is one, the basin of most parts.
+const ROTATIONS: usize = 600;
+
+/// The number of rotations where A's centre is tried beside B's as well, for parts of a model.
+const ROTATIONS_BESIDE: usize = 240;
+
+/// Samples and steps with which a start is tried by the grid.
+const GRID_SAMPLES: usize = 128;
+const GRID_STEPS: usize = 12;
+
+/// Samples, steps and number of the poses that are fitted by exact feet: a cube has 24 equal ones.
+const EXACT_SAMPLES: usize = 200;
+const EXACT_STEPS: usize = 12;
+const MOST_EXACT: usize = 48;
+
+/// Samples of the poses that are told apart by their residuals, their steps and their number.
+const FINE_SAMPLES: usize = 2000;
+const FINE_STEPS: usize = 4;
+const MOST_FINE: usize = 24;
+
+/// A pose by the grid whose residual exceeds this multiple of the least one is not fitted further.
+const WORSE: f64 = 4.0;
+
+/// What the grid adds to a residual, as a part of the gyration: its spacing seen from a curved part.
+const GRID_ERROR: f64 = 0.03;
+
+/// The steps of the shift of A's centre from B's, in standard deviations of B along its axes: half
+/// of a part is shifted by about one.
+const BESIDE: f64 = 1.0;
+
+/// The residual, as a part of the gyration, above which a part of a model is looked for: the
+/// centres then do not correspond.
+const POOR: f64 = 0.01;
+
+/// The number of starts between two checkpoints.
+const STARTS_AT_ONCE: usize = 32;
+
+/// The number of poses that stand for random ones, their samples, and the shift in gyrations.
+const RANDOM_POSES: usize = 48;
+const RANDOM_SAMPLES: usize = 64;
+const RANDOM_SHIFT: f64 = 0.5;
+
+/// A search over starts. Deterministic.
+pub(crate) struct Search<'a> {
+    field: FootField<'a>,
+    loss: Loss,
+    grid: FootGrid,
+    coarse: Samples,
+    exact: Samples,
+    fine: Samples,
+    starts: Vec<RigidTransform>,
+    /// Starts for parts of a model, which follow where the first find nothing.
+    beside: Vec<RigidTransform>,
+    next: usize,
+    found: Vec<Candidate>,
+}
+
+impl<'a> Search<'a> {
+    /// Prepares the starts: `given`, principal axes on those of B, whose samples are `other`, and
+    /// rotations spread over all. `None` for a field without points.
+    pub(crate) fn new(
+        field: FootField<'a>,
+        of_b: Aabb,
+        (samples, other): (&Samples, &Samples),
+        given: &[RigidTransform],
+        loss: Loss,
+    ) -> Option<Self> {
+        let grid = FootGrid::new(&field, of_b)?;
+        let (a, b) = (Principal::of(samples), Principal::of(other));
+        let rotations: Vec<DQuat> =
+            a.onto(&b).into_iter().chain((0..ROTATIONS).map(|index| spiral(index, ROTATIONS))).collect();
+        let laid = |rotation: DQuat, on: DVec3| RigidTransform::about(rotation, samples.center, on);
+        let starts = given.iter().copied();
+        let starts = starts.chain(rotations.iter().map(|&rotation| laid(rotation, other.center)));
+        let places = (0..6).map(|k| {
+            let axis = k / 2;
+            let step = BESIDE * b.spreads[axis].max(0.0).sqrt() * if k % 2 == 0 { 1.0 } else { -1.0 };
+            other.center + step * (b.axes * DVec3::AXES[axis])
+        });
+        let few = |place: DVec3| {
+            (0..ROTATIONS_BESIDE).map(move |index| laid(spiral(index, ROTATIONS_BESIDE), place))
+        };
+        Some(Self {
+            field,
+            loss,
+            grid,
+            coarse: samples.thinned(GRID_SAMPLES),
+            exact: samples.thinned(EXACT_SAMPLES),
+            fine: samples.thinned(FINE_SAMPLES),
+            starts: starts.collect(),
+            beside: places.flat_map(few).collect(),
+            next: 0,
+            found: Vec::new(),
+        })
+    }
+
+    /// Tries some starts; returns whether all are done. Those beside B's centre follow only where the
+    /// best of the others is poor.
+    pub(crate) fn advance(&mut self) -> bool {
+        if self.next == self.starts.len() && !self.beside.is_empty() && self.is_poor() {
+            self.starts.append(&mut self.beside);
+        }
+        let end = (self.next + STARTS_AT_ONCE).min(self.starts.len());
+        let starts = &self.starts[self.next..end];
+        let tried = map(starts.len(), |index| self.try_start(starts[index]));
+        self.found.extend(tried.into_iter().flatten());
+        self.next = end;
+        self.next == self.starts.len() && (self.beside.is_empty() || !self.is_poor())
+    }
+
+    fn is_poor(&self) -> bool {
+        let least = self.found.iter().map(|one| one.rms).fold(f64::INFINITY, f64::min);
+        !(least <= POOR * self.coarse.gyration)
+    }
+
+    fn try_start(&self, motion: RigidTransform) -> Option<Candidate> {
+        let mut fit = LocalFit::new(&self.grid, &self.coarse, self.loss, 0.0, motion)?;
+        fit.run(GRID_STEPS);
+        Some(Candidate { motion: fit.motion, rms: fit.rms() })
+    }
+
+    /// Returns the number of starts tried.
+    pub(crate) fn tried(&self) -> usize {
+        self.next
+    }
+
+    /// Returns the part of the starts that are done, of those that are known.
+    pub(crate) fn done(&self) -> f64 {
+        self.next as f64 / (self.starts.len() + self.beside.len()) as f64
+    }
+
+    /// Fits the best poses by exact feet, first with few samples, then with more; returns them in
+    /// the order of their residuals.
+    pub(crate) fn best(&mut self) -> Vec<Candidate> {
+        let found = distinct(std::mem::take(&mut self.found), &self.coarse, MOST_EXACT);
+        let floor = GRID_ERROR * self.coarse.gyration;
+        let exact = self.refined(within(found, WORSE, floor), &self.exact, EXACT_STEPS);
+        let exact = distinct(exact, &self.exact, MOST_FINE);
+        let floor = 1e-3 * self.coarse.gyration;
+        let fine = self.refined(within(exact, WORSE, floor), &self.fine, FINE_STEPS);
+        distinct(fine, &self.fine, MOST_FINE)
+    }
+
+    fn refined(&self, candidates: Vec<Candidate>, samples: &Samples, steps: usize) -> Vec<Candidate> {
+        let refine = |index: usize| {
+            let motion = candidates[index].motion;
+            let mut fit = LocalFit::new(self.field, samples, self.loss, 0.0, motion)?;
+            fit.run(steps);
+            Some(Candidate { motion: fit.motion, rms: fit.rms() })
+        };
+        map(candidates.len(), refine).into_iter().flatten().collect()
+    }
+}
+
+/// Returns the candidates whose residual is at most `factor` times the least one and `floor`.
+fn within(candidates: Vec<Candidate>, factor: f64, floor: f64) -> Vec<Candidate> {
+    let least = candidates.iter().map(|one| one.rms).fold(f64::INFINITY, f64::min);
+    candidates.into_iter().filter(|one| one.rms <= factor * least + floor).collect()
+}
+
+/// Returns the residual that a pose has which nothing determines: the median, over poses in rotations
+/// spread over all and with A's centre half its gyration beside B's, of the root mean square of the
+/// distances that are not left out. `None` for a field without points.
+pub(crate) fn random_residual(
+    field: impl Field + Copy,
+    (samples, other): (&Samples, &Samples),
+    loss: Loss,
+) -> Option<f64> {
+    let few = samples.thinned(RANDOM_SAMPLES);
+    let of = |index: usize| {
+        let rotation = spiral(index, RANDOM_POSES);
+        let shift = RANDOM_SHIFT * few.gyration * (rotation * DVec3::Z);
+        let motion = RigidTransform::about(rotation, few.center, other.center + shift);
+        Some(LocalFit::new(field, &few, loss, 0.0, motion)?.rms())
+    };
+    let mut all = map(RANDOM_POSES, of).into_iter().collect::<Option<Vec<f64>>>()?;
+    all.sort_by(f64::total_cmp);
+    all.get(RANDOM_POSES / 2).copied()
+}

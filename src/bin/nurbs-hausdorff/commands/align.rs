@@ -1,0 +1,128 @@
+//! The command `align`.
+
+use crate::arguments::align::AlignArguments;
+use crate::failure::Failure;
+use crate::input::read;
+use crate::output::digits::{coordinates, number};
+use crate::output::json::{Asked, OfFiles, print_json};
+use crate::output::print;
+use crate::output::progress::Bar;
+use crate::reports::Verdict;
+use nurbs_hausdorff::{BestFit, DVec3, Engine, RigidTransform};
+use serde::Serialize;
+use std::fmt::Write;
+
+/// Other poses that are printed; `--json` has all.
+const MOST_PRINTED: usize = 6;
+
+/// Fits A to B, prints the motion and returns the exit status: 0 of a fit, 3 of none.
+pub(crate) fn run(arguments: &AlignArguments) -> Result<u8, Failure> {
+    let options = arguments.options()?;
+    options.validate()?;
+    let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
+    let engine = Engine::cpu();
+    let mut bar = Bar::new();
+    let fit = engine.best_fit(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
+    drop(bar);
+    let verdict = Verdict::of(fit.converged.then_some(true));
+    if arguments.json {
+        let asked = Asked { command: "align", verdict: Some(verdict), limit: None, symmetric: None };
+        let result = Aligned { motion: Motion::of(&fit.transform), fit: &fit };
+        print_json(&OfFiles::new(asked, &result, &a, &b))?;
+    } else {
+        let diagonal = a.prepared.bounding_box().diagonal();
+        let mut text = String::new();
+        // Writing to a string does not fail.
+        let _ = lines(&mut text, &fit, diagonal);
+        let _ = next_command(&mut text, arguments, &fit);
+        print(&text)?;
+    }
+    Ok(verdict.status())
+}
+
+/// The result with the motion in all forms.
+#[derive(Serialize)]
+struct Aligned<'a> {
+    motion: Motion,
+    #[serde(flatten)]
+    fit: &'a BestFit,
+}
+
+/// A motion: a rotation about an axis through the origin, then a translation; the same as the rows
+/// of a matrix.
+#[derive(Serialize)]
+struct Motion {
+    axis: [f64; 3],
+    degrees: f64,
+    translation: [f64; 3],
+    matrix: [[f64; 4]; 3],
+}
+
+impl Motion {
+    fn of(transform: &RigidTransform) -> Self {
+        let rotation = transform.rotation();
+        // Of the two quaternions of a rotation the one with the smaller angle.
+        let (axis, angle) = (if rotation.w < 0.0 { -rotation } else { rotation }).to_axis_angle();
+        let columns = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| transform.rotate(axis));
+        let offset = transform.offset();
+        let row = |index: usize| [columns[0][index], columns[1][index], columns[2][index], offset[index]];
+        Self {
+            axis: axis.to_array(),
+            degrees: angle.to_degrees(),
+            translation: offset.to_array(),
+            matrix: [row(0), row(1), row(2)],
+        }
+    }
+}
+
+/// Returns an estimate with the digits that it has.
+fn estimate(value: f64) -> String {
+    number(format!("{value:.3e}").parse().unwrap_or(value))
+}
+
+fn motion(transform: &RigidTransform, diagonal: f64) -> String {
+    let Motion { axis, degrees, translation, .. } = Motion::of(transform);
+    let by = coordinates(translation, diagonal);
+    format!("turned by {}° about {}, moved by {by}", estimate(degrees), coordinates(axis, 1.0))
+}
+
+fn lines(out: &mut String, fit: &BestFit, diagonal: f64) -> std::fmt::Result {
+    let word = if fit.converged { "FITTED" } else { "NOT FITTED" };
+    let [rms, before, random] = [fit.rms, fit.rms_before, fit.rms_random].map(estimate);
+    writeln!(out, "{word}: rms {rms} of {} samples, {before} before", fit.samples)?;
+    if !fit.converged {
+        writeln!(
+            out,
+            "doubt      random poses have {random}: too near, or the steps ended before the fit did"
+        )?;
+    }
+    writeln!(out, "motion     {}", motion(&fit.transform, diagonal))?;
+    writeln!(out, "steps      {}, from {} poses", fit.steps, fit.tried)?;
+    if let Some(beyond) = fit.left_out.beyond {
+        let count = fit.left_out.points.len() / 3;
+        writeln!(out, "left out   {count} samples, farther than {}", estimate(beyond))?;
+    }
+    if fit.freedoms > 0 {
+        writeln!(out, "free       {} motions that change no distance", fit.freedoms)?;
+    }
+    for pose in fit.ambiguous.iter().take(MOST_PRINTED) {
+        writeln!(out, "or         rms {}, {}", estimate(pose.rms), motion(&pose.transform, diagonal))?;
+    }
+    let more = fit.ambiguous.len().saturating_sub(MOST_PRINTED);
+    if more > 0 {
+        writeln!(out, "or         {more} more poses, which --json lists")?;
+    }
+    Ok(())
+}
+
+/// Writes the command that measures the pair in the pose found.
+fn next_command(out: &mut String, arguments: &AlignArguments, fit: &BestFit) -> std::fmt::Result {
+    let Motion { axis: [x, y, z], degrees, translation: [a, b, c], .. } = Motion::of(&fit.transform);
+    let scale = if arguments.scales_units() { " --scale-units" } else { "" };
+    let [of_a, of_b] = [&arguments.a, &arguments.b].map(|path| path.display());
+    writeln!(
+        out,
+        "measure    nurbs-hausdorff distance {of_a} {of_b}{scale} --rotate={x:?},{y:?},{z:?},{degrees:?} \
+         --translate={a:?},{b:?},{c:?}"
+    )
+}

@@ -1,0 +1,183 @@
+//! The options and the result of a best fit.
+
+use crate::alignment::{Loss, Robust};
+use crate::engine::options::{at_least_zero, require_samples};
+use crate::error::{Error, Result};
+use crate::iteration::SamplingRule;
+use crate::model::RigidTransform;
+use crate::tolerance::PermittedWidth;
+use serde::{Deserialize, Serialize, Serializer};
+
+/// The length of a step that ends a fit, as a fraction of the diagonal: the accuracy of the distances.
+pub(super) const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-9;
+
+/// The number of samples along a direction unless the options name another.
+const DEFAULT_SAMPLES: usize = 16;
+
+/// The largest number of steps unless the options name another.
+const DEFAULT_MAX_STEPS: usize = 100;
+
+/// The poses from which a fit starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum FitStart {
+    /// The pose of the options and those of a search over all rotations.
+    #[default]
+    Any,
+    /// The pose of the options alone: the fit is the local one near it.
+    Given,
+}
+
+/// Options of [`crate::Engine::best_fit`]; names in camelCase when deserialized.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct BestFitOptions {
+    /// Samples along each direction of every surface of A, 2 to 1024. A mesh is sampled at its
+    /// vertices, and each group in at least their square of triangles; a cloud at its points. Of
+    /// more than 20,000 those at equal steps of the area are taken.
+    pub samples: usize,
+    /// The rule by which they are spread.
+    pub sampling: SamplingRule,
+    /// The poses from which the fit starts.
+    pub start: FitStart,
+    /// The length, in model units, below which a step ends the fit, positive.
+    pub tolerance: Option<f64>,
+    /// The same as a fraction of the larger diagonal; 1e-9 if neither is given. Both at once are an
+    /// error.
+    pub relative_tolerance: Option<f64>,
+    /// The largest number of steps of the last fit, at least 1.
+    pub max_steps: usize,
+    /// The share of A's samples, from 0 to 0.95, that lie on nothing of B and are left out.
+    pub outliers: f64,
+    /// The rule by which samples far from B lose their weight; `None` is `trimmed` with outliers, and
+    /// `none` without.
+    pub robust: Option<Robust>,
+    /// Whether B is scaled to the unit of A where both state different ones; else they are an error.
+    pub scale_units: bool,
+    /// Where A is at first. It is not deserialized, because only [`RigidTransform::new`] makes one.
+    #[serde(skip)]
+    pub transform: RigidTransform,
+}
+
+impl Default for BestFitOptions {
+    fn default() -> Self {
+        Self {
+            samples: DEFAULT_SAMPLES,
+            sampling: SamplingRule::default(),
+            start: FitStart::default(),
+            tolerance: None,
+            relative_tolerance: None,
+            max_steps: DEFAULT_MAX_STEPS,
+            outliers: 0.0,
+            robust: None,
+            scale_units: false,
+            transform: RigidTransform::IDENTITY,
+        }
+    }
+}
+
+/// The largest share of outliers: what is left determines a pose still.
+const MAX_OUTLIERS: f64 = 0.95;
+
+impl BestFitOptions {
+    /// Checks every range.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] naming the option; [`Error::OptionInvalid`] for both tolerances,
+    /// and for outliers that no rule leaves out.
+    pub fn validate(&self) -> Result<()> {
+        require_samples(self.samples)?;
+        self.permitted_width().validate()?;
+        at_least_zero("outliers", self.outliers)?;
+        if self.outliers > MAX_OUTLIERS {
+            return Err(Error::out_of_range("outliers", self.outliers, "0 to 0.95"));
+        }
+        if self.outliers > 0.0 && self.robust == Some(Robust::None) {
+            let found = "found outliers and robust none, expected a rule that leaves them out".to_owned();
+            return Err(Error::OptionInvalid { found });
+        }
+        if self.max_steps == 0 {
+            return Err(Error::out_of_range("maxSteps", 0, "at least 1"));
+        }
+        Ok(())
+    }
+
+    pub(super) fn permitted_width(&self) -> PermittedWidth {
+        PermittedWidth { tolerance: self.tolerance, relative_tolerance: self.relative_tolerance }
+    }
+
+    pub(super) fn loss(&self) -> Loss {
+        let by_default = if self.outliers > 0.0 { Robust::Trimmed } else { Robust::None };
+        Loss { robust: self.robust.unwrap_or(by_default), outliers: self.outliers }
+    }
+}
+
+/// A pose of A that fits B.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct FitPose {
+    /// Moves A there.
+    #[serde(serialize_with = "parts")]
+    pub transform: RigidTransform,
+    /// The root mean square of the samples' distances there: an estimate.
+    pub rms: f64,
+}
+
+/// The samples that a fit left out.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct LeftOut {
+    /// The distance beyond which a sample is left out; `None` where all count.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub beyond: Option<f64>,
+    /// Their points, x, y, z each, where A lies in its own file.
+    pub points: Vec<f64>,
+}
+
+/// The pose of A that fits B best.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct BestFit {
+    /// Moves A to its best fit.
+    #[serde(serialize_with = "parts")]
+    pub transform: RigidTransform,
+    /// The root mean square there of the distances of A's samples to B, weighted by area, without
+    /// those left out: an estimate.
+    pub rms: f64,
+    /// The same where A was at first.
+    pub rms_before: f64,
+    /// The same in a pose that nothing determines: the median of 48 rotations spread over all, A's
+    /// centre beside B's by half of A's radius of gyration.
+    pub rms_random: f64,
+    /// The number of steps of the last fit.
+    pub steps: usize,
+    /// Whether the last fit ended by itself, and in a pose that a random one is not: see
+    /// [`crate::Engine::best_fit`].
+    pub converged: bool,
+    /// The other poses found whose residual is at most twice the best one: those of symmetric parts.
+    pub ambiguous: Vec<FitPose>,
+    /// The number of independent motions that change no distance to first order: 1 of a part of
+    /// revolution, 3 of a ball and of a plane.
+    pub freedoms: usize,
+    /// The number of poses that the fit started from.
+    pub tried: usize,
+    /// The number of samples of A.
+    pub samples: usize,
+    /// The samples that are left out.
+    pub left_out: LeftOut,
+}
+
+/// Serializes a transform as its rotation, a unit quaternion x, y, z, w, and its translation.
+fn parts<S: Serializer>(transform: &RigidTransform, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Parts {
+        rotation: [f64; 4],
+        translation: [f64; 3],
+    }
+    let (rotation, translation) = (transform.rotation().to_array(), transform.offset().to_array());
+    Parts { rotation, translation }.serialize(serializer)
+}
