@@ -2,8 +2,8 @@
 //!
 //! The upper bounds are those of the search and the mean of the Taylor quadratic. The lower bounds are
 //! those of *apexes*: d(x, B) >= d(c, B) − |x − c| for every point c, which is of second order in the
-//! cell's size where c lies far behind the cell on the line from the foot. `docs/method.md` has the
-//! proofs (lemmas S1 to S3).
+//! cell's size where c lies far behind the cell on the line from the foot. `docs/meshes.md`, section 7,
+//! has the proofs (lemmas S1 to S3).
 
 use super::bounds::{self, Lengths, distance_above, distance_from};
 use super::cell_context::CellContext;
@@ -273,5 +273,23 @@ mod tests {
         }
         // Of second order in the size, where the span is of first order.
         assert!(narrowest < 0.1, "{narrowest}");
+    }
+
+    /// Lemma S1, attained: about the common centre of two spheres all distances are the same, at an apex that
+    /// is the centre and by the mean and the least of its bounds.
+    #[test]
+    fn a_cell_about_its_apex_has_one_distance() {
+        let [a, b] = [1.0, 1.25].map(|radius| Surfaces::of(&sphere(DVec3::ZERO, radius).unwrap()));
+        let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
+        let spreads = Spreads::new(pair, Density::OfPatch, SUFFICIENT);
+        let cell = Cell { patch: 0, center: [0.5; 2], half: [1.0 / 64.0; 2] };
+        let start = SpreadStart { apex: 1.0, ..spreads.start() };
+        let CellSpread { all, mean, square, .. } = spreads.of(cell, &start);
+        let cube = (1.0 / 32.0_f64).powi(3);
+        for ([lower, upper], value) in [(all, 0.25), (mean, 0.25), (square, 0.0625)] {
+            assert!(lower <= value + 1e-12 && value <= upper + 1e-12, "{lower} {upper}");
+            // The remainder is of third order; a bound by the radius would leave 0.06.
+            assert!(upper - lower <= 100.0 * cube, "{lower} {upper}");
+        }
     }
 }

@@ -326,46 +326,4 @@ mod tests {
         assert!(a == c && b.x == 1.0 && d.y == 1.0);
         assert!(cell.sag() >= 0.5, "{}", cell.sag());
     }
-
-    /// Lemma F10: control points of a side count with their distance from its chord, though they lie
-    /// in a triangle: a large weight draws the side there, away from the chord.
-    #[test]
-    fn control_points_of_a_side_count_from_its_chord() {
-        let depth = 0.4;
-        for turned in [false, true] {
-            for far in [false, true] {
-                let mut points = Vec::new();
-                for along in 0..3 {
-                    for side in [0.0, 1.0] {
-                        let is_drawn = along == 1 && (side == 1.0) == far;
-                        let inwards = if far { 1.0 - depth } else { depth };
-                        let across = if is_drawn { inwards } else { side };
-                        points.push(DVec3::new(0.5 * f64::from(along), across, 0.0));
-                    }
-                }
-                let mut net = Net { points, degree: [2, 1] };
-                if turned {
-                    let at = [0, 2, 4, 1, 3, 5].map(|index| net.points[index]);
-                    net = Net { points: at.to_vec(), degree: [1, 2] };
-                }
-                assert!((net.apart() - depth).abs() <= 1e-15, "{turned} {far} {}", net.apart());
-            }
-        }
-    }
-
-    /// Lemma F10: inner control points count with their distance from the triangles, and a cell whose
-    /// corners have no normal with its sag and with the longest of the corners' distances.
-    #[test]
-    fn cells_are_apart_by_inner_points_and_by_corners() {
-        let height = 0.25;
-        let at = |k: usize| DVec3::new((k / 3) as f64, (k % 3) as f64, if k == 4 { height } else { 0.0 });
-        let bulge = Net { points: (0..9).map(at).collect(), degree: [2; 2] };
-        assert_eq!(bulge.apart(), height);
-        for [b, c, d] in [[3.0, 1.0, 2.0], [1.0, 3.0, 2.0], [1.0, 2.0, 3.0]] {
-            let on_line = net([0.0, d, b, c].map(|x| [x, 0.0, 0.0]));
-            assert_eq!(on_line.apart(), 3.0);
-        }
-        let loop_of_sides = [0.0, 0.0, height, height, 0.0, 0.0].map(|z| DVec3::Z * z);
-        assert_eq!(Net { points: loop_of_sides.to_vec(), degree: [2, 1] }.apart(), height);
-    }
 }

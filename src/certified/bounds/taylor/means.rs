@@ -1,4 +1,4 @@
-//! Bounds on means over a cell, by the same quadratics: lemmas S1 and S2 of `docs/method.md`.
+//! Bounds on means over a cell, by the same quadratics: lemmas S1 and S2 of `docs/meshes.md`.
 
 use super::{
     Bounds, CellPair, MOVED_JET_ROUNDINGS, Quadratic, REMAINDER_ROUNDINGS, UNIT_ROUNDOFF, coefficient_error,
