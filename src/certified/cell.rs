@@ -31,7 +31,7 @@ impl Cell {
     }
 
     /// The range of s and that of t.
-    pub(super) fn ranges(&self) -> [[f64; 2]; 2] {
+    pub(crate) fn ranges(&self) -> [[f64; 2]; 2] {
         [0, 1].map(|axis| [self.center[axis] - self.half[axis], self.center[axis] + self.half[axis]])
     }
 
@@ -49,7 +49,7 @@ impl Cell {
     }
 
     /// The parts of the cell halved along s, along t, or along both.
-    pub(super) fn halves(&self, is_halved: [bool; 2]) -> impl Iterator<Item = Self> + use<> {
+    pub(crate) fn halves(&self, is_halved: [bool; 2]) -> impl Iterator<Item = Self> + use<> {
         let cell = *self;
         let half = [0, 1].map(|axis| if is_halved[axis] { 0.5 * cell.half[axis] } else { cell.half[axis] });
         let sides = is_halved.map(|is_halved| if is_halved { &[-1.0, 1.0][..] } else { &[0.0][..] });

@@ -28,6 +28,7 @@ mod reparametrization;
 mod rounding;
 mod search;
 mod sheets;
+mod spread;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod testing;
 
@@ -41,6 +42,7 @@ pub(crate) use operand::{Operand, Pair};
 pub(crate) use search::{BatchResult, BranchAndBound, Domain, Gains, Interval, Limit, SearchNode};
 
 pub(crate) use sheets::{SheetCache, Sheets};
+pub(crate) use spread::{CellSpread, Density, SpreadStart, Spreads};
 
 pub use audit::{Audit, AuditReport, Lemma, Lemmas};
 #[cfg(feature = "internals")]

@@ -3,10 +3,10 @@
 use glam::DVec3;
 use nurbs_hausdorff::shapes::sphere;
 use nurbs_hausdorff::{
-    Bounded, CertifiedStatistics, Engine, Facets, Measure, PointCloud, PreparedModel, RigidTransform,
-    StatisticsOptions, TriangleMesh,
+    Bounded, CertifiedStatistics, Engine, Facets, Measure, Model, PointCloud, PreparedModel, RigidTransform,
+    StatisticsOptions, SurfaceArrays, TriangleMesh,
 };
-use std::f64::consts::{PI, SQRT_2};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI, SQRT_2};
 
 fn statistics(a: &PreparedModel, b: &PreparedModel, options: &StatisticsOptions) -> CertifiedStatistics {
     Engine::cpu().statistics(a, b, options).wait().unwrap()
@@ -171,4 +171,106 @@ fn a_budget_leaves_valid_intervals_and_no_area_is_an_error() {
     let line = PreparedModel::of_facets(&Facets::Mesh(line), None).unwrap();
     let refused = Engine::cpu().statistics(&line, &ground, &StatisticsOptions::default()).wait();
     assert_eq!(refused.unwrap_err().code(), "NO_AREA");
+}
+
+/// A point in homogeneous coordinates: not multiplied by its weight.
+type Control = [f64; 4];
+
+/// A quarter of a circle about the z axis.
+fn arc(radius: f64, quarter: usize, z: f64) -> [Control; 3] {
+    let at = |angle: f64, radius: f64, w: f64| [radius * angle.cos(), radius * angle.sin(), z, w];
+    let start = FRAC_PI_2 * quarter as f64 - FRAC_PI_4;
+    [
+        at(start, radius, 1.0),
+        at(start + FRAC_PI_4, SQRT_2 * radius, FRAC_1_SQRT_2),
+        at(start + FRAC_PI_2, radius, 1.0),
+    ]
+}
+
+/// A side of the square [-half, half]² as a curve of degree 2.
+fn side(half: f64, quarter: usize, z: f64) -> [Control; 3] {
+    let corners = [[1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]];
+    let [from, to] = [corners[quarter], corners[(quarter + 1) % 4]];
+    [0.0, 0.5, 1.0].map(|at: f64| {
+        let [x, y] = [0, 1].map(|axis| half * (from[axis] + at * (to[axis] - from[axis])));
+        [x, y, z, 1.0]
+    })
+}
+
+/// The surface of the lines between two curves of degree 2.
+fn ruled(one: [Control; 3], other: [Control; 3]) -> SurfaceArrays {
+    SurfaceArrays {
+        degree: [2, 1],
+        knots: [vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+        counts: [3, 2],
+        control_points: (0..3).flat_map(|k| [one[k], other[k]]).collect(),
+    }
+}
+
+fn model(surfaces: Vec<SurfaceArrays>) -> PreparedModel {
+    PreparedModel::new(&Model::from_arrays(None, surfaces).unwrap()).unwrap()
+}
+
+/// The plate [-4, 4]² × [0, 1] with a bore.
+fn plate(radius: f64) -> PreparedModel {
+    let of_quarter = |k: usize| {
+        [
+            ruled(arc(radius, k, 0.0), side(4.0, k, 0.0)),
+            ruled(arc(radius, k, 1.0), side(4.0, k, 1.0)),
+            ruled(arc(radius, k, 0.0), arc(radius, k, 1.0)),
+            ruled(side(4.0, k, 0.0), side(4.0, k, 1.0)),
+        ]
+    };
+    model((0..4).flat_map(of_quarter).collect())
+}
+
+fn of_means(relative_tolerance: f64) -> StatisticsOptions {
+    StatisticsOptions {
+        relative_tolerance: Some(relative_tolerance),
+        percentiles: Vec::new(),
+        ..StatisticsOptions::default()
+    }
+}
+
+/// The wall of the bore is as far as the radii differ, the faces within the larger one as far as its
+/// rim; all other points lie on both.
+#[test]
+fn a_plate_with_a_wider_bore_has_the_distances_of_its_rim() {
+    let (small, large) = (1.0_f64, 1.05_f64);
+    let found = statistics(&plate(small), &plate(large), &of_means(1e-4));
+    assert!(found.converged, "{found:?}");
+    let area = 2.0 * (64.0 - PI * small * small) + 32.0 + 2.0 * PI * small;
+    holds(found.total, area, 1e-4);
+    // ∫ (R − r)ⁿ 2πr over a ring.
+    let ring = |n: i32| {
+        let inner = large - small;
+        2.0 * PI * (large * inner.powi(n + 1) / f64::from(n + 1) - inner.powi(n + 2) / f64::from(n + 2))
+    };
+    let wall = |n: i32| 2.0 * PI * small * (large - small).powi(n);
+    holds(found.mean, (2.0 * ring(1) + wall(1)) / area, found.tolerance);
+    holds(found.rms, ((2.0 * ring(2) + wall(2)) / area).sqrt(), found.tolerance);
+    assert!(found.cells < 10_000, "{}", found.cells);
+}
+
+/// Between two cylinders about one axis the distance is the same everywhere.
+#[test]
+fn a_cylinder_in_another_one_takes_few_parts() {
+    let cylinder = |radius: f64, [low, high]: [f64; 2]| {
+        model((0..4).map(|k| ruled(arc(radius, k, low), arc(radius, k, high))).collect())
+    };
+    let [one, other] = [cylinder(1.0, [0.0, 1.0]), cylinder(1.25, [-1.0, 2.0])];
+    let found = statistics(&one, &other, &with_limit(0.2));
+    are(&found, [0.25, 0.25, 1.0], 1e-3, |_| 0.25);
+    assert!(found.cells < 3000, "{}", found.cells);
+}
+
+/// The distance of a slope of triangles from a surface is uniform.
+#[test]
+fn a_slope_of_triangles_above_a_surface_has_a_uniform_distance() {
+    let slope = sheet([0.0, 1.0], 2, |x, _| x);
+    let line = |y: f64| [-2.0, 0.5, 3.0].map(|x| [x, y, 0.0, 1.0]);
+    let ground = model(vec![ruled(line(-2.0), line(3.0))]);
+    let found = statistics(&slope, &ground, &with_limit(0.25));
+    are(&found, [0.5, (1.0 / 3.0_f64).sqrt(), 0.75], 1e-3, |part| part);
+    holds(found.total, SQRT_2, 1e-12);
 }

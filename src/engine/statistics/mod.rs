@@ -1,5 +1,6 @@
 //! Statistics of the distances of a model's points from another one, as intervals that hold them.
 
+mod cover;
 mod search;
 mod sums;
 
@@ -15,8 +16,8 @@ const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-4;
 /// The default of [`StatisticsOptions::part_tolerance`].
 const DEFAULT_PART_TOLERANCE: f64 = 1e-3;
 
-/// The default of [`StatisticsOptions::max_cells`]: ten seconds to a minute, and 200 MB.
-const DEFAULT_MAX_CELLS: usize = 1_000_000;
+/// The default of [`StatisticsOptions::max_cells`]: some seconds, and 100 MB.
+const DEFAULT_MAX_CELLS: usize = 300_000;
 
 /// The default of [`StatisticsOptions::percentiles`].
 const DEFAULT_PERCENTILES: [f64; 3] = [0.5, 0.95, 0.99];
@@ -161,8 +162,7 @@ pub struct CertifiedStatistics {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub beyond: Option<Beyond>,
     /// Whether all intervals are as narrow as requested. A percentile at which distances jump stays
-    /// as wide as the jump; the part beyond a limit stays as wide as what is nearer to the limit than
-    /// the mesh that stands for surfaces as B is to them.
+    /// as wide as the jump.
     pub converged: bool,
     /// The requested width of lengths, in model units.
     pub tolerance: f64,

@@ -13,7 +13,6 @@ mod part;
 mod patch_cell;
 mod source;
 mod spread;
-mod stand_in;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests;
@@ -27,7 +26,6 @@ pub use audit::{Audit, audit_facet_searches};
 pub(crate) use node::Domain;
 pub(crate) use source::{Certified, Measured, Source, Start};
 pub(crate) use spread::{Parts, Spread, Weighted, WeightedPart};
-pub(crate) use stand_in::StandIn;
 
 use super::Facet;
 use super::rounding::{cut_rounding, facet_rounding};

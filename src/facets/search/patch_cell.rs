@@ -7,7 +7,7 @@ use crate::axis::Axis;
 use crate::bezier::PatchSet;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
-use crate::rounding::{lower_min, unit, upper_max, upper_min};
+use crate::rounding::{lower_min, unit, upper_max};
 use glam::{DVec3, Vec4Swizzles};
 
 /// The part of the tolerance that the distance between a cell and its triangles may take even where
@@ -202,33 +202,6 @@ impl Net {
             + height_of_quadrangle(&[a, b, c, d]).map_or(by_corner, |height| height.min(by_corner))
     }
 
-    /// Returns an upper bound on the Hausdorff distance between the cell and the two triangles between
-    /// its corners, which rounding has not been added to (lemma F10 of docs/meshes.md).
-    pub(super) fn apart(&self) -> f64 {
-        let [a, b, c, d] = self.corners();
-        // Corners are points of both; a triangle is no farther from one than its sides are long.
-        let size = [b, c, d].into_iter().fold(0.0, |size, corner| upper_max(size, a.distance(corner)));
-        let by_corners = upper_max(self.sag(), size);
-        let Some(height) = height_of_quadrangle(&[a, b, c, d]) else { return by_corners };
-        let triangles = [Facet::Triangle([a, b, c]), Facet::Triangle([a, c, d])];
-        let [p, q] = self.degree;
-        let mut farthest = 0.0_f64;
-        for i in 0..=p {
-            for j in 0..=q {
-                let sides = [(j == 0, [a, b]), (i == p, [b, c]), (j == q, [c, d]), (i == 0, [d, a])];
-                let side = sides.into_iter().find(|(is_on, _)| *is_on);
-                let to = |facet: Facet| facet.nearest(self.point(i, j)).distance_squared;
-                let squared = match side {
-                    // It is on two sides at the corners only, which are points of both.
-                    Some((_, [from, end])) => to(Facet::Triangle([from, end, end])),
-                    None => upper_min(to(triangles[0]), to(triangles[1])),
-                };
-                farthest = upper_max(farthest, squared);
-            }
-        }
-        upper_min(by_corners, farthest.sqrt() + height)
-    }
-
     /// Returns the axis along which a cell is halved: the longer one of a flat cell, else the one
     /// along which the control points leave their chords more.
     pub(super) fn halved_axis(&self, is_flat: bool) -> Axis {
@@ -330,81 +303,6 @@ mod tests {
         }
         assert!(largest > 0.5, "{largest}");
     }
-    /// The point of weights `w` over a net at parameters.
-    fn rational(net: &Net, weights: &[f64], [s, t]: [f64; 2]) -> DVec3 {
-        let bernstein = |degree: usize, at: f64, k: usize| {
-            let choose = [[1.0, 1.0, 0.0, 0.0], [1.0, 2.0, 1.0, 0.0], [1.0, 3.0, 3.0, 1.0]][degree - 1][k];
-            choose * at.powi(k as i32) * (1.0 - at).powi((degree - k) as i32)
-        };
-        let [p, q] = net.degree;
-        let (mut sum, mut total) = (DVec3::ZERO, 0.0);
-        for i in 0..=p {
-            for j in 0..=q {
-                let weight = weights[i * (q + 1) + j] * bernstein(p, s, i) * bernstein(q, t, j);
-                sum += weight * net.point(i, j);
-                total += weight;
-            }
-        }
-        sum / total
-    }
-
-    /// Lemma F10, for random rational cells: no point of the triangles is farther from the cell, to
-    /// the spacing of its samples, nor a point of the cell farther from the triangles.
-    #[test]
-    fn no_point_of_the_triangles_is_farther_from_the_cell_than_they_are_apart() {
-        const COUNT: usize = 24;
-        let random = &mut fastrand::Rng::with_seed(10);
-        for round in 0..400 {
-            let degree = [random.usize(1..4), random.usize(1..4)];
-            let bend = [0.05, 0.4, 1.0][round % 3];
-            let mut points = Vec::new();
-            for i in 0..=degree[0] {
-                for j in 0..=degree[1] {
-                    let at = DVec3::new(i as f64 / degree[0] as f64, j as f64 / degree[1] as f64, 0.0);
-                    points.push(at + bend * DVec3::from_array([0; 3].map(|_| random.f64() - 0.5)));
-                }
-            }
-            let weights: Vec<f64> = points.iter().map(|_| 0.2 + random.f64()).collect();
-            let net = Net { points, degree };
-            let at = |i: usize, j: usize| rational(&net, &weights, [i, j].map(|k| k as f64 / COUNT as f64));
-            let grid: Vec<Vec<DVec3>> =
-                (0..=COUNT).map(|i| (0..=COUNT).map(|j| at(i, j)).collect()).collect();
-            let steps = (0..COUNT).flat_map(|i| (0..COUNT).map(move |j| (i, j)));
-            let spacing = steps.fold(0.0_f64, |spacing, (i, j)| {
-                let far = grid[i][j].distance(grid[i + 1][j + 1]);
-                spacing.max(far).max(grid[i + 1][j].distance(grid[i][j + 1]))
-            });
-            let [a, b, c, d] = net.corners();
-            for _ in 0..20 {
-                let corners = if random.bool() { [a, b, c] } else { [a, c, d] };
-                let weights = [0; 3].map(|_| random.f64());
-                let x = (corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2])
-                    / weights.iter().sum::<f64>();
-                let nearest = grid.iter().flatten().map(|y| y.distance(x)).fold(f64::INFINITY, f64::min);
-                assert!(nearest <= net.apart() + spacing, "round {round}");
-            }
-        }
-    }
-
-    /// Lemma F10 is attained where a large weight draws a cell to its control point.
-    #[test]
-    fn the_distance_of_a_cell_from_its_triangles_is_attained() {
-        let height = 0.25;
-        let points = [[0.0, 0.0], [0.5, height], [1.0, 0.0]]
-            .into_iter()
-            .flat_map(|[x, z]| [DVec3::new(x, 0.0, z), DVec3::new(x, 1.0, z)])
-            .collect();
-        let net = Net { points, degree: [2, 1] };
-        let top = rational(&net, &[1.0, 1.0, 1e9, 1e9, 1.0, 1.0], [0.5, 0.5]);
-        assert!((top.z - height).abs() < 1e-8 && (net.apart() - height).abs() < 1e-15);
-    }
-
-    /// A cell with two equal corners is a triangle.
-    #[test]
-    fn a_flat_cell_with_a_pole_is_its_triangle() {
-        let net = net([[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
-        assert_eq!(net.apart(), 0.0);
-    }
 
     /// Lemma F6: the normal of diagonals with a sine below 10⁻⁹ is not used, as its rounding may turn
     /// it by any angle.
@@ -427,47 +325,5 @@ mod tests {
         let [a, b, c, d] = cell.corners();
         assert!(a == c && b.x == 1.0 && d.y == 1.0);
         assert!(cell.sag() >= 0.5, "{}", cell.sag());
-    }
-
-    /// Lemma F10: control points of a side count with their distance from its chord, though they lie
-    /// in a triangle: a large weight draws the side there, away from the chord.
-    #[test]
-    fn control_points_of_a_side_count_from_its_chord() {
-        let depth = 0.4;
-        for turned in [false, true] {
-            for far in [false, true] {
-                let mut points = Vec::new();
-                for along in 0..3 {
-                    for side in [0.0, 1.0] {
-                        let is_drawn = along == 1 && (side == 1.0) == far;
-                        let inwards = if far { 1.0 - depth } else { depth };
-                        let across = if is_drawn { inwards } else { side };
-                        points.push(DVec3::new(0.5 * f64::from(along), across, 0.0));
-                    }
-                }
-                let mut net = Net { points, degree: [2, 1] };
-                if turned {
-                    let at = [0, 2, 4, 1, 3, 5].map(|index| net.points[index]);
-                    net = Net { points: at.to_vec(), degree: [1, 2] };
-                }
-                assert!((net.apart() - depth).abs() <= 1e-15, "{turned} {far} {}", net.apart());
-            }
-        }
-    }
-
-    /// Lemma F10: inner control points count with their distance from the triangles, and a cell whose
-    /// corners have no normal with its sag and with the longest of the corners' distances.
-    #[test]
-    fn cells_are_apart_by_inner_points_and_by_corners() {
-        let height = 0.25;
-        let at = |k: usize| DVec3::new((k / 3) as f64, (k % 3) as f64, if k == 4 { height } else { 0.0 });
-        let bulge = Net { points: (0..9).map(at).collect(), degree: [2; 2] };
-        assert_eq!(bulge.apart(), height);
-        for [b, c, d] in [[3.0, 1.0, 2.0], [1.0, 3.0, 2.0], [1.0, 2.0, 3.0]] {
-            let on_line = net([0.0, d, b, c].map(|x| [x, 0.0, 0.0]));
-            assert_eq!(on_line.apart(), 3.0);
-        }
-        let loop_of_sides = [0.0, 0.0, height, height, 0.0, 0.0].map(|z| DVec3::Z * z);
-        assert_eq!(Net { points: loop_of_sides.to_vec(), degree: [2, 1] }.apart(), height);
     }
 }

@@ -76,7 +76,7 @@ pub(crate) struct Parts<'a> {
 }
 
 impl Spread {
-    fn exact([lower, upper]: [f64; 2]) -> Self {
+    pub(crate) fn exact([lower, upper]: [f64; 2]) -> Self {
         let lower = if lower > 0.0 { lower } else { 0.0 };
         Self { lower, upper, mean: [lower, upper], square: [lower * lower, upper * upper] }
     }
@@ -87,7 +87,7 @@ impl Spread {
     }
 
     /// Returns bounds that hold where distances are off by this.
-    fn widened(self, by: f64) -> Self {
+    pub(crate) fn widened(self, by: f64) -> Self {
         let [mean, square] = [self.mean, self.square];
         let below = |value: f64| if value > by { value - by } else { 0.0 };
         let low = below(mean[0]);
@@ -122,14 +122,9 @@ impl Weighted for WeightedPart {
 }
 
 impl<'a> Parts<'a> {
-    /// `excess` is a bound on the difference of distances to B from those to the model that it stands
-    /// for.
-    pub(crate) fn new(a: Source<'a>, b: Measured<'a>, transform: RigidTransform, excess: f64) -> Self {
+    pub(crate) fn new(a: Source<'a>, b: Measured<'a>, transform: RigidTransform) -> Self {
         let goal = Goal::new(&a, &b, &transform, 0.0, None);
-        let rounding = goal.bounds
-            + goal.points
-            + gamma(SPREAD_ROUNDINGS) * goal.length
-            + excess * (1.0 + UNIT_ROUNDOFF);
+        let rounding = goal.bounds + goal.points + gamma(SPREAD_ROUNDINGS) * goal.length;
         Self { a, b, transform, goal, rounding }
     }
 
@@ -141,7 +136,7 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// What rounding, and the mesh that stands for B, add to both sides of every bound on a distance.
+    /// What rounding adds to both sides of every bound on a distance.
     pub(crate) fn rounding(&self) -> f64 {
         self.rounding
     }
@@ -336,8 +331,7 @@ mod tests {
     fn halves_have_half_of_the_area_each() {
         let a = mesh(&[DVec3::ZERO, DVec3::X, DVec3::Y]);
         let source = Source::Facets { facets: &a, error: 0.0 };
-        let parts =
-            Parts::new(source, Measured::Facets { facets: &a, error: 0.0 }, RigidTransform::IDENTITY, 0.0);
+        let parts = Parts::new(source, Measured::Facets { facets: &a, error: 0.0 }, RigidTransform::IDENTITY);
         let (whole, _) = parts.first(0, Start::default()).unwrap();
         let half = whole.weight();
         for part in parts.halves(&whole).unwrap() {

@@ -13,7 +13,7 @@ export interface StatisticsOptions {
   limit?: number;
   /** The permitted width of the interval of that part; 1e-3 if not given. */
   partTolerance?: number;
-  /** Parts of A after which the intervals reached are the result; 1,000,000 if not given. */
+  /** Parts of A after which the intervals reached are the result; 300,000 if not given. */
   maxCells?: number;
   /** Seconds after which the intervals reached are the result. */
   maxSeconds?: number;

@@ -340,7 +340,7 @@ pub(crate) struct StatisticsArguments {
     #[arg(long, value_name = "SECONDS")]
     max_seconds: Option<f64>,
     /// Parts of A after which the intervals reached are the result.
-    #[arg(long, hide_short_help = true, value_name = "CELLS", default_value_t = 1_000_000)]
+    #[arg(long, hide_short_help = true, value_name = "CELLS", default_value_t = 300_000)]
     max_cells: usize,
     #[command(flatten)]
     placement: Placement,

@@ -12,9 +12,11 @@
 //! B then counts by its square only.
 
 mod halving;
+mod means;
 mod quadratic;
 
 pub(in crate::certified) use halving::halved_sides;
+pub(in crate::certified) use means::{Lengths, distance_above, distance_from};
 pub use quadratic::Quadratic;
 pub(super) use quadratic::max_coefficient;
 

@@ -47,6 +47,15 @@ impl Quadratic {
         max_coefficient(&self.length_squared())
     }
 
+    /// The mean of `|Q|²` over the square with a density that is proportional to 1 + tilt·σ, |tilt| <= 1:
+    /// a Bernstein polynomial of order 4 has the mean 1/5, and σ the mean (i - 2)/3 with number i.
+    pub(in crate::certified::bounds) fn mean_length_squared(&self, tilt: f64) -> f64 {
+        let coefficients = self.length_squared();
+        let weight = |i: usize| 1.0 + tilt * (i as f64 - 2.0) / 3.0;
+        let row = |i: usize| weight(i) * coefficients[i].iter().sum::<f64>();
+        (0..coefficients.len()).map(row).sum::<f64>() / 25.0
+    }
+
     /// An upper bound on the length of Q over the square by that of its terms.
     pub(super) fn size(&self) -> f64 {
         let [first, second] = [self.s.length() + self.t.length(), self.ss.length() + self.tt.length()];
@@ -178,6 +187,27 @@ mod tests {
                 sum += row.iter().zip(in_t).map(|(c, in_t)| c * in_s * in_t).sum::<f64>();
             }
             assert!((sum - q.length_squared()).abs() <= 1e-12, "{sum} at ({s}, {t})");
+        }
+    }
+    /// ∫ |Q|² (1 + tilt σ) over the square by its area, of terms that are orthogonal or not.
+    #[test]
+    fn the_mean_square_is_the_integral() {
+        let [zero, x, y] = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        let nothing = Quadratic { value: zero, s: zero, t: zero, ss: zero, st: zero, tt: zero };
+        // The means of σ, σ² and σ⁴ are 0, 1/3 and 1/5; with the density 1 + σ/2 that of σ is 1/6.
+        let cases = [
+            (Quadratic { value: x, s: y, ..nothing }, [4.0 / 3.0, 4.0 / 3.0]),
+            (Quadratic { value: x, t: y, ..nothing }, [4.0 / 3.0, 4.0 / 3.0]),
+            (Quadratic { value: x, s: x, ..nothing }, [4.0 / 3.0, 5.0 / 3.0]),
+            (Quadratic { value: x, t: x, ..nothing }, [4.0 / 3.0, 4.0 / 3.0]),
+            (Quadratic { value: x, ss: x, ..nothing }, [1.0 + 1.0 / 3.0 + 0.05; 2]),
+            (Quadratic { value: x, st: y, ..nothing }, [1.0 + 1.0 / 9.0; 2]),
+            (Quadratic { value: x, tt: y, ..nothing }, [1.05; 2]),
+        ];
+        for (quadratic, expected) in cases {
+            let found = [0.0, 0.5].map(|tilt| quadratic.mean_length_squared(tilt));
+            let is_near = |index: usize| (found[index] - expected[index]).abs() < 1e-14;
+            assert!(is_near(0) && is_near(1), "{found:?} {expected:?} of {quadratic:?}");
         }
     }
 }

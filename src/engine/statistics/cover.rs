@@ -1,0 +1,143 @@
+//! The parts that a model is made of, with bounds on their distances.
+
+use crate::area::{Area, area_of_part};
+use crate::axis::Axis;
+use crate::certified::{Cell, CellSpread, Density, Pair, SpreadStart, Spreads};
+use crate::facets::{FacetTarget, Parts, Spread, Start, Weighted, WeightedPart};
+use crate::param_box::ParamBox;
+use crate::rounding::gamma;
+use std::ops::Range;
+
+/// Half of the width of a cell that float64 does not usefully halve further.
+const MIN_HALF_WIDTH: f64 = 1.0 / (1_u64 << 40) as f64;
+
+/// The roundings of the part of a triangle's area that a cell takes.
+const PART_ROUNDINGS: f64 = 8.0;
+
+/// A model in parts, which are halved.
+pub(super) trait Cover: Sync {
+    type Part: Weighted + Copy + Send + Sync;
+
+    /// The number of parts at first.
+    fn len(&self) -> usize;
+
+    /// What rounding adds to both sides of every bound on a distance.
+    fn rounding(&self) -> f64;
+
+    /// Returns the bounds of a range of the first parts; `None` for a B without pieces.
+    fn first(&self, range: Range<usize>) -> Option<Vec<Self::Part>>;
+
+    /// Returns the halves of a part; `None` for a part that float64 does not halve.
+    fn halves(&self, part: &Self::Part) -> Option<[Self::Part; 2]>;
+}
+
+impl Cover for Parts<'_> {
+    type Part = WeightedPart;
+
+    fn len(&self) -> usize {
+        Self::len(self)
+    }
+
+    fn rounding(&self) -> f64 {
+        Self::rounding(self)
+    }
+
+    /// Each is searched from the place on B that the one before found.
+    fn first(&self, range: Range<usize>) -> Option<Vec<WeightedPart>> {
+        let mut start = Start::default();
+        let mut next = |index: usize| {
+            let (part, found) = Self::first(self, index as u32, start)?;
+            start = found;
+            Some(part)
+        };
+        range.map(&mut next).collect()
+    }
+
+    fn halves(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
+        Self::halves(self, part)
+    }
+}
+
+/// Cells of patches or of triangles, measured to patches.
+pub(super) struct Cells<'a> {
+    pair: Pair<'a>,
+    spreads: Spreads<'a>,
+    /// The triangles, if the patches of A are those.
+    triangles: Option<&'a FacetTarget>,
+}
+
+/// A cell with its bounds.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct WeightedCell {
+    cell: Cell,
+    weight: Area,
+    spread: Spread,
+    axis: Axis,
+    start: SpreadStart,
+}
+
+impl Weighted for WeightedCell {
+    fn weight(&self) -> Area {
+        self.weight
+    }
+
+    fn spread(&self) -> Spread {
+        self.spread
+    }
+}
+
+impl<'a> Cells<'a> {
+    /// Cells within `sufficient` of B are not halved.
+    pub(super) fn new(pair: Pair<'a>, triangles: Option<&'a FacetTarget>, sufficient: f64) -> Self {
+        let density = if triangles.is_some() { Density::OfTriangle } else { Density::OfPatch };
+        Self { pair, spreads: Spreads::new(pair, density, sufficient), triangles }
+    }
+
+    fn bounded(&self, cell: Cell, start: &SpreadStart) -> WeightedCell {
+        let CellSpread { all: [lower, upper], mean, square, axis, start } = self.spreads.of(cell, start);
+        let spread = Spread { lower, upper, mean, square }.widened(self.spreads.rounding());
+        WeightedCell { cell, weight: self.area(&cell), spread, axis, start }
+    }
+
+    fn area(&self, cell: &Cell) -> Area {
+        let [s, t] = cell.ranges();
+        let patch = self.pair.patch_of_a(cell.patch);
+        let Some(triangles) = self.triangles else { return area_of_part(&patch, ParamBox::new(s, t)) };
+        // At s the triangle is as wide as s.
+        let part = (s[1] * s[1] - s[0] * s[0]) * (t[1] - t[0]);
+        let Area { lower, upper } = triangles.area(patch.surface as u32);
+        let rounding = gamma(PART_ROUNDINGS);
+        Area { lower: lower * part * (1.0 - rounding), upper: upper * part * (1.0 + rounding) }
+    }
+}
+
+impl Cover for Cells<'_> {
+    type Part = WeightedCell;
+
+    fn len(&self) -> usize {
+        self.pair.a.patches().len()
+    }
+
+    fn rounding(&self) -> f64 {
+        self.spreads.rounding()
+    }
+
+    fn first(&self, range: Range<usize>) -> Option<Vec<WeightedCell>> {
+        let mut start = self.spreads.start();
+        let next = |index: usize| {
+            let part = self.bounded(Cell::whole(index as u32), &start);
+            start.foot = part.start.foot;
+            part
+        };
+        Some(range.map(next).collect())
+    }
+
+    fn halves(&self, part: &WeightedCell) -> Option<[WeightedCell; 2]> {
+        let is_halved = [part.axis == Axis::U, part.axis == Axis::V];
+        if part.cell.half[part.axis as usize] < MIN_HALF_WIDTH {
+            return None;
+        }
+        let mut halves = part.cell.halves(is_halved).map(|cell| self.bounded(cell, &part.start));
+        Some([halves.next()?, halves.next()?])
+    }
+}
