@@ -159,9 +159,10 @@ pub use engine::{
     Backend, Beyond, Bounded, CertifiedOptions, CertifiedStatistics, ClearanceOptions, ClearanceResult,
     ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation, Details, DeviationField, DiffOptions,
     DiffResult, DistanceOptions, DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState,
-    FieldOptions, FreeEdge, GapOptions, GapsResult, HierarchyOptions, IterationOptions, Measure, Method,
-    MethodName, ModelInfo, NamedOptions, Overlap, OverlapUnknown, Percentile, PreparedModel, Shell, Signs,
-    Solid, Statistics, StatisticsOptions, Witness,
+    FieldOptions, FreeEdge, GapOptions, GapsResult, Grid, GridOptions, HierarchyOptions, IterationOptions,
+    Measure, Method, MethodName, ModelInfo, NamedOptions, Overlap, OverlapUnknown, Percentile, Precision,
+    PreparedModel, Shell, SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics,
+    StatisticsOptions, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

@@ -3,7 +3,6 @@
 
 mod certified;
 mod clearance;
-mod closest_points;
 mod computation;
 mod diff;
 mod direction;
@@ -14,6 +13,7 @@ mod hierarchy;
 mod info;
 mod iteration;
 mod options;
+mod points;
 mod prepared;
 mod result;
 mod signs;
@@ -24,7 +24,6 @@ pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
     OverlapUnknown,
 };
-pub use closest_points::{ClosestPointOptions, ClosestPoints};
 pub use computation::Computation;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;
@@ -33,6 +32,9 @@ pub use info::{FaceInfo, ModelInfo};
 pub use options::{
     Backend, CertifiedOptions, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
     NamedOptions,
+};
+pub use points::{
+    ClosestPointOptions, ClosestPoints, Grid, GridOptions, Precision, SignedDistanceOptions, SignedDistances,
 };
 pub use prepared::PreparedModel;
 pub use result::{

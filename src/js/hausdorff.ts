@@ -16,6 +16,7 @@ import type {
   GapsResult,
 } from "./measure/clearance.js";
 import type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
+import type { Precision, SignedDistanceOptions, SignedDistances } from "./measure/signed-distances.js";
 import type { DiffOptions, DiffResult } from "./measure/diff.js";
 import type { DistanceEngine } from "./measure/engine.js";
 import type { DeviationField, FieldOptions } from "./measure/field.js";
@@ -235,6 +236,14 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     );
   }
 
+  async signedDistances<P extends Precision = "float64">(
+    model: NurbsModel,
+    options: SignedDistanceOptions<P> = {},
+  ): Promise<SignedDistances<P>> {
+    const surfaces = prepared(model, "model");
+    return this.#inTurn(options, (engine, call) => engine.signedDistances(surfaces, call));
+  }
+
   async bestFit(a: NurbsModel, b: NurbsModel, options: BestFitOptions = {}): Promise<BestFit> {
     return requireWhole(await bestFit(this, a, b, options), options.signal);
   }
@@ -247,7 +256,8 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
       | DiffOptions
       | ClearanceOptions
       | GapOptions
-      | ClosestPointOptions,
+      | ClosestPointOptions
+      | SignedDistanceOptions,
     run: (engine: Engine, call: Call) => Promise<unknown>,
   ): Promise<Result> {
     const engine = this.#open();

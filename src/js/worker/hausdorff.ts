@@ -15,6 +15,7 @@ import type {
   GapsResult,
 } from "../measure/clearance.js";
 import type { ClosestPointOptions, ClosestPoints } from "../measure/closest.js";
+import type { Precision, SignedDistanceOptions, SignedDistances } from "../measure/signed-distances.js";
 import type { DiffOptions, DiffResult } from "../measure/diff.js";
 import type { DistanceEngine } from "../measure/engine.js";
 import type { DeviationField, FieldOptions } from "../measure/field.js";
@@ -230,6 +231,13 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#measure("closestPoints", [id, typed], rest, given);
   }
 
+  async signedDistances<P extends Precision = "float64">(
+    model: NurbsModel,
+    options: SignedDistanceOptions<P> = {},
+  ): Promise<SignedDistances<P>> {
+    return this.#measure("signedDistances", [this.#id(model, "model")], options);
+  }
+
   async bestFit(a: NurbsModel, b: NurbsModel, options: BestFitOptions = {}): Promise<BestFit> {
     return this.#measure("bestFit", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
@@ -275,6 +283,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
       | ClearanceOptions
       | GapOptions
       | ClosestPointOptions
+      | SignedDistanceOptions
       | BestFitOptions,
     transfer: ArrayBuffer[] = [],
   ): Promise<Result> {
