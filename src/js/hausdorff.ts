@@ -16,12 +16,16 @@ import type {
   GapsResult,
 } from "./measure/clearance.js";
 import type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
-import type { Precision, SignedDistanceOptions, SignedDistances } from "./measure/signed-distances.js";
 import type { DiffOptions, DiffResult } from "./measure/diff.js";
 import type { DistanceEngine } from "./measure/engine.js";
 import type { DeviationField, FieldOptions } from "./measure/field.js";
 import { type Backend, type DistanceOptions, split } from "./measure/options.js";
 import type { Results } from "./measure/result.js";
+import type {
+  Precision,
+  SignedDistanceOptions,
+  SignedDistances,
+} from "./measure/signed-distances.js";
 import type { CertifiedStatistics, StatisticsOptions } from "./measure/statistics.js";
 import { facetArrays, type MeshArrays } from "./model/mesh.js";
 import { NurbsModel } from "./model/model.js";

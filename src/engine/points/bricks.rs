@@ -13,6 +13,9 @@ pub(super) const SIDE: usize = 8;
 /// difference, its length and the half.
 const RADIUS_ROUNDINGS: f64 = 16.0;
 
+/// The roundings of three differences, relative to the largest number in them.
+const DIFFERENCE_ROUNDINGS: f64 = 3.0;
+
 /// A part of a grid, with up to [`SIDE`] points along each axis.
 #[derive(Clone, Copy)]
 pub(super) struct Brick {
@@ -70,7 +73,7 @@ impl Brick {
     /// Measures the points; `None` of a model without patches. Values beyond `band`, +∞ for none, are the band's width with
     /// their sign.
     ///
-    /// Lemma (bricks, docs/points.md). Distances of two points differ at most by how far the points are apart: where the
+    /// Lemma P1 (bricks, docs/points.md). Distances of two points differ at most by how far the points are apart: where the
     /// distance at the middle less the radius is above the band, that of every point is. If no point of the
     /// boundary is within the radius, all points have the side of the middle.
     pub(super) fn fill(self, query: &PointQuery<'_>, grid: &Grid, band: f64) -> Option<Filled> {
@@ -78,7 +81,8 @@ impl Brick {
         let mut known = Known::default();
         let count = self.counts.iter().product();
         let found = query.closest(middle, 0.0, &mut known)?;
-        let least = found.distance - found.bound - radius;
+        let rounding = gamma(DIFFERENCE_ROUNDINGS) * found.distance;
+        let least = found.distance - found.bound - radius - rounding;
         if least > band && query.is_clear(&found, radius) {
             let signed = query.signed(middle, &found, &mut known);
             // Neither zero nor NaN: the side is decided.

@@ -8,8 +8,8 @@ import type { DiffOptions, DiffResult } from "./diff.js";
 import type { DeviationField, FieldOptions } from "./field.js";
 import type { DistanceOptions } from "./options.js";
 import type { Results } from "./result.js";
-import type { CertifiedStatistics, StatisticsOptions } from "./statistics.js";
 import type { Precision, SignedDistanceOptions, SignedDistances } from "./signed-distances.js";
+import type { CertifiedStatistics, StatisticsOptions } from "./statistics.js";
 
 /**
  * The methods of both classes `Hausdorff`: that of the main entry, and
