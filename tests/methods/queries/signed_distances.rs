@@ -75,7 +75,8 @@ fn distances_of_bodies_are_those_of_the_formulas() {
         let found = distances(model, &resolution(21)).unwrap();
         assert_eq!(assert_values(name, &found, depth), 0);
         assert!(found.bound < 1.1e-6 * model.bounding_box().diagonal(), "{name}: {:e}", found.bound);
-        assert!(found.undecided.is_empty(), "{name}");
+        let undecided = points(&found).filter(|(place, _)| found.undecided.contains(place));
+        undecided.for_each(|(_, at)| assert!(depth(at).abs() <= 1e-12, "{name}: {at} has no side"));
         assert!(found.values.iter().any(|value| *value < 0.0));
         let banded = SignedDistanceOptions { band: Some(0.25), ..resolution(40) };
         let found = distances(model, &banded).unwrap();
