@@ -163,9 +163,9 @@ pub use engine::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation,
     Details, DeviationField, DiffOptions, DiffResult, DistanceOptions, DistanceResult, Engine,
     FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart, FreeEdge, GapOptions,
-    GapsResult, HierarchyOptions, IterationOptions, LeftOut, Measure, Method, MethodName, ModelInfo,
-    NamedOptions, Overlap, OverlapUnknown, Percentile, PreparedModel, Shell, Signs, Solid, Statistics,
-    StatisticsOptions, Witness,
+    GapsResult, Grid, GridOptions, HierarchyOptions, IterationOptions, LeftOut, Measure, Method, MethodName,
+    ModelInfo, NamedOptions, Overlap, OverlapUnknown, Percentile, Precision, PreparedModel, Shell,
+    SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics, StatisticsOptions, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

@@ -10,7 +10,9 @@ from __future__ import annotations
 from . import testing
 from ._errors import NurbsHausdorffError
 from ._fit import BestFit, FitPose, LeftOut, best_fit
-from ._measure import clearance, closest_points, diff, distance, field, gaps, statistics
+from ._measure import (
+    clearance, closest_points, diff, distance, field, gaps, signed_distances, statistics,
+)  # fmt: skip
 from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell, Solid
 from ._results.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
 from ._results.closest import ClosestPoints
@@ -18,6 +20,7 @@ from ._results.common import SurfacePoint, Witness
 from ._results.diff import DiffResult, FaceDifference
 from ._results.distance import DistanceResult
 from ._results.field import Field, FieldPart, Statistics
+from ._results.grid import SignedDistances
 from ._results.statistics import Beyond, Bounded, CertifiedStatistics
 from ._sources import model, read
 from ._transform import Transform
@@ -26,7 +29,7 @@ __all__ = [
     "BestFit", "Beyond", "Bounded", "CertifiedStatistics", "ClearanceResult", "ClosestPoints",
     "DiffResult", "DistanceResult", "FaceDifference", "FaceGap", "Field", "FieldPart", "FitPose",
     "FreeEdge", "GapsResult", "LeftOut", "Mesh", "MeshReport", "Model", "NurbsHausdorffError",
-    "Overlap", "ReadReport", "Remark", "Shell", "Solid", "Statistics", "SurfacePoint",
-    "Transform", "Witness", "best_fit", "clearance", "closest_points", "diff", "distance",
-    "field", "gaps", "model", "read", "statistics", "testing",
+    "Overlap", "ReadReport", "Remark", "Shell", "SignedDistances", "Solid", "Statistics",
+    "SurfacePoint", "Transform", "Witness", "best_fit", "clearance", "closest_points", "diff",
+    "distance", "field", "gaps", "model", "read", "signed_distances", "statistics", "testing",
 ]  # fmt: skip

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Literal
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _names, _native, _transform
@@ -15,6 +16,7 @@ from ._results.closest import ClosestPoints
 from ._results.diff import DiffResult, diff_result
 from ._results.distance import DistanceResult, distance_result
 from ._results.field import Field, Statistics, field_parts
+from ._results.grid import SignedDistances
 from ._results.statistics import CertifiedStatistics, statistics_result
 from ._sources import model
 from ._transform import Transform
@@ -404,3 +406,67 @@ def closest_points(
     found["feet"] = found["feet"].reshape(-1, 3)
     found["parameters"] = found["parameters"].reshape(-1, 2)
     return ClosestPoints(**found)
+
+
+def signed_distances(
+    part: Any,
+    *,
+    origin: Sequence[float] | None = None,
+    spacing: float | None = None,
+    counts: Sequence[int] | None = None,
+    resolution: int | None = None,
+    band: float | None = None,
+    tolerance: float | None = None,
+    relative_tolerance: float | None = None,
+    precision: Literal["float32", "float64"] | None = None,
+    progress: ProgressBar | bool | None = None,
+    cancel: Event | None = None,
+) -> SignedDistances:
+    """Return the signed distances of a solid on a grid of points, negative inside.
+
+    What is left out of the grid follows from the model's box, which it then has in its middle.
+
+    Parameters
+    ----------
+    part : anything that `model` takes
+    origin : three floats, optional
+        The first point.
+    spacing : float, optional
+        The distance of neighbours along each axis, in model units.
+    counts : three ints, optional
+        The number of points along x, y and z. If it is left out, the grid reaches to the band's
+        width and to two spacings at least beyond the box.
+    resolution : int, optional
+        Instead of ``spacing``, the number of spacings along the longest side of the box; 64 if
+        neither is given.
+    band : float, optional
+        Distances above it are not measured: their values are its width, with their sign.
+    tolerance, relative_tolerance : float, optional
+        Permitted excess of a distance over the least one, in model units or as a fraction of
+        the model's diagonal; 1e-6 of it if neither is given.
+    precision : {"float32", "float64"}, optional
+        The precision of the values, float64 if it is left out.
+    progress : bool or tqdm, optional
+    cancel : threading.Event, optional
+
+    Raises
+    ------
+    NurbsHausdorffError
+        With the code of what was refused, as ``NOT_CLOSED`` for a model without an inside;
+        ``CANCELLED`` if ``cancel`` was set.
+    """
+    options = _names.options(
+        origin=None if origin is None else [float(x) for x in origin],
+        spacing=spacing,
+        counts=None if counts is None else [int(count) for count in counts],
+        resolution=resolution,
+        band=band,
+        tolerance=tolerance,
+        relative_tolerance=relative_tolerance,
+        precision=precision,
+    )
+    found = _native.signed_distances(model(part)._native, options, reporter(progress, cancel))
+    shape = tuple(found.pop("counts"))
+    found["values"] = found["values"].reshape(shape, order="F")
+    found["undecided"] = np.column_stack(np.unravel_index(found["undecided"], shape, order="F"))
+    return SignedDistances(**found)

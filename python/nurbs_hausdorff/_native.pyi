@@ -4,7 +4,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Model", "best_fit", "clearance", "closest_points", "diff", "distance", "field", "gaps", "names_beside", "statistics"]
+__all__ = ["Model", "best_fit", "clearance", "closest_points", "diff", "distance", "field", "gaps", "names_beside", "signed_distances", "statistics"]
 
 _Report = Callable[[float, tuple[float, float] | None], bool]
 _Motion = tuple[tuple[float, float, float, float], tuple[float, float, float]]
@@ -71,6 +71,9 @@ def closest_points(
     options: dict[str, Any],
     motion: _Motion,
     report: _Report | None,
+) -> dict[str, Any]: ...
+def signed_distances(
+    model: Model, options: dict[str, Any], report: _Report | None
 ) -> dict[str, Any]: ...
 
 def names_beside(file: bytes, path: str) -> list[str]: ...

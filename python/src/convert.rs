@@ -4,7 +4,7 @@ use crate::failure;
 use glam::{DQuat, DVec3};
 use numpy::IntoPyArray;
 use nurbs_hausdorff::result::FaceDeviations;
-use nurbs_hausdorff::{ClosestPoints, RigidTransform};
+use nurbs_hausdorff::{ClosestPoints, Precision, RigidTransform, SignedDistances};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use pythonize::{depythonize, pythonize};
@@ -57,6 +57,30 @@ pub(crate) fn fields(py: Python<'_>, fields: Vec<FaceDeviations>) -> PyResult<Bo
         list.append(dict)?;
     }
     Ok(list)
+}
+
+/// Returns signed distances as a dictionary of flat arrays, x fastest.
+///
+/// # Errors
+/// Those of Python, such as a lack of memory.
+pub(crate) fn signed_distances(py: Python<'_>, found: SignedDistances) -> PyResult<Bound<'_, PyDict>> {
+    let dict = PyDict::new(py);
+    dict.set_item("origin", found.grid.origin.to_vec().into_pyarray(py))?;
+    dict.set_item("spacing", found.grid.spacing)?;
+    dict.set_item("counts", found.grid.counts.to_vec())?;
+    dict.set_item("bound", found.bound)?;
+    dict.set_item("band", found.band)?;
+    let undecided: Vec<i64> = found.undecided.iter().map(|&index| index as i64).collect();
+    dict.set_item("undecided", undecided.into_pyarray(py))?;
+    dict.set_item("measured", found.measured)?;
+    if found.precision == Precision::Float32 {
+        // Values of that precision are numbers of float32.
+        let values: Vec<f32> = found.values.iter().map(|&value| value as f32).collect();
+        dict.set_item("values", values.into_pyarray(py))?;
+    } else {
+        dict.set_item("values", found.values.into_pyarray(py))?;
+    }
+    Ok(dict)
 }
 
 /// Returns closest points as a dictionary of flat arrays.

@@ -16,7 +16,9 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _native {
     #[pymodule_export]
-    use crate::measure::{best_fit, clearance, closest_points, diff, distance, field, gaps, statistics};
+    use crate::measure::{
+        best_fit, clearance, closest_points, diff, distance, field, gaps, signed_distances, statistics,
+    };
     #[pymodule_export]
     use crate::model::{Model, names_beside};
 }

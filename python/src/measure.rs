@@ -7,8 +7,7 @@ use crate::running::{Caller, on_live_threads, run};
 use numpy::PyReadonlyArray1;
 use nurbs_hausdorff::result::Stop;
 use nurbs_hausdorff::{
-    Backend, BestFitOptions, ClearanceOptions, ClosestPointOptions, DiffOptions, DistanceOptions, DistanceResult, Engine,
-    FieldOptions, GapOptions, MethodName, NamedOptions, StatisticsOptions,
+    Backend, BestFitOptions, ClearanceOptions, ClosestPointOptions, DiffOptions, DistanceOptions, DistanceResult, Engine, FieldOptions, GapOptions, MethodName, NamedOptions, SignedDistanceOptions, StatisticsOptions,
 };
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -196,4 +195,18 @@ pub(crate) fn closest_points<'py>(
         engine.closest_points(model.prepared(), &points, &options).monitored(caller).wait()
     };
     convert::closest_points(py, run(py, report, compute, |_| false)?)
+}
+
+#[pyfunction]
+pub(crate) fn signed_distances<'py>(
+    py: Python<'py>,
+    model: &Model,
+    options: &Bound<'py, PyDict>,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let options: SignedDistanceOptions = convert::options(options)?;
+    let engine = cpu(py);
+    let compute =
+        |caller: &mut Caller| engine.signed_distances(model.prepared(), &options).monitored(caller).wait();
+    convert::signed_distances(py, run(py, report, compute, |_| false)?)
 }

@@ -96,3 +96,23 @@ def test_sides_of_a_box_and_of_an_open_one():
     assert opened.sides(points).tolist() == [0, 0, 0, 0]
     with pytest.raises(nh.NurbsHausdorffError, match=r"\(n, 3\)"):
         closed.sides([0.0, 0.0, 0.0])
+
+
+def test_signed_distances_of_a_box_are_those_of_the_formula():
+    part = box((-1, -1, -1), (2.0, 2.0, 2.0))
+    for options in ({"resolution": 12}, {"spacing": 0.0625, "band": 0.25, "precision": "float32"}):
+        found = nh.signed_distances(part, **options)
+        assert found.values.dtype == options.get("precision", "float64") and found.values.ndim == 3
+        indices = np.stack(np.indices(found.values.shape), axis=-1)
+        excess = np.abs(found.origin + found.spacing * indices) - 1.0
+        truth = np.linalg.norm(np.maximum(excess, 0.0), axis=-1) + np.minimum(excess.max(axis=-1), 0.0)
+        decided = np.ones(found.values.shape, bool)
+        decided[tuple(found.undecided.T)] = False
+        within = np.abs(found.values) < found.band
+        assert (np.abs(found.values - truth)[within & decided] <= found.bound + 1e-14).all()
+        assert (np.abs(truth)[~within] >= found.band - found.bound - 1e-14).all()
+        assert ((found.values < 0) == (truth < 0))[decided].all()
+    assert found.measured < found.values.size
+    with pytest.raises(nh.NurbsHausdorffError) as raised:
+        nh.signed_distances(part[:5])
+    assert raised.value.code == "NOT_CLOSED"

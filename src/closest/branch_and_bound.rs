@@ -36,9 +36,9 @@ pub struct Closest {
 enum Region {
     Node(u32),
     Patch(u32),
-    /// A patch whose lower bound by the plane through the incumbent is within the gap of the
-    /// upper bound.
-    PatchBehindPlane(u32),
+    /// A patch whose lower bound, by the plane through the incumbent or about the incumbent on it, is within the gap of
+    /// the upper bound.
+    SettledPatch(u32),
     /// A patch with its squared distance in Bernstein form.
     BoundedPatch(u32, Box<SquaredDistance>),
     SubPatch(Box<SubPatch>),
@@ -146,7 +146,7 @@ pub(crate) fn closest_above(
         match region {
             Region::Node(node) => search.expand_node(node as usize),
             Region::Patch(patch) => search.bound_patch(patch),
-            Region::PatchBehindPlane(patch) => search.bound_patch_by_distance(patch),
+            Region::SettledPatch(patch) => search.bound_patch_by_distance(patch),
             Region::BoundedPatch(patch, form) => search.expand_patch(patch, *form),
             Region::SubPatch(sub_patch) => {
                 sub_patches += 1;
@@ -223,7 +223,7 @@ impl<'a> ClosestPointSearch<'a> {
             let direction = (self.point - foot.point) / upper;
             let lower_bound = distance_along(&self.patch(index), self.point, direction);
             if lower_bound >= upper - self.gap {
-                self.push(lower_bound * lower_bound, Region::PatchBehindPlane(index));
+                self.push(lower_bound * lower_bound, Region::SettledPatch(index));
                 return;
             }
         }
@@ -233,6 +233,14 @@ impl<'a> ClosestPointSearch<'a> {
     fn bound_patch_by_distance(&mut self, index: u32) {
         let patch = self.patch(index);
         let form = SquaredDistance::new(patch.degree, patch.controls, self.point - patch.center);
+        if let Some((_, foot)) = self.incumbent.filter(|&(patch, _)| patch == index) {
+            // About a foot there is no gap where the squared distance is convex: nothing else is asked of the patch.
+            let lower_bound = form.lower_bound_about(&foot);
+            if lower_bound.sqrt() >= self.upper() - self.gap {
+                self.push(lower_bound, Region::SettledPatch(index));
+                return;
+            }
+        }
         self.push(form.lower_bound(), Region::BoundedPatch(index, Box::new(form)));
     }
 

@@ -4,7 +4,6 @@
 mod best_fit;
 mod certified;
 mod clearance;
-mod closest_points;
 mod computation;
 mod diff;
 mod direction;
@@ -15,6 +14,7 @@ mod hierarchy;
 mod info;
 mod iteration;
 mod options;
+mod points;
 mod prepared;
 mod result;
 mod signs;
@@ -26,7 +26,6 @@ pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
     OverlapUnknown,
 };
-pub use closest_points::{ClosestPointOptions, ClosestPoints};
 pub use computation::Computation;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;
@@ -35,6 +34,9 @@ pub use info::{FaceInfo, ModelInfo};
 pub use options::{
     Backend, CertifiedOptions, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
     NamedOptions,
+};
+pub use points::{
+    ClosestPointOptions, ClosestPoints, Grid, GridOptions, Precision, SignedDistanceOptions, SignedDistances,
 };
 pub use prepared::PreparedModel;
 pub use result::{

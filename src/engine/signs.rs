@@ -108,6 +108,12 @@ impl SignRule<'_> {
         self.source.filter(|(shells, _)| shells.boundary.is_closed())
     }
 
+    /// Returns the radius of a ball without points of the boundary about a point, from a lower bound on its distance;
+    /// `None` of a model that is not closed.
+    pub(super) fn clear_radius(&self, clear: f64) -> Option<f64> {
+        self.solid().map(|(shells, _)| shells.boundary.clear_radius(clear))
+    }
+
     /// Returns the distance of a point with its sign, as [`Signs`] states. `clear` is a lower bound
     /// on the point's distance, `known` belongs to this model.
     pub(super) fn signed(&self, point: DVec3, clear: f64, foot: &SignFoot<'_>, known: &mut Known) -> f64 {

@@ -231,6 +231,14 @@ pub enum Error {
         /// The number of vertices.
         expected: usize,
     },
+    /// A model whose faces do not close, where inside and outside are asked for.
+    #[error(
+        "the model has no inside: {found} free edges, expected faces that close, or a mesh of at most 250,000 triangles that does"
+    )]
+    NotClosed {
+        /// The number of free edges; 0 of meshes that are too large to be joined, and of clouds.
+        found: usize,
+    },
     /// Statistics over an area that may be 0.
     #[error("the model has no area, expected one that statistics can be over")]
     NoArea,
@@ -517,6 +525,7 @@ impl Error {
             Self::InstanceTransform { .. } => "INSTANCE_TRANSFORM",
             Self::TooManyFaces { .. } => "TOO_MANY_FACES",
             Self::TriangleIndex { .. } => "TRIANGLE_INDEX",
+            Self::NotClosed { .. } => "NOT_CLOSED",
             Self::NoArea => "NO_AREA",
             Self::MeshGroups { .. } => "MESH_GROUPS",
             Self::MeshSyntax { .. } => "MESH_SYNTAX",

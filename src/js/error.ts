@@ -8,6 +8,7 @@ import { nearest } from "./nearest.js";
  *   curves are: `TRIM_…`; its JSON has another shape: `JSON_SHAPE`, its BREP
  *   text: `BREP_…`, a STEP file `STEP_…`, or it is too long: `FILE_TOO_LARGE`;
  * - `TRANSFER_INVALID`: the wasm modules of core and readers are of two versions;
+ * - `NOT_CLOSED`: a model without an inside, where signed distances are asked for;
  * - `UNITS_DIFFER`: two models state different units, and `scaleUnits` is not set;
  * - an option has a value out of range: `OPTION_OUT_OF_RANGE`,
  *   `TRANSFORM_NOT_RIGID`, or another type or an unknown name: `OPTION_INVALID`;
@@ -42,6 +43,7 @@ export type ErrorCode =
   | "INSTANCE_TRANSFORM"
   | "TOO_MANY_FACES"
   | "TRIANGLE_INDEX"
+  | "NOT_CLOSED"
   | "NO_AREA"
   | "MESH_GROUPS"
   | "MESH_SYNTAX"

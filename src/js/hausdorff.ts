@@ -20,6 +20,11 @@ import type { DeviationField, FieldOptions } from "./measure/field.js";
 import type { BestFit, BestFitOptions } from "./measure/fit.js";
 import { type Backend, type DistanceOptions, split } from "./measure/options.js";
 import type { Results } from "./measure/result.js";
+import type {
+  Precision,
+  SignedDistanceOptions,
+  SignedDistances,
+} from "./measure/signed-distances.js";
 import type { CertifiedStatistics, StatisticsOptions } from "./measure/statistics.js";
 import { facetArrays, type MeshArrays } from "./model/mesh.js";
 import { NurbsModel } from "./model/model.js";
@@ -234,6 +239,14 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     );
   }
 
+  async signedDistances<P extends Precision = "float64">(
+    model: NurbsModel,
+    options: SignedDistanceOptions<P> = {},
+  ): Promise<SignedDistances<P>> {
+    const surfaces = prepared(model, "model");
+    return this.#inTurn(options, (engine, call) => engine.signedDistances(surfaces, call));
+  }
+
   async bestFit(a: NurbsModel, b: NurbsModel, options: BestFitOptions = {}): Promise<BestFit> {
     const models = [prepared(a, "a"), prepared(b, "b")] as const;
     // Its progress is by steps; the module calls either kind with what it reports.
@@ -249,7 +262,8 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
       | DiffOptions
       | ClearanceOptions
       | GapOptions
-      | ClosestPointOptions,
+      | ClosestPointOptions
+      | SignedDistanceOptions,
     run: (engine: Engine, call: Call) => Promise<unknown>,
   ): Promise<Result> {
     const engine = this.#open();

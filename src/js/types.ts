@@ -47,6 +47,11 @@ export type {
   WithGaps,
 } from "./measure/result.js";
 export type {
+  Precision,
+  SignedDistanceOptions,
+  SignedDistances,
+} from "./measure/signed-distances.js";
+export type {
   Bounded,
   CertifiedStatistics,
   StatisticsOptions,

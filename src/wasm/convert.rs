@@ -3,8 +3,8 @@
 use super::failure::to_object;
 use crate::engine::{
     BestFitOptions, ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions,
-    DistanceOptions, DistanceResult, FaceDeviations, FieldOptions, GapOptions, NamedOptions, Signs,
-    Statistics, StatisticsOptions,
+    DistanceOptions, DistanceResult, FaceDeviations, FieldOptions, GapOptions, Grid, NamedOptions, Precision,
+    SignedDistanceOptions, SignedDistances, Signs, Statistics, StatisticsOptions,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -67,6 +67,20 @@ pub(super) fn gap_options(options: &JsValue, transform: &JsValue) -> Result<GapO
     let transform = rigid_transform(transform)?;
     let options: GapOptions = properties(options).map_err(invalid)?;
     Ok(GapOptions { transform, ..options })
+}
+
+/// The options of signed distances, as [`options`]; they have no transform.
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn signed_distance_options(
+    options: &JsValue,
+    transform: &JsValue,
+) -> Result<SignedDistanceOptions> {
+    if !transform.is_undefined() {
+        return Err(Error::OptionInvalid { found: "a transform, which grids do not have".to_owned() });
+    }
+    properties(options).map_err(invalid)
 }
 
 /// The options of closest points, as [`options`].
@@ -311,6 +325,41 @@ pub(super) fn closest_points(found: &ClosestPoints) -> std::result::Result<JsVal
         parameters: found.parameters.as_slice().into(),
         signs: found.signs,
     })
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct GridArrays {
+    #[serde(flatten)]
+    grid: Grid,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    values: JsValue,
+    precision: Precision,
+    bound: f64,
+    band: f64,
+    #[serde(with = "serde_wasm_bindgen::preserve")]
+    undecided: Uint32Array,
+    measured: usize,
+}
+
+/// Signed distances as typed arrays.
+///
+/// # Errors
+/// As [`to_object`].
+pub(super) fn signed_distances(found: &SignedDistances) -> std::result::Result<JsValue, JsValue> {
+    let values = match found.precision {
+        // Values of that precision are numbers of float32.
+        Precision::Float32 => {
+            let values: Vec<f32> = found.values.iter().map(|&value| value as f32).collect();
+            Float32Array::from(values.as_slice()).into()
+        }
+        Precision::Float64 => Float64Array::from(found.values.as_slice()).into(),
+    };
+    // Indices of at most 2^29 points.
+    let undecided: Vec<u32> = found.undecided.iter().map(|&index| index as u32).collect();
+    let SignedDistances { grid, precision, bound, band, measured, .. } = *found;
+    let undecided = Uint32Array::from(undecided.as_slice());
+    to_object(&GridArrays { grid, values, precision, bound, band, undecided, measured })
 }
 
 /// Triangles as typed arrays.

@@ -99,6 +99,16 @@ impl Engine {
         call.run(async move |monitor| to_object(&engine.gaps(&a, &b, &options?).monitored(monitor).await?))
     }
 
+    /// The signed distances of a solid on a grid.
+    #[wasm_bindgen(js_name = signedDistances)]
+    pub fn signed_distances(&self, model: &PreparedModel, call: Call) -> Promise {
+        let (engine, model) = (Rc::clone(&self.0), model.inner());
+        let options = call.options(convert::signed_distance_options);
+        call.run(async move |monitor| {
+            convert::signed_distances(&engine.signed_distances(&model, &options?).monitored(monitor).await?)
+        })
+    }
+
     /// The closest points of a model to `points`, x, y, z each.
     #[wasm_bindgen(js_name = closestPoints)]
     pub fn closest_points(&self, model: &PreparedModel, points: Vec<f64>, call: Call) -> Promise {

@@ -11,6 +11,7 @@ mod batch;
 mod commands;
 mod edge_cases;
 mod gaps;
+mod grid;
 mod mesh_files;
 mod meshes;
 mod pairs;

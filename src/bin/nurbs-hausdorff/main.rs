@@ -14,7 +14,7 @@ mod reports;
 
 fn main() -> std::process::ExitCode {
     use arguments::Command;
-    use commands::{align, clearance, completions, convert, diff, distance, info, statistics};
+    use commands::{align, clearance, completions, convert, diff, distance, grid, info, statistics};
     let arguments = match arguments::usage::arguments() {
         Ok(arguments) => arguments,
         Err(status) => return status,
@@ -26,6 +26,7 @@ fn main() -> std::process::ExitCode {
         Command::Clearance(arguments) => clearance::run(&arguments),
         Command::Statistics(arguments) => statistics::run(&arguments).map(|()| 0),
         Command::Align(arguments) => align::run(&arguments),
+        Command::Grid(arguments) => grid::run(&arguments).map(|()| 0),
         Command::Batch(arguments) => batch::run(&arguments),
         Command::Info(arguments) => info::run(&arguments).map(|()| 0),
         Command::Completions { shell } => completions::run(shell).map(|()| 0),

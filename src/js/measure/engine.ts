@@ -8,6 +8,7 @@ import type { DeviationField, FieldOptions } from "./field.js";
 import type { BestFit, BestFitOptions } from "./fit.js";
 import type { DistanceOptions } from "./options.js";
 import type { Results } from "./result.js";
+import type { Precision, SignedDistanceOptions, SignedDistances } from "./signed-distances.js";
 import type { CertifiedStatistics, StatisticsOptions } from "./statistics.js";
 
 /**
@@ -94,7 +95,7 @@ export interface DistanceEngine<Model> {
   /**
    * The closest points of `model` to `points` (x, y, z each, such as the vertices of
    * a mesh or a scan), moved by `transform`: distances, feet and a bound for each.
-   * Points that follow each other should be near each other.
+   * Their order does not matter.
    *
    * @throws {HausdorffError} `POINT_OUT_OF_RANGE`, with the index of the point;
    * `CANCELLED`, `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`.
@@ -104,6 +105,19 @@ export interface DistanceEngine<Model> {
     points: Numbers,
     options?: ClosestPointOptions,
   ): Promise<ClosestPoints>;
+
+  /**
+   * The signed distances of the solid `model` on a grid of points, negative inside: all within one
+   * stated bound, signs certain but for those that are listed. With a `band`, only points about the
+   * boundary are measured.
+   *
+   * @throws {HausdorffError} `NOT_CLOSED` for a model without an inside; `CANCELLED`,
+   * `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`.
+   */
+  signedDistances<P extends Precision = "float64">(
+    model: Model,
+    options?: SignedDistanceOptions<P>,
+  ): Promise<SignedDistances<P>>;
 
   /**
    * Finds the rigid motion of `a` that minimises the mean of the squared distances of its

@@ -20,6 +20,11 @@ import type { DeviationField, FieldOptions } from "../measure/field.js";
 import type { BestFit, BestFitOptions } from "../measure/fit.js";
 import { type DistanceOptions, split } from "../measure/options.js";
 import type { Results } from "../measure/result.js";
+import type {
+  Precision,
+  SignedDistanceOptions,
+  SignedDistances,
+} from "../measure/signed-distances.js";
 import type { CertifiedStatistics, StatisticsOptions } from "../measure/statistics.js";
 import type { MeshArrays } from "../model/mesh.js";
 import {
@@ -230,6 +235,13 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#measure("closestPoints", [id, typed], rest, given);
   }
 
+  async signedDistances<P extends Precision = "float64">(
+    model: NurbsModel,
+    options: SignedDistanceOptions<P> = {},
+  ): Promise<SignedDistances<P>> {
+    return this.#measure("signedDistances", [this.#id(model, "model")], options);
+  }
+
   async bestFit(a: NurbsModel, b: NurbsModel, options: BestFitOptions = {}): Promise<BestFit> {
     return this.#measure("bestFit", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
@@ -275,6 +287,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
       | ClearanceOptions
       | GapOptions
       | ClosestPointOptions
+      | SignedDistanceOptions
       | BestFitOptions,
     transfer: ArrayBuffer[] = [],
   ): Promise<Result> {

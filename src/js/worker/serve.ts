@@ -130,6 +130,8 @@ class Server {
         ...(options as object),
         ...watch,
       }),
+    signedDistances: ([, model, options], watch) =>
+      this.#open.signedDistances(this.#model(model), { ...(options as object), ...watch }),
   };
 
   get #open(): Hausdorff {

@@ -103,3 +103,22 @@ fn points_and_options_out_of_range_are_refused() {
     let none = closest(&ball, &[], &valid).unwrap();
     assert!(none.distances.is_empty() && none.feet.is_empty() && none.signs == Signs::Solid);
 }
+
+/// The same points in another order have the same closest points, bit by bit: they are measured in an order of their own.
+#[test]
+fn the_order_of_points_does_not_matter() {
+    let model = torus(3.0, 0.5).unwrap();
+    let given = points(3000);
+    let mut order: Vec<usize> = (0..3000).collect();
+    fastrand::Rng::with_seed(3).shuffle(&mut order);
+    let shuffled: Vec<f64> = order.iter().flat_map(|&index| given[3 * index..][..3].to_vec()).collect();
+    let options = ClosestPointOptions::default();
+    let [first, second] = [&given, &shuffled].map(|points| closest(&model, points, &options).unwrap());
+    for (place, &index) in order.iter().enumerate() {
+        let of = |found: &ClosestPoints, index: usize| {
+            let feet: [f64; 3] = std::array::from_fn(|axis| found.feet[3 * index + axis]);
+            (found.distances[index], found.bounds[index], found.signed[index], feet, found.faces[index])
+        };
+        assert_eq!(of(&first, index), of(&second, place));
+    }
+}

@@ -7,5 +7,6 @@ mod exact_clearances;
 mod field;
 mod overlaps;
 mod sheets;
+mod signed_distances;
 mod solids;
 mod update;

@@ -21,11 +21,11 @@ use crate::reports::Format;
 use align::AlignArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use motion::{Rotation, Translation};
+use motion::{Counts, Rotation, Translation};
 use nurbs_hausdorff::options::{Audit, Culling, Flatness, Projection, SamplingRule};
 use nurbs_hausdorff::{
-    Backend, ClearanceOptions, DiffOptions, DistanceOptions, MethodName, NamedOptions, Result,
-    RigidTransform, StatisticsOptions,
+    Backend, ClearanceOptions, DiffOptions, DistanceOptions, GridOptions, MethodName, NamedOptions,
+    Precision, Result, RigidTransform, SignedDistanceOptions, StatisticsOptions,
 };
 use std::path::PathBuf;
 
@@ -70,6 +70,13 @@ pub(crate) enum Command {
     ///
     /// Exit status: 0 if a fit was found, 2 for bad input, 3 if the best pose is no fit.
     Align(AlignArguments),
+    /// Writes the signed distances of a solid on a grid of points, negative inside.
+    ///
+    /// What is left out of --origin, --spacing and --counts follows from the model's box. The file is
+    /// an array of NumPy (.npy, of shape x, y, z), NRRD (.nrrd) or an image of VTK (.vti).
+    ///
+    /// Exit status: 0 if it was written, 2 for bad input, which models that do not close are.
+    Grid(GridArguments),
     /// Answers many pairs of files: lines of JSON in, lines of JSON out, in their order.
     ///
     /// A line has an id, the files a and b, a command (distance, diff or clearance; distance if
@@ -370,6 +377,63 @@ impl StatisticsArguments {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct GridArguments {
+    /// The model; - is standard input.
+    pub(crate) model: PathBuf,
+    /// The file to write, of the format that its ending names: .npy, .nrrd or .vti.
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: PathBuf,
+    /// The first point; if not given, the box is in the middle of the grid.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
+    origin: Option<Translation>,
+    /// The distance of neighbours along each axis.
+    #[arg(long, value_name = "LENGTH")]
+    spacing: Option<f64>,
+    /// The numbers of points along x, y and z; if not given, the grid reaches two spacings and the band beyond the box.
+    #[arg(long, value_name = "NX,NY,NZ")]
+    counts: Option<Counts>,
+    /// The number of spacings along the longest side of the box, instead of --spacing; 64 if neither is given.
+    #[arg(long, value_name = "NUMBER", conflicts_with = "spacing")]
+    resolution: Option<u32>,
+    /// Measures distances up to LENGTH; those beyond are written as LENGTH with their sign.
+    #[arg(long, value_name = "LENGTH")]
+    band: Option<f64>,
+    /// Permitted excess of a distance, in model units.
+    #[arg(long, value_name = "LENGTH")]
+    tolerance: Option<f64>,
+    /// The same as a fraction of the model's diagonal; 1e-6 if neither is given.
+    #[arg(long, value_name = "FRACTION")]
+    relative_tolerance: Option<f64>,
+    /// The precision of the values in the file.
+    #[arg(long, value_enum, default_value_t = PrecisionName::Float32)]
+    precision: PrecisionName,
+    /// Replaces the output if it is there already.
+    #[arg(long)]
+    pub(crate) overwrite: bool,
+    /// Prints the grid as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+impl GridArguments {
+    /// The library's options, whose ranges it checks.
+    pub(crate) fn options(&self) -> SignedDistanceOptions {
+        SignedDistanceOptions {
+            grid: GridOptions {
+                origin: self.origin.map(|origin| origin.0.to_array()),
+                spacing: self.spacing,
+                counts: self.counts.map(|counts| counts.0),
+                resolution: self.resolution,
+            },
+            band: self.band,
+            tolerance: self.tolerance,
+            relative_tolerance: self.relative_tolerance,
+            precision: self.precision.into(),
+        }
+    }
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct BatchArguments {
     /// The pairs, a line of JSON each; - is standard input.
     pub(crate) pairs: PathBuf,
@@ -454,5 +518,6 @@ named!(SamplingName, SamplingRule, Uniform, ArcLength);
 named!(FlatnessName, Flatness, None, Loose, Tight, Curvature);
 named!(ProjectionName, Projection, Newton, TangentPlane);
 named!(CullingName, Culling, Tree, None);
+named!(PrecisionName, Precision, Float32, Float64);
 named!(AuditName, Audit, Share, All);
 named!(BackendName, Backend, Auto, Gpu, Cpu);

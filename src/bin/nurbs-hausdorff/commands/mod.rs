@@ -6,5 +6,6 @@ pub(crate) mod completions;
 pub(crate) mod convert;
 pub(crate) mod diff;
 pub(crate) mod distance;
+pub(crate) mod grid;
 pub(crate) mod info;
 pub(crate) mod statistics;

@@ -1,6 +1,7 @@
 //! Writes the result.
 
 pub(crate) mod digits;
+pub(crate) mod grid;
 pub(crate) mod headline;
 pub(crate) mod json;
 pub(crate) mod progress;

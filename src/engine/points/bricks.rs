@@ -1,0 +1,128 @@
+//! The bricks of a grid, which are measured one by one.
+
+use super::grid::Grid;
+use super::query::{Known, PointQuery};
+use crate::rounding::{gamma, upper_max};
+use glam::DVec3;
+
+/// The number of points along a side of a brick: 512 of them pay for the one at its middle, and near a surface
+/// a brick is small enough that most are outside a band of some spacings.
+pub(super) const SIDE: usize = 8;
+
+/// The roundings of a brick's radius, relative to the length of the grid's points: those of two points, of their
+/// difference, its length and the half.
+const RADIUS_ROUNDINGS: f64 = 16.0;
+
+/// The roundings of three differences, relative to the largest number in them.
+const DIFFERENCE_ROUNDINGS: f64 = 3.0;
+
+/// A part of a grid, with up to [`SIDE`] points along each axis.
+#[derive(Clone, Copy)]
+pub(super) struct Brick {
+    first: [usize; 3],
+    counts: [usize; 3],
+}
+
+/// The signed distances of a brick's points, x fastest.
+pub(super) struct Filled {
+    pub(super) values: Vec<f64>,
+    /// The points whose side is not decided.
+    pub(super) undecided: Vec<usize>,
+    /// An upper bound on the errors of the values within the band.
+    pub(super) bound: f64,
+    /// The number of closest points that were computed.
+    pub(super) measured: usize,
+}
+
+/// Returns the bricks of a grid, x fastest.
+pub(super) fn bricks(grid: &Grid) -> Vec<Brick> {
+    let along = grid.counts.map(|count| count.div_ceil(SIDE));
+    let brick = |index: usize| {
+        let place = [index % along[0], index / along[0] % along[1], index / along[0] / along[1]];
+        let first = place.map(|place| SIDE * place);
+        let counts = std::array::from_fn(|axis| SIDE.min(grid.counts[axis] - first[axis]));
+        Brick { first, counts }
+    };
+    (0..along.iter().product()).map(brick).collect()
+}
+
+impl Brick {
+    /// Returns the places of the brick's points in the whole grid, x fastest.
+    pub(super) fn places(self, grid: &Grid) -> impl Iterator<Item = usize> {
+        let [rows, layers] = [grid.counts[0], grid.counts[0] * grid.counts[1]];
+        self.indices().map(move |[i, j, k]| i + rows * j + layers * k)
+    }
+
+    /// Returns the indices of the points in the whole grid, x fastest.
+    fn indices(self) -> impl Iterator<Item = [usize; 3]> {
+        let Self { first, counts: [width, depth, height] } = self;
+        let local = move |index: usize| [index % width, index / width % depth, index / width / depth];
+        (0..width * depth * height)
+            .map(local)
+            .map(move |local| std::array::from_fn(|axis| first[axis] + local[axis]))
+    }
+
+    /// Returns the middle of the brick, and an upper bound on the distance of its points from it.
+    fn ball(self, grid: &Grid) -> (DVec3, f64) {
+        let last = std::array::from_fn(|axis| self.first[axis] + self.counts[axis] - 1);
+        let [start, end] = [self.first, last].map(|index| grid.point(index));
+        let rounding = gamma(RADIUS_ROUNDINGS) * (start.length() + end.length()) + grid.rounding();
+        (0.5 * (start + end), 0.5 * start.distance(end) + rounding)
+    }
+
+    /// Measures the points; `None` of a model without patches. Values beyond `band`, +∞ for none, are the band's width with
+    /// their sign.
+    ///
+    /// Lemma P1 (bricks, docs/points.md). Distances of two points differ at most by how far the points are apart: where the
+    /// distance at the middle less the radius is above the band, that of every point is. If no point of the
+    /// boundary is within the radius, all points have the side of the middle.
+    pub(super) fn fill(self, query: &PointQuery<'_>, grid: &Grid, band: f64) -> Option<Filled> {
+        let (middle, radius) = self.ball(grid);
+        let mut known = Known::default();
+        let count = self.counts.iter().product();
+        let found = query.closest(middle, 0.0, &mut known)?;
+        let rounding = gamma(DIFFERENCE_ROUNDINGS) * found.distance;
+        let least = found.distance - found.bound - radius - rounding;
+        if least > band && query.is_clear(&found, radius) {
+            let signed = query.signed(middle, &found, &mut known);
+            // Neither zero nor NaN: the side is decided.
+            if signed.abs() > 0.0 {
+                let values = vec![band.copysign(signed); count];
+                return Some(Filled { values, undecided: Vec::new(), bound: 0.0, measured: 1 });
+            }
+        }
+        let mut filled = Filled {
+            values: Vec::with_capacity(count),
+            undecided: Vec::new(),
+            bound: 0.0,
+            measured: 1 + count,
+        };
+        for index in self.indices() {
+            self.measure(query, grid.point(index), (grid, band), &mut known, &mut filled)?;
+        }
+        Some(filled)
+    }
+
+    /// Adds the signed distance of one point.
+    fn measure(
+        self,
+        query: &PointQuery<'_>,
+        point: DVec3,
+        (grid, band): (&Grid, f64),
+        known: &mut Known,
+        filled: &mut Filled,
+    ) -> Option<()> {
+        let found = query.closest(point, grid.rounding(), known)?;
+        let signed = query.signed(point, &found, known);
+        // NaN, and 0 on the boundary, whose distance may be its error.
+        let is_decided = signed.abs() > 0.0;
+        if !is_decided {
+            filled.undecided.push(filled.values.len());
+        }
+        let is_within = found.distance < band;
+        let size = if is_within { found.distance } else { band };
+        filled.values.push(if is_decided { size.copysign(signed) } else { size });
+        filled.bound = upper_max(filled.bound, found.bound);
+        Some(())
+    }
+}

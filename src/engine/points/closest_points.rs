@@ -1,0 +1,189 @@
+//! The closest points of a model to given points.
+
+use super::order::along_curve;
+use super::query::{Foot, Known, Measured, PointQuery};
+use crate::engine::{Computation, Engine, PreparedModel, Signs};
+use crate::error::{Error, Result};
+use crate::limits::is_in_range;
+use crate::model::RigidTransform;
+use crate::progress::{Monitor, Progress};
+use crate::threads::parallel::map_ranges;
+use crate::tolerance::{PermittedWidth, not_negative};
+use glam::DVec3;
+use serde::Deserialize;
+
+/// The number of points between two checkpoints: some tens of milliseconds of work on
+/// all cores, and in WebAssembly, on one thread, fewer than a frame of a display takes.
+const POINTS_AT_ONCE: usize = if cfg!(target_arch = "wasm32") { 1024 } else { 8192 };
+
+/// The excess of a distance, as a fraction of the diagonal, unless the options state one.
+const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-9;
+
+/// Options of [`Engine::closest_points`]; names in camelCase when deserialized.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct ClosestPointOptions {
+    /// The permitted excess of a distance over the least one, in model units, positive.
+    pub tolerance: Option<f64>,
+    /// The same as a fraction of the diagonal of the model's control-net box; 1e-9 if
+    /// neither is given. Both at once are an error.
+    pub relative_tolerance: Option<f64>,
+    /// Distances up to this, in model units, have the sign 0, which is then not decided: beside the
+    /// faces of a solid a sign takes many times as long as the distance. 0, the default, decides all.
+    pub sign_tolerance: f64,
+    /// Moves the points before they are measured. It is not deserialized, because only
+    /// [`RigidTransform::new`] makes one.
+    #[serde(skip)]
+    pub transform: RigidTransform,
+}
+
+impl Default for ClosestPointOptions {
+    fn default() -> Self {
+        let transform = RigidTransform::IDENTITY;
+        Self { tolerance: None, relative_tolerance: None, sign_tolerance: 0.0, transform }
+    }
+}
+
+/// The closest points of a model to given points, one entry a point in each list.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub struct ClosestPoints {
+    /// The distances from the points to their feet.
+    pub distances: Vec<f64>,
+    /// The bounds: the distance from point i to the model is in
+    /// `[distances[i] - bounds[i], distances[i] + bounds[i]]`.
+    pub bounds: Vec<f64>,
+    /// The distances with the signs that [`ClosestPoints::signs`] names.
+    pub signed: Vec<f64>,
+    /// The feet, the points of the model that were found: x, y, z each.
+    pub feet: Vec<f64>,
+    /// The indices of the feet's faces; of a mesh or a cloud, those of their triangles or points.
+    pub faces: Vec<u32>,
+    /// The feet's parameters there: u, v each; of a triangle, the weights of its second and
+    /// third corner.
+    pub parameters: Vec<f64>,
+    /// What the signs stand for.
+    pub signs: Signs,
+}
+
+impl Engine {
+    /// Returns the closest points of a model to `points`, x, y, z each, moved by the
+    /// options' transform.
+    ///
+    /// Guarantee: the true distance of every point is within its bound of the one
+    /// returned. The search is best first over the model's tree in float64, from the
+    /// foot of a point nearby: points are measured along a Morton curve, in whichever
+    /// order they are given. Results do not depend on the number of threads.
+    /// O(points log patches) in general position.
+    ///
+    /// # Errors
+    /// [`Error::PointOutOfRange`] for a coordinate that is not finite or above 1e100 in
+    /// size, and for a last point of fewer than three; [`Error::OptionOutOfRange`];
+    /// [`Error::Cancelled`].
+    pub fn closest_points<'a>(
+        &'a self,
+        model: &'a PreparedModel,
+        points: &'a [f64],
+        options: &'a ClosestPointOptions,
+    ) -> Computation<'a, ClosestPoints> {
+        Computation::new(move |mut watched| {
+            Box::pin(async move { self.closest_points_of(model, points, options, watched.monitor()).await })
+        })
+    }
+
+    async fn closest_points_of(
+        &self,
+        model: &PreparedModel,
+        points: &[f64],
+        options: &ClosestPointOptions,
+        monitor: &mut dyn Monitor,
+    ) -> Result<ClosestPoints> {
+        let ClosestPointOptions { tolerance, relative_tolerance, sign_tolerance, transform } = *options;
+        let permitted = PermittedWidth { tolerance, relative_tolerance };
+        permitted.validate()?;
+        not_negative("sign tolerance", sign_tolerance)?;
+        validate(points)?;
+        let gap = permitted.in_units(model.bounding_box().diagonal(), DEFAULT_RELATIVE_TOLERANCE);
+        let measured = Measured::new(model, gap, sign_tolerance);
+        let query = measured.query().ok_or(Error::EmptyModel)?;
+        let mut progress = Progress::new(monitor, false);
+        let order = along_curve(points);
+        let mut found = ClosestPoints::of_count(order.len(), query.signs());
+        for (page, indices) in order.chunks(POINTS_AT_ONCE).enumerate() {
+            let parts = map_ranges(indices.len(), |range| {
+                let mut known = Known::default();
+                let of_point = |&index: &u32| measure(&query, points, index, &transform, &mut known);
+                indices[range].iter().map(of_point).collect::<Option<Vec<_>>>()
+            });
+            for measured in parts {
+                measured.ok_or(Error::EmptyModel)?.iter().for_each(|measured| found.set(measured));
+            }
+            let done = page * POINTS_AT_ONCE + indices.len();
+            progress.checkpoint(done as f64 / order.len() as f64).await?;
+        }
+        progress.finish();
+        Ok(found)
+    }
+}
+
+/// The entries of one point.
+struct Entries {
+    index: usize,
+    distance: f64,
+    bound: f64,
+    signed: f64,
+    foot: Foot,
+}
+
+/// Measures the point of an index, moved; `None` of a model without patches.
+fn measure(
+    query: &PointQuery<'_>,
+    points: &[f64],
+    index: u32,
+    transform: &RigidTransform,
+    known: &mut Known,
+) -> Option<Entries> {
+    let index = index as usize;
+    let local = DVec3::from_slice(&points[3 * index..]);
+    let point = transform.apply(local);
+    let found = query.closest(point, transform.rounding(local.length()), known)?;
+    let signed = query.signed(point, &found, known);
+    Some(Entries { index, distance: found.distance, bound: found.bound, signed, foot: found.foot() })
+}
+
+/// # Errors
+/// [`Error::PointOutOfRange`].
+fn validate(points: &[f64]) -> Result<()> {
+    if let Some((index, &found)) = points.iter().enumerate().find(|(_, value)| !is_in_range(**value)) {
+        return Err(Error::PointOutOfRange { index: index / 3, found });
+    }
+    if !points.len().is_multiple_of(3) {
+        // The coordinate that is missing.
+        return Err(Error::PointOutOfRange { index: points.len() / 3, found: f64::NAN });
+    }
+    Ok(())
+}
+
+impl ClosestPoints {
+    /// Returns the lists of this many points, all zeros.
+    fn of_count(count: usize, signs: Signs) -> Self {
+        Self {
+            distances: vec![0.0; count],
+            bounds: vec![0.0; count],
+            signed: vec![0.0; count],
+            feet: vec![0.0; 3 * count],
+            faces: vec![0; count],
+            parameters: vec![0.0; 2 * count],
+            signs,
+        }
+    }
+
+    fn set(&mut self, &Entries { index, distance, bound, signed, ref foot }: &Entries) {
+        self.distances[index] = distance;
+        self.bounds[index] = bound;
+        self.signed[index] = signed;
+        self.feet[3 * index..][..3].copy_from_slice(&foot.point.to_array());
+        self.faces[index] = foot.face as u32;
+        self.parameters[2 * index..][..2].copy_from_slice(&foot.parameters);
+    }
+}

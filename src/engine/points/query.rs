@@ -1,0 +1,177 @@
+//! The closest point of a model to one point.
+
+use crate::bezier::{Jet, Patch};
+use crate::closest::{Target, closest_above, newton};
+use crate::engine::PreparedModel;
+use crate::engine::prepared::PreparedTarget;
+use crate::engine::signs::{self, SignFoot, SignRule, SignSource, Signs};
+use crate::facets::{Nearest, PreparedFacets, facet_rounding};
+use crate::flatness::{Flatness, MAX_HALVINGS};
+use crate::pieces::FacePieces;
+use crate::rounding::{VANISHING_LENGTH, gamma};
+use glam::DVec3;
+use std::sync::Arc;
+
+/// The largest number of Newton steps from the foot of the point before: near it a few suffice.
+const MAX_ITERATIONS: u32 = 16;
+
+/// The roundings of a distance of two points, relative to it: three differences,
+/// their squares, two sums and a root.
+const DISTANCE_ROUNDINGS: f64 = 7.0;
+
+/// A model to which points are measured, held while they are.
+pub(super) struct Measured<'a> {
+    model: &'a PreparedModel,
+    /// The patches, none of a mesh or a cloud.
+    flat: Option<Arc<PreparedTarget>>,
+    signs: SignSource<'a>,
+    /// The permitted excess of a distance.
+    gap: f64,
+}
+
+/// The same, to be shared by threads.
+#[derive(Clone, Copy)]
+pub(super) struct PointQuery<'a> {
+    kind: Kind<'a>,
+    rule: SignRule<'a>,
+}
+
+#[derive(Clone, Copy)]
+enum Kind<'a> {
+    Patches {
+        target: &'a Target,
+        pieces: &'a FacePieces,
+        point_error: f64,
+        gap: f64,
+    },
+    /// Facets, and the largest length of their corners.
+    Facets(&'a PreparedFacets, f64),
+}
+
+/// The foot and the space about the point before, near which the next one may lie.
+#[derive(Default)]
+pub(super) struct Known {
+    place: Option<(u32, [f64; 2])>,
+    side: signs::Known,
+}
+
+/// A closest point.
+pub(super) struct Found<'a> {
+    pub(super) distance: f64,
+    /// The distance of the model is within it of `distance`.
+    pub(super) bound: f64,
+    /// A lower bound on the distance to the model as its boundary is known to the signs.
+    clear: f64,
+    place: Place<'a>,
+}
+
+/// The place of a foot.
+enum Place<'a> {
+    Patch { patch: Patch<'a>, parameters: [f64; 2], jet: Jet, pieces: &'a FacePieces },
+    Facet { facets: &'a PreparedFacets, facet: u32, nearest: Nearest },
+}
+
+/// A foot, with its face and its parameters there.
+pub(super) struct Foot {
+    pub(super) point: DVec3,
+    pub(super) face: usize,
+    pub(super) parameters: [f64; 2],
+}
+
+impl<'a> Measured<'a> {
+    /// Cuts the model and joins its edges at first use. Distances up to `sign_tolerance` have the sign 0.
+    pub(super) fn new(model: &'a PreparedModel, gap: f64, sign_tolerance: f64) -> Self {
+        let flat = model.facets().is_none().then(|| model.target(Flatness::Loose));
+        Self { model, flat, signs: SignSource::new(model, sign_tolerance), gap }
+    }
+
+    pub(super) fn query(&self) -> Option<PointQuery<'_>> {
+        let kind = match (self.model.facets(), &self.flat) {
+            (Some(facets), _) => Kind::Facets(facets, facets.target.bounding_box().farthest_from_origin()),
+            (None, Some(flat)) => Kind::Patches {
+                target: &flat.target,
+                pieces: self.model.pieces(),
+                point_error: self.model.bezier().point_error.after(MAX_HALVINGS),
+                gap: self.gap,
+            },
+            (None, None) => return None,
+        };
+        Some(PointQuery { kind, rule: self.signs.rule() })
+    }
+}
+
+impl<'a> PointQuery<'a> {
+    /// Returns what the signs stand for.
+    pub(super) fn signs(&self) -> Signs {
+        self.rule.signs()
+    }
+
+    /// Returns the closest point to a point that is known within `error`; `None` of a model without patches.
+    pub(super) fn closest(&self, point: DVec3, error: f64, known: &mut Known) -> Option<Found<'a>> {
+        match self.kind {
+            Kind::Patches { target, pieces, point_error, gap } => {
+                let start = known.place.map(|known| foot_from(target, point, known));
+                let closest = closest_above(target, point, gap, start, 0.0, None)?;
+                known.place = Some((closest.patch as u32, closest.parameters));
+                let (patch, parameters) = (target.patches.patch(closest.patch), closest.parameters);
+                let rounding =
+                    point_error + error + gamma(DISTANCE_ROUNDINGS) * closest.upper + VANISHING_LENGTH;
+                Some(Found {
+                    distance: closest.upper,
+                    bound: closest.upper - closest.lower + rounding,
+                    clear: closest.lower,
+                    place: Place::Patch { patch, parameters, jet: patch.jet(parameters), pieces },
+                })
+            }
+            Kind::Facets(facets, length) => {
+                let rounding = facets.error + error + facet_rounding(length.max(point.length()));
+                let start = known.place.map_or(0, |(facet, _)| facet);
+                let (foot, nearest, lower) = facets.target.certified(point, start);
+                known.place = Some((foot.facet, [0.0; 2]));
+                let distance = foot.distance_squared.sqrt();
+                let place = Place::Facet { facets, facet: foot.facet, nearest };
+                Some(Found { distance, bound: distance - lower + rounding, clear: lower - rounding, place })
+            }
+        }
+    }
+
+    /// Returns the distance of a point with its sign, as [`Signs`] states.
+    pub(super) fn signed(&self, point: DVec3, found: &Found<'_>, known: &mut Known) -> f64 {
+        let foot = match &found.place {
+            Place::Patch { jet, .. } => SignFoot::Patch(jet),
+            Place::Facet { facets, facet, nearest } => SignFoot::Facet(&facets.target, *facet, nearest),
+        };
+        self.rule.signed(point, found.clear, &foot, &mut known.side)
+    }
+
+    /// Returns whether no point of the boundary of a solid is within a radius of the point that this was found for, so
+    /// that all points there have its side (lemma S4 of docs/solids.md).
+    pub(super) fn is_clear(&self, found: &Found<'_>, radius: f64) -> bool {
+        self.rule.clear_radius(found.clear).is_some_and(|clear| clear > radius)
+    }
+}
+
+impl Found<'_> {
+    /// Returns the foot.
+    pub(super) fn foot(&self) -> Foot {
+        match &self.place {
+            Place::Patch { patch, parameters, jet, pieces } => Foot {
+                point: jet.point,
+                face: pieces.face(patch.surface),
+                parameters: pieces.face_parameters(patch.surface, patch.surface_parameters(*parameters)),
+            },
+            Place::Facet { facets, facet, nearest } => Foot {
+                point: facets.target.facet(*facet).point(nearest.weights),
+                face: facets.target.index(*facet),
+                parameters: [nearest.weights[1], nearest.weights[2]],
+            },
+        }
+    }
+}
+
+/// Returns the foot to which Newton's iteration comes on a patch from a foot of another point, the
+/// point before: on the same patch it is often the closest point, and the search then has nothing to
+/// examine. Wherever the iteration ends, it is a point of the model.
+fn foot_from(target: &Target, point: DVec3, (patch, start): (u32, [f64; 2])) -> (u32, [f64; 2]) {
+    (patch, newton(&target.patches.patch(patch as usize), point, start, MAX_ITERATIONS).parameters)
+}
