@@ -7,7 +7,9 @@ use crate::running::{Caller, on_live_threads, run};
 use numpy::PyReadonlyArray1;
 use nurbs_hausdorff::result::Stop;
 use nurbs_hausdorff::{
-    Backend, BestFitOptions, ClearanceOptions, ClosestPointOptions, DiffOptions, DistanceOptions, DistanceResult, Engine, FieldOptions, GapOptions, MethodName, NamedOptions, SignedDistanceOptions, StatisticsOptions,
+    Backend, BestFitOptions, ClearanceOptions, ClosestPointOptions, DiffOptions, DistanceOptions,
+    DistanceResult, Engine, FieldOptions, GapOptions, MethodName, NamedOptions, SignedDistanceOptions,
+    StatisticsOptions,
 };
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;

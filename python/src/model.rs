@@ -7,8 +7,8 @@ use glam::DVec3;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use nurbs_hausdorff::tessellate::{TessellationOptions, tessellate};
 use nurbs_hausdorff::{
-    Beside, Error, Facets, MeshFile, MeshFormat, MeshReport, ModelInfo, PointCloud, PreparedModel, ReadReport, Side,
-    TriangleMesh, face_path,
+    Beside, Error, Facets, MeshFile, MeshFormat, MeshReport, ModelInfo, PointCloud, PreparedModel,
+    ReadReport, Side, TriangleMesh, face_path,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
