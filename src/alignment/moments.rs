@@ -100,11 +100,9 @@ fn clear<const N: usize>(matrix: &mut [[f64; N]; N], vectors: &mut [[f64; N]; N]
     for row in matrix.iter_mut().chain(vectors.iter_mut()) {
         (row[p], row[q]) = turn(row[p], row[q]);
     }
-    for column in 0..N {
-        let (x, y) = turn(matrix[p][column], matrix[q][column]);
-        matrix[p][column] = x;
-        matrix[q][column] = y;
-    }
+    let columns: [(f64, f64); N] = std::array::from_fn(|column| turn(matrix[p][column], matrix[q][column]));
+    matrix[p] = columns.map(|(x, _)| x);
+    matrix[q] = columns.map(|(_, y)| y);
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]

@@ -66,6 +66,7 @@ pub(super) struct Found<'a> {
 }
 
 /// The place of a foot.
+#[allow(clippy::large_enum_variant, reason = "it lives for one point, and boxes would be made for each")]
 enum Place<'a> {
     Patch { patch: Patch<'a>, parameters: [f64; 2], jet: Jet, pieces: &'a FacePieces },
     Facet { facets: &'a PreparedFacets, facet: u32, nearest: Nearest },

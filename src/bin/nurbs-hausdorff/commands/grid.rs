@@ -1,6 +1,6 @@
 //! The command `grid`.
 
-use crate::arguments::GridArguments;
+use crate::arguments::grid::GridArguments;
 use crate::failure::Failure;
 use crate::input::{Input, read};
 use crate::output::grid::GridFormat;
