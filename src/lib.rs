@@ -98,6 +98,7 @@ mod closest;
 mod engine;
 mod error;
 mod facets;
+mod facts;
 mod flatness;
 mod gpu;
 mod hierarchy;
@@ -156,15 +157,16 @@ pub use brep::FileKind;
 pub use brep::inflated;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, Beyond, Bounded, CertifiedOptions, CertifiedStatistics, ClearanceOptions, ClearanceResult,
-    ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation, Details, DeviationField, DiffOptions,
-    DiffResult, DistanceOptions, DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState,
-    FieldOptions, FreeEdge, GapOptions, GapsResult, HierarchyOptions, IterationOptions, Measure, Method,
-    MethodName, ModelInfo, NamedOptions, Overlap, OverlapUnknown, Percentile, PreparedModel, Shell, Signs,
-    Solid, Statistics, StatisticsOptions, Witness,
+    Backend, Beyond, Body, BodyKind, Bounded, CertifiedOptions, CertifiedStatistics, ClearanceOptions,
+    ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation, Details,
+    DeviationField, DiffOptions, DiffResult, DistanceOptions, DistanceResult, Engine, FaceDifference,
+    FaceGap, FaceInfo, FaceState, FieldOptions, FreeEdge, GapOptions, GapsResult, HierarchyOptions,
+    IterationOptions, Measure, Method, MethodName, ModelInfo, NamedOptions, Overlap, OverlapUnknown,
+    Percentile, PreparedModel, Shell, Signs, Solid, Statistics, StatisticsOptions, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};
+pub use facts::{Facts, Interval, Orientation, VolumeUnknown};
 /// The vectors and rotations of points, models and transforms.
 pub use glam::{DQuat, DVec2, DVec3};
 #[cfg(feature = "mesh")]

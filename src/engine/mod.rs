@@ -1,6 +1,7 @@
 //! The distance between two prepared models: the choice of method and backend,
 //! and the result.
 
+mod bodies;
 mod certified;
 mod clearance;
 mod closest_points;
@@ -20,6 +21,7 @@ mod signs;
 mod solid;
 mod statistics;
 
+pub use bodies::{Body, BodyKind};
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
     OverlapUnknown,
