@@ -73,7 +73,7 @@ fn facts_of_polyhedra_hold_the_exact_ones() {
         let size = [1.0, 1e-6, 1e6][round % 3];
         let distance = [0.0, 3.0, 1000.0][round / 3 % 3] * size;
         let center = distance * DVec3::new(random.f64(), random.f64() - 0.5, -random.f64());
-        let (vertices, mut triangles) = star(random, round % 4, center, size);
+        let (vertices, mut triangles) = star(random, round % 3, center, size);
         let (volume, first, second) = moments(&vertices, &triangles);
         if round % 2 == 0 {
             triangles.iter_mut().for_each(|triangle| triangle.swap(0, 2));

@@ -4,22 +4,22 @@ use nurbs_hausdorff::trim::FaceArrays;
 use nurbs_hausdorff::{DVec3, Facets, InstanceArrays, Model, ModelArrays, PreparedModel, TriangleMesh};
 
 /// The model of faces.
-pub fn of(faces: Vec<FaceArrays>) -> Model {
+pub(crate) fn of(faces: Vec<FaceArrays>) -> Model {
     Model::from_faces(ModelArrays { faces, ..ModelArrays::default() }).unwrap()
 }
 
 /// The faces of a model.
-pub fn faces(model: &Model) -> Vec<FaceArrays> {
+pub(crate) fn faces(model: &Model) -> Vec<FaceArrays> {
     model.faces().map(|face| face.to_arrays()).collect()
 }
 
 /// The model under the affine map of a row-major 3 x 4 matrix.
-pub fn placed(model: &Model, transform: [f64; 12]) -> Model {
+pub(crate) fn placed(model: &Model, transform: [f64; 12]) -> Model {
     placed_all(&[(model, transform)])
 }
 
 /// The models under affine maps, together.
-pub fn placed_all(parts: &[(&Model, [f64; 12])]) -> Model {
+pub(crate) fn placed_all(parts: &[(&Model, [f64; 12])]) -> Model {
     let mut arrays = ModelArrays::default();
     for (model, transform) in parts {
         let start = arrays.faces.len();
@@ -31,26 +31,26 @@ pub fn placed_all(parts: &[(&Model, [f64; 12])]) -> Model {
 }
 
 /// The matrix of a move.
-pub fn moved([x, y, z]: [f64; 3]) -> [f64; 12] {
+pub(crate) fn moved([x, y, z]: [f64; 3]) -> [f64; 12] {
     [1.0, 0.0, 0.0, x, 0.0, 1.0, 0.0, y, 0.0, 0.0, 1.0, z]
 }
 
 /// The matrix of a stretch along the axes.
-pub fn stretched([x, y, z]: [f64; 3]) -> [f64; 12] {
+pub(crate) fn stretched([x, y, z]: [f64; 3]) -> [f64; 12] {
     [x, 0.0, 0.0, 0.0, 0.0, y, 0.0, 0.0, 0.0, 0.0, z, 0.0]
 }
 
-pub fn prepared(model: &Model) -> PreparedModel {
+pub(crate) fn prepared(model: &Model) -> PreparedModel {
     PreparedModel::new(model).unwrap()
 }
 
-pub fn mesh(vertices: &[DVec3], triangles: &[[u32; 3]]) -> PreparedModel {
+pub(crate) fn mesh(vertices: &[DVec3], triangles: &[[u32; 3]]) -> PreparedModel {
     let mesh = TriangleMesh::new(vertices, triangles).unwrap();
     PreparedModel::of_facets(&Facets::Mesh(mesh), None).unwrap()
 }
 
 /// The corners of a box, and its triangles with normals out of it.
-pub fn cuboid(min: DVec3, max: DVec3) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+pub(crate) fn cuboid(min: DVec3, max: DVec3) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let corner = |index: u32| {
         let at = |bit: u32, low: f64, high: f64| if index & bit > 0 { high } else { low };
         DVec3::new(at(1, min.x, max.x), at(2, min.y, max.y), at(4, min.z, max.z))
@@ -61,7 +61,7 @@ pub fn cuboid(min: DVec3, max: DVec3) -> (Vec<DVec3>, Vec<[u32; 3]>) {
 }
 
 /// The box of plane faces with normals out of it.
-pub fn box_of_faces(min: DVec3, max: DVec3) -> Model {
+pub(crate) fn box_of_faces(min: DVec3, max: DVec3) -> Model {
     let (corners, _) = cuboid(min, max);
     let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let surface = |[a, b, c, d]: [usize; 4]| nurbs_hausdorff::SurfaceArrays {
