@@ -157,12 +157,12 @@ pub use brep::FileKind;
 pub use brep::inflated;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, Beyond, Body, BodyKind, Bounded, CertifiedOptions, CertifiedStatistics, ClearanceOptions,
-    ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation, Details,
-    DeviationField, DiffOptions, DiffResult, DistanceOptions, DistanceResult, Engine, FaceDifference,
-    FaceGap, FaceInfo, FaceState, FieldOptions, FreeEdge, GapOptions, GapsResult, HierarchyOptions,
-    IterationOptions, Measure, Method, MethodName, ModelInfo, NamedOptions, Overlap, OverlapUnknown,
-    Percentile, PreparedModel, Shell, Signs, Solid, Statistics, StatisticsOptions, Witness,
+    Backend, Beyond, Body, BodyInfo, BodyKind, Bounded, CertifiedOptions, CertifiedStatistics,
+    ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation,
+    Counts, Details, DeviationField, DiffOptions, DiffResult, DistanceOptions, DistanceResult, Engine,
+    FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FreeEdge, GapOptions, GapsResult,
+    HierarchyOptions, IterationOptions, Measure, Method, MethodName, ModelInfo, NamedOptions, Overlap,
+    OverlapUnknown, Percentile, PreparedModel, Shell, Signs, Solid, Statistics, StatisticsOptions, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

@@ -31,7 +31,7 @@ pub use computation::Computation;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;
 pub use field::{DeviationField, FaceDeviations, FieldOptions, Statistics};
-pub use info::{FaceInfo, ModelInfo};
+pub use info::{BodyInfo, Counts, FaceInfo, ModelInfo};
 pub use options::{
     Backend, CertifiedOptions, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
     NamedOptions,

@@ -110,3 +110,28 @@ impl Facts {
         }
     }
 }
+
+impl Facts {
+    /// Returns the facts in another unit, of which `factor` is the number in one unit of these.
+    #[must_use]
+    pub fn scaled(&self, factor: Interval) -> Self {
+        let square = factor * factor;
+        let (cube, fifth) = (square * factor, square * factor * square);
+        let lengths = |of: [Interval; 3]| of.map(|one| one * factor);
+        Self {
+            volume: self.volume.map(|volume| volume * cube),
+            volume_unknown: self.volume_unknown,
+            volume_of_gap: self.volume_of_gap.map(|volume| volume * cube.upper),
+            area: self.area.map(|area| area * square),
+            extents: lengths(self.extents),
+            min: lengths(self.min),
+            max: lengths(self.max),
+            centroid: self.centroid.map(lengths),
+            inertia: self.inertia.map(|rows| rows.map(|row| row.map(|entry| entry * fifth))),
+            principal_moments: self.principal_moments.map(|moments| moments.map(|moment| moment * fifth)),
+            principal_axes: self.principal_axes,
+            principal_angles: self.principal_angles,
+            principal_extents: self.principal_extents.map(lengths),
+        }
+    }
+}

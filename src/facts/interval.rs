@@ -76,7 +76,8 @@ impl Interval {
     }
 
     /// Returns the interval of the quotients by a number that is not 0; all numbers where the divisor may be.
-    pub(crate) fn over(self, divisor: Self) -> Self {
+    #[must_use]
+    pub fn over(self, divisor: Self) -> Self {
         if !(divisor.lower > 0.0) && !(divisor.upper < 0.0) {
             return Self::ALL;
         }
