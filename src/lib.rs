@@ -99,6 +99,7 @@ mod closest;
 mod engine;
 mod error;
 mod facets;
+mod facts;
 mod flatness;
 mod gpu;
 mod hierarchy;
@@ -159,16 +160,18 @@ pub use brep::FileKind;
 pub use brep::inflated;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, BestFit, BestFitOptions, Beyond, Bounded, CertifiedOptions, CertifiedStatistics,
-    ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation,
-    Details, DeviationField, DiffOptions, DiffResult, DistanceOptions, DistanceResult, Engine,
-    FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart, FreeEdge, GapOptions,
-    GapsResult, Grid, GridOptions, HierarchyOptions, IterationOptions, LeftOut, Measure, Method, MethodName,
-    ModelInfo, NamedOptions, Overlap, OverlapUnknown, Percentile, Precision, PreparedModel, Shell,
-    SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics, StatisticsOptions, Witness,
+    Backend, BestFit, BestFitOptions, Beyond, Body, BodyInfo, BodyKind, Bounded, CertifiedOptions,
+    CertifiedStatistics, ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions,
+    ClosestPoints, Computation, Counts, Details, DeviationField, DiffOptions, DiffResult, DistanceOptions,
+    DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart,
+    FreeEdge, GapOptions, GapsResult, Grid, GridOptions, HierarchyOptions, IterationOptions, LeftOut,
+    Measure, Method, MethodName, ModelInfo, NamedOptions, Overlap, OverlapUnknown, Percentile, Precision,
+    PreparedModel, Shell, SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics,
+    StatisticsOptions, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};
+pub use facts::{Facts, Interval, Orientation, VolumeUnknown};
 /// The vectors and rotations of points, models and transforms.
 pub use glam::{DQuat, DVec2, DVec3};
 #[cfg(feature = "mesh")]

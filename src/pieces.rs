@@ -17,6 +17,9 @@ use std::sync::Arc;
 /// model: three digits below the default tolerance.
 const MAX_DEVIATION: f64 = 1e-9;
 
+/// The points of each side of a piece whose polygon in the plane of parameters tells which way it turns.
+const RIM_STEPS: u32 = 8;
+
 /// The pieces of every face, in the order of the faces, and the way back to the faces.
 ///
 /// An untrimmed face is one piece, itself. Later stages see the pieces as the surfaces of
@@ -29,6 +32,8 @@ pub(crate) struct FacePieces {
     faces: Vec<Range<usize>>,
     /// The name of each face.
     face_names: Vec<Option<String>>,
+    /// Whether the normal of each face is opposite to that of its surface; empty for facets.
+    reversed: Vec<bool>,
     /// The colour of each face; empty for facets.
     face_colors: Vec<Option<[f64; 3]>>,
     /// An upper bound on the Hausdorff distance between each face and its pieces, the
@@ -60,6 +65,7 @@ impl FacePieces {
                 origins: (0..count).map(|face| (face, ParameterMap::Identity)).collect(),
                 faces: (0..count).map(|face| face..face + 1).collect(),
                 face_names,
+                reversed: model.faces().map(|face| face.is_reversed()).collect(),
                 face_colors: model.faces().map(|face| face.color()).collect(),
                 deviation: 0.0,
             };
@@ -73,7 +79,8 @@ impl FacePieces {
     /// Returns the pieces of a model of facets: a face of each of these names, without patches.
     pub(crate) fn of_facets(face_names: Vec<Option<String>>) -> Self {
         let faces = vec![0..0; face_names.len()];
-        Self { origins: Arc::new([]), faces, face_names, face_colors: Vec::new(), deviation: 0.0 }
+        let (reversed, face_colors) = (Vec::new(), Vec::new());
+        Self { origins: Arc::new([]), faces, face_names, reversed, face_colors, deviation: 0.0 }
     }
 
     /// As [`FacePieces::new`] for the model without its faces that cannot be cut; with that
@@ -128,7 +135,8 @@ impl FacePieces {
         }
         let name = model.name().map(str::to_owned);
         let face_colors = model.faces().map(|face| face.color()).collect();
-        let pieces = Self { origins: origins.into(), faces, face_names, face_colors, deviation };
+        let reversed = model.faces().map(|face| face.is_reversed()).collect();
+        let pieces = Self { origins: origins.into(), faces, face_names, reversed, face_colors, deviation };
         Ok((pieces, Model::new(name, surfaces)?))
     }
 
@@ -186,6 +194,25 @@ impl FacePieces {
     /// Returns the upper bound on the Hausdorff distance between the faces and their pieces.
     pub(crate) fn deviation(&self) -> f64 {
         self.deviation
+    }
+
+    /// Returns whether the normal of a piece, that of its parameters, is opposite to its face's: the face may be
+    /// reversed, and the map of a piece's parameters may turn the plane over.
+    pub(crate) fn is_turned(&self, piece: usize) -> bool {
+        let (face, map) = &self.origins[piece];
+        let corner = |s: f64, t: f64| map.face_parameters([s, t]);
+        let steps = || (0..RIM_STEPS).map(|step| f64::from(step) / f64::from(RIM_STEPS));
+        let rim: Vec<[f64; 2]> = match map {
+            ParameterMap::Identity => Vec::new(),
+            ParameterMap::Ruled(_) => (steps().map(|s| corner(s, 0.0)))
+                .chain(steps().map(|t| corner(1.0, t)))
+                .chain(steps().map(|s| corner(1.0 - s, 1.0)))
+                .chain(steps().map(|t| corner(0.0, 1.0 - t)))
+                .collect(),
+        };
+        let next = rim.iter().skip(1).chain(rim.first());
+        let area: f64 = rim.iter().zip(next).map(|([u, v], [to_u, to_v])| u * to_v - v * to_u).sum();
+        self.reversed[*face] != (area < 0.0)
     }
 
     /// Returns the parameters of a face for those of one of its pieces.

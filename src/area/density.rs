@@ -12,13 +12,15 @@ use glam::{DVec3, DVec4, Vec4Swizzles};
 /// `N = w X_s × X_t - w_t X_s × X - w_s X × X_t`, a polynomial of degree 3p - 2 in s and
 /// 3q - 2 in t; where all weights are one, of degree 2p - 1 and 2q - 1, as `N = w X_s × X_t`
 /// with a constant w. The area is the integral of `|N| / w³`.
-pub(super) struct Density<'a> {
+pub(crate) struct Density<'a> {
     patch: &'a Patch<'a>,
     /// A bound on the rounding of a computed N and, relative to the largest weight, of w.
-    pub(super) rounding: f64,
-    pub(super) weight_rounding: f64,
+    pub(crate) rounding: f64,
+    pub(crate) weight_rounding: f64,
     /// The smallest weight of a control point, which is a lower bound on w.
-    least_weight: f64,
+    pub(crate) least_weight: f64,
+    /// An upper bound on |N|.
+    pub(crate) largest: f64,
 }
 
 /// The Chebyshev coefficients of N and w over a part of [0, 1]², t fastest.
@@ -65,7 +67,7 @@ const PRODUCT_ROUNDINGS: f64 = 8.0;
 
 impl<'a> Density<'a> {
     /// Makes the density of a patch. O(p q).
-    pub(super) fn new(patch: &'a Patch<'a>) -> Self {
+    pub(crate) fn new(patch: &'a Patch<'a>) -> Self {
         let [p, q] = patch.degree.map(|degree| degree as f64);
         let [each, more] = FACTOR_ROUNDINGS;
         let factor = gamma(each * (p + q) + more);
@@ -92,6 +94,7 @@ impl<'a> Density<'a> {
             rounding: 2.0 * rounding,
             weight_rounding: if patch.rational { e_w } else { 0.0 },
             least_weight,
+            largest: products * (1.0 + gamma(PRODUCT_ROUNDINGS)),
         }
     }
 
@@ -102,24 +105,22 @@ impl<'a> Density<'a> {
     }
 
     /// Returns an upper bound on the density where |N| is at most `numerator`.
-    pub(super) fn upper_bound(&self, numerator: f64) -> f64 {
+    pub(crate) fn upper_bound(&self, numerator: f64) -> f64 {
         let weight = self.least_weight;
         numerator / (weight * weight * weight) * (1.0 + gamma(PRODUCT_ROUNDINGS))
     }
 
     /// Returns N and w at all pairs of these parameters, the second fastest.
     pub(super) fn values(&self, parameters: [&[f64]; 2]) -> Vec<(DVec3, f64)> {
-        let numerator = |at: &HomogeneousTangents| {
-            let ([x, s, t], w) = ([at.point, at.s, at.t].map(|value| value.xyz()), at.point.w);
-            let product = w * s.cross(t);
-            let numerator = if self.patch.rational {
-                product - at.t.w * s.cross(x) - at.s.w * x.cross(t)
-            } else {
-                product
-            };
-            (numerator, w)
-        };
+        let numerator = |at: &HomogeneousTangents| (self.numerator(at), at.point.w);
         self.patch.homogeneous_tangents(parameters).iter().map(numerator).collect()
+    }
+
+    /// Returns N for a homogeneous point with its derivatives.
+    pub(crate) fn numerator(&self, at: &HomogeneousTangents) -> DVec3 {
+        let ([x, s, t], w) = ([at.point, at.s, at.t].map(|value| value.xyz()), at.point.w);
+        let product = w * s.cross(t);
+        if self.patch.rational { product - at.t.w * s.cross(x) - at.s.w * x.cross(t) } else { product }
     }
 
     /// Returns the Chebyshev series over a part of [0, 1]². O(degree³).
@@ -181,7 +182,7 @@ fn counts(patch: &Patch<'_>) -> [usize; 2] {
 
 /// Returns the first `kept` coefficients along both axes of the polynomial with these values
 /// at the nodes.
-fn tensor_coefficients<T: Linear>(values: &[T], counts: [usize; 2], kept: [usize; 2]) -> Vec<T> {
+pub(crate) fn tensor_coefficients<T: Linear>(values: &[T], counts: [usize; 2], kept: [usize; 2]) -> Vec<T> {
     let rows: Vec<Vec<T>> = values.chunks_exact(counts[1]).map(coefficients).collect();
     let columns: Vec<Vec<T>> = (0..kept[1])
         .map(|column| coefficients(&rows.iter().map(|row| row[column]).collect::<Vec<T>>()))

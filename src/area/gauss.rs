@@ -2,8 +2,11 @@
 
 use std::sync::OnceLock;
 
-/// The largest number of nodes.
+/// The largest number of nodes of areas.
 pub(super) const MAX_NODES: usize = 24;
+
+/// The largest number of nodes of a rule.
+pub(crate) const MAX_RULE: usize = 40;
 
 /// The numbers of Newton steps from the asymptotic position of a node: the error is below
 /// 0.01 at the start and is squared by every step.
@@ -12,16 +15,16 @@ const NEWTON_STEPS: usize = 6;
 /// A rule that is exact for polynomials of degree below twice its number of nodes, up to
 /// the rounding of its numbers.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Rule {
+pub(crate) struct Rule {
     /// The nodes in (0, 1).
-    pub(super) nodes: Vec<f64>,
+    pub(crate) nodes: Vec<f64>,
     /// The weights, positive, with the sum 1.
-    pub(super) weights: Vec<f64>,
+    pub(crate) weights: Vec<f64>,
 }
 
-/// Returns the rule of `count` nodes, 1 to [`MAX_NODES`], computed once.
-pub(super) fn rule(count: usize) -> &'static Rule {
-    static RULES: [OnceLock<Rule>; MAX_NODES + 1] = [const { OnceLock::new() }; MAX_NODES + 1];
+/// Returns the rule of `count` nodes, 1 to [`MAX_RULE`], computed once.
+pub(crate) fn rule(count: usize) -> &'static Rule {
+    static RULES: [OnceLock<Rule>; MAX_RULE + 1] = [const { OnceLock::new() }; MAX_RULE + 1];
     RULES[count].get_or_init(|| {
         let nodes: Vec<f64> = (0..count).map(|index| node(count, index)).collect();
         let weight = |&x: &f64| {
@@ -60,7 +63,7 @@ mod tests {
     /// ∫ (2x - 1)^k over [0, 1] is 1 / (k + 1) for even k and 0 for odd k.
     #[test]
     fn a_rule_is_exact_for_polynomials_below_twice_its_nodes() {
-        for count in 1..=MAX_NODES {
+        for count in 1..=MAX_RULE {
             let Rule { nodes, weights } = rule(count);
             let moment = |k: i32| -> f64 {
                 nodes.iter().zip(weights).map(|(x, weight)| weight * (2.0 * x - 1.0).powi(k)).sum()

@@ -6,9 +6,9 @@
 //! halved. Lemmas and proofs are in docs/area.md.
 
 mod cell;
-mod density;
+pub(crate) mod density;
 mod ellipse;
-mod gauss;
+pub(crate) mod gauss;
 
 use crate::axis::Axis;
 use crate::bezier::Patch;

@@ -2,6 +2,7 @@
 //! and the result.
 
 mod best_fit;
+mod bodies;
 mod certified;
 mod clearance;
 mod computation;
@@ -22,6 +23,7 @@ mod solid;
 mod statistics;
 
 pub use best_fit::{BestFit, BestFitOptions, FitPose, FitStart, LeftOut};
+pub use bodies::{Body, BodyKind};
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
     OverlapUnknown,
@@ -30,7 +32,7 @@ pub use computation::Computation;
 pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 pub use dispatch::Engine;
 pub use field::{DeviationField, FaceDeviations, FieldOptions, Statistics};
-pub use info::{FaceInfo, ModelInfo};
+pub use info::{BodyInfo, Counts, FaceInfo, ModelInfo};
 pub use options::{
     Backend, CertifiedOptions, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
     NamedOptions,

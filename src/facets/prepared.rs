@@ -5,6 +5,7 @@ use super::{Facet, FacetTarget, Facets, MeshGroup, TriangleMesh};
 use crate::area::Area;
 use crate::bezier::{BezierModel, PointError};
 use crate::rounding::{VANISHING_LENGTH, gamma};
+use crate::solid::Joined;
 use crate::threads::computed;
 use glam::DVec3;
 use std::ops::Range;
@@ -104,6 +105,11 @@ impl PreparedFacets {
             Facet::Triangle(corners) => Some((place as usize, corners)),
             Facet::Point(_) => None,
         })
+    }
+
+    /// Returns the triangles that share edges of the same two vertices, by their places; none of a cloud. O(n).
+    pub(crate) fn joined_exactly(&self) -> Joined {
+        self.target.joined()
     }
 
     /// Returns the area of all triangles of each group; a triangle that lies on others counts as often.

@@ -28,6 +28,12 @@ impl Curve {
         self.controls.iter().map(|control| self.center + control.xyz() / control.w)
     }
 
+    /// Returns the length of the control polygon, an upper bound on that of the curve, as cutting corners
+    /// makes no polygon longer.
+    pub(super) fn polygon(&self) -> f64 {
+        self.points().zip(self.points().skip(1)).map(|(a, b)| a.distance(b)).sum()
+    }
+
     /// Returns the two ends.
     pub(super) fn ends(&self) -> [DVec3; 2] {
         [self.point(0.0), self.point(1.0)]

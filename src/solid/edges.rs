@@ -11,6 +11,8 @@ use std::collections::HashMap;
 pub(super) struct Edge {
     pub(super) surface: usize,
     pub(super) curve: Curve,
+    /// Whether the curve runs about the surface's normal as the fingers of the right hand do.
+    pub(super) forward: bool,
 }
 
 /// The edges of surfaces.
@@ -18,8 +20,9 @@ pub(super) struct Edge {
 pub(crate) struct Edges {
     /// The number of surfaces.
     pub(super) surfaces: usize,
-    /// The surfaces of two equal edges, which cancel (docs/solids.md, section 1).
-    pub(super) equal: Vec<[u32; 2]>,
+    /// The surfaces of two equal edges, which cancel (docs/solids.md, section 1), and whether both run
+    /// the same way round their surfaces.
+    pub(super) equal: Vec<([u32; 2], bool)>,
     /// The other edges.
     pub(super) single: Vec<Edge>,
 }
@@ -51,7 +54,10 @@ impl Edges {
                 }
                 let key = if first < second { [first, second] } else { [second, first] };
                 match open.remove(&key) {
-                    Some((place, _)) => edges.equal.push([(place / 3) as u32, triangle as u32]),
+                    Some((place, other)) => {
+                        let runs_alike = bits(other[0]) == first;
+                        edges.equal.push(([(place / 3) as u32, triangle as u32], runs_alike));
+                    }
                     None => _ = open.insert(key, (3 * triangle + side, ends)),
                 }
             }
@@ -61,7 +67,8 @@ impl Edges {
         sort_by_number(&mut single, |&(place, _)| place as f64);
         let edge = |(place, ends): (usize, [DVec3; 2])| {
             let controls = ends.map(|end| end.extend(1.0)).to_vec();
-            Edge { surface: place / 3, curve: Curve { center: DVec3::ZERO, controls } }
+            let curve = Curve { center: DVec3::ZERO, controls };
+            Edge { surface: place / 3, curve, forward: true }
         };
         edges.single = single.into_iter().map(edge).collect();
         edges
@@ -104,7 +111,9 @@ fn edges(model: &BezierModel) -> Vec<Edge> {
                     let line = place[axis] + end;
                     let is_end = line == 0 || line == grid.counts()[axis];
                     if is_end || usize::from(of_axis[line]) > patch.degree[axis] {
-                        edges.push(Edge { surface, curve: edge(&patch, axis, end) });
+                        // At t = 0 along s, at s = 1 along t, and back at the other two.
+                        let forward = (axis == 1) == (end == 0);
+                        edges.push(Edge { surface, curve: edge(&patch, axis, end), forward });
                     }
                 }
             }
@@ -183,7 +192,11 @@ mod tests {
         ] {
             let edges = Edges::of_triangles(triangles.into_iter().enumerate());
             assert_eq!([edges.equal.len(), edges.single.len()], [12, 0]);
-            assert!(edges.equal.iter().all(|&[a, b]| is_of_first(a) == is_of_first(b)), "{:?}", edges.equal);
+            assert!(
+                edges.equal.iter().all(|&([a, b], _)| is_of_first(a) == is_of_first(b)),
+                "{:?}",
+                edges.equal
+            );
         }
     }
 }

@@ -1,8 +1,10 @@
 //! The boundary of a solid: the edges of its faces, joined in pairs.
 
 use super::clusters::Clusters;
+use super::cracks::Cracks;
 use super::curve::Curve;
 use super::edges::{Edge, Edges};
+use super::orientation::{Joined, Orientations};
 use super::parity::MAX_DEPTH;
 use super::strips::{Covering, Strip, StripLimits};
 use crate::bezier::PointError;
@@ -33,8 +35,8 @@ const COORDINATE_ROUNDINGS: f64 = 64.0;
 pub(crate) struct Boundary {
     /// The edges without a partner.
     free: Vec<FreeEdge>,
-    /// The shell of each surface of the model.
-    shells: Vec<u32>,
+    /// The shell of each surface of the model, and the sides to which they turn.
+    joined: Joined,
     reach: f64,
     /// An upper bound on the distance of the strips from the patches, with the rounding of both.
     clearance: f64,
@@ -57,6 +59,15 @@ struct EdgePart {
     surface: usize,
     curve: Curve,
     ends: [u32; 2],
+    forward: bool,
+}
+
+impl EdgePart {
+    /// Returns the same part from its other end.
+    fn reversed(self) -> Self {
+        let Self { surface, curve, ends: [start, end], forward } = self;
+        Self { surface, curve: curve.reversed(), ends: [end, start], forward: !forward }
+    }
 }
 
 impl Boundary {
@@ -71,29 +82,39 @@ impl Boundary {
         max_degree: usize,
     ) -> Self {
         let reach = gap.max(RELATIVE_REACH * control_box.diagonal()).max(f64::MIN_POSITIVE);
-        let mut shells = Shells::new(edges.surfaces);
-        edges.equal.iter().for_each(|&[a, b]| shells.0.join(a, b));
+        let mut orientations = Orientations::separate(edges.surfaces);
+        edges.equal.iter().for_each(|&([a, b], runs_alike)| orientations.join(a, b, runs_alike));
         let mut joints = Joints::new(edges.single, reach, RELATIVE_TIE * control_box.diagonal());
         let arcs = joints.arcs();
         let (mut covering, mut free) = (Covering::default(), Vec::new());
         let (radius, width) =
             (RELATIVE_RADIUS * control_box.diagonal(), RELATIVE_TIE * control_box.diagonal());
         let limits = StripLimits { radius: reach.max(radius), width };
+        let mut cracks = Cracks::default();
         for [a, b] in joints.pair(arcs, &mut free) {
-            shells.0.join(a.surface as u32, b.surface as u32);
+            orientations.join(a.surface as u32, b.surface as u32, a.forward == b.forward);
+            let before = [covering.area, covering.length];
             covering.add_pair([a.curve, b.curve], limits, 0);
+            cracks.strips.push((a.surface, [covering.area - before[0], covering.length - before[1]]));
         }
-        joints.corners().for_each(|points| covering.add_corner(points));
-        let Covering { strips, thickness } = covering;
+        for Corner { points, surfaces } in joints.corners() {
+            cracks.add_corner(&points, surfaces);
+            covering.add_corner(points);
+        }
+        let Covering { strips, thickness, .. } = covering;
         let boxes: Vec<Aabb> = strips.iter().map(Strip::bounding_box).collect();
         let halvings = gamma(2.0 * f64::from(MAX_DEPTH) * max_degree as f64) * control_box.diagonal();
         let coordinates = gamma(COORDINATE_ROUNDINGS) * control_box.farthest_from_origin();
         let margin = 2.0 * point_error.after(0) + halvings + coordinates + VANISHING_LENGTH;
+        let mut joined = orientations.shells();
+        let rounding = margin - 2.0 * point_error.after(0);
+        cracks.added_to(&mut joined, rounding);
+        free.iter().for_each(|edge| joined.of_shell[joined.shells[edge.surface] as usize].free += 1);
         Self {
             free,
             reach,
             clearance: thickness + 2.0 * margin,
-            shells: shells.numbers(),
+            joined,
             strip_tree: Bvh::new(&boxes),
             strips,
             margin,
@@ -102,7 +123,7 @@ impl Boundary {
 
     /// Returns whether there are faces and every edge has a partner.
     pub(crate) fn is_closed(&self) -> bool {
-        self.free.is_empty() && !self.shells.is_empty()
+        self.free.is_empty() && !self.joined.shells.is_empty()
     }
 
     /// Returns the distance up to which edges were joined.
@@ -123,26 +144,12 @@ impl Boundary {
 
     /// Returns the number of the shell that each surface belongs to, from 0.
     pub(crate) fn shells(&self) -> &[u32] {
-        &self.shells
-    }
-}
-
-/// The surfaces that joined edges connect.
-struct Shells(Clusters, usize);
-
-impl Shells {
-    fn new(count: usize) -> Self {
-        Self(Clusters::separate(count), count)
+        &self.joined.shells
     }
 
-    fn numbers(mut self) -> Vec<u32> {
-        let mut numbers = HashMap::new();
-        (0..self.1 as u32)
-            .map(|surface| {
-                let next = numbers.len() as u32;
-                *numbers.entry(self.0.of(surface)).or_insert(next)
-            })
-            .collect()
+    /// Returns the shells, with the sides to which their surfaces turn.
+    pub(crate) fn joined(&self) -> &Joined {
+        &self.joined
     }
 }
 
@@ -154,16 +161,31 @@ struct Joints {
     tie: f64,
     clusters: Clusters,
     /// The points of each group, by its number.
-    members: BTreeMap<u32, Vec<DVec3>>,
+    members: BTreeMap<u32, Corner>,
+}
+
+/// The points of a group, with the surfaces whose edges have them.
+#[derive(Debug, Default)]
+pub(super) struct Corner {
+    pub(super) points: Vec<DVec3>,
+    pub(super) surfaces: Vec<usize>,
+}
+
+impl Corner {
+    fn extend(&mut self, points: impl Iterator<Item = DVec3>, surface: usize) {
+        self.points.extend(points);
+        self.surfaces.push(surface);
+    }
 }
 
 impl Joints {
     fn new(edges: Vec<Edge>, reach: f64, tie: f64) -> Self {
         let points: Vec<DVec3> = edges.iter().flat_map(|edge| edge.curve.ends()).collect();
         let mut clusters = Clusters::new(&points, reach);
-        let mut members: BTreeMap<u32, Vec<DVec3>> = BTreeMap::new();
+        let mut members: BTreeMap<u32, Corner> = BTreeMap::new();
         for (index, &point) in points.iter().enumerate() {
-            members.entry(clusters.of(index as u32)).or_default().push(point);
+            let corner = members.entry(clusters.of(index as u32)).or_default();
+            corner.extend(std::iter::once(point), edges[index / 2].surface);
         }
         Self { edges, reach, tie, clusters, members }
     }
@@ -174,11 +196,11 @@ impl Joints {
         let cuts = self.cuts();
         let edges = std::mem::take(&mut self.edges);
         let mut arcs = Vec::with_capacity(edges.len());
-        for (index, (Edge { surface, curve }, mut cuts)) in edges.into_iter().zip(cuts).enumerate() {
+        for (index, (Edge { surface, curve, forward }, mut cuts)) in edges.into_iter().zip(cuts).enumerate() {
             let ends = [0, 1].map(|end| self.clusters.of((2 * index + end) as u32));
             let extent = curve.points().fold(Aabb::EMPTY, Aabb::with).diagonal();
             if ends[0] == ends[1] && extent <= 2.0 * self.reach {
-                self.members.entry(ends[0]).or_default().extend(curve.points());
+                self.members.entry(ends[0]).or_default().extend(curve.points(), surface);
                 continue;
             }
             sort_by_number(&mut cuts, |cut| cut.0);
@@ -186,11 +208,11 @@ impl Joints {
             for (t, cluster) in cuts {
                 let [low, high] = rest.split((t - start) / (1.0 - start));
                 let [_, end] = low.ends();
-                self.members.entry(cluster).or_default().push(end);
-                arcs.push(EdgePart { surface, curve: low, ends: [from, cluster] });
+                self.members.entry(cluster).or_default().extend(std::iter::once(end), surface);
+                arcs.push(EdgePart { surface, curve: low, ends: [from, cluster], forward });
                 (rest, start, from) = (high, t, cluster);
             }
-            arcs.push(EdgePart { surface, curve: rest, ends: [from, ends[1]] });
+            arcs.push(EdgePart { surface, curve: rest, ends: [from, ends[1]], forward });
         }
         arcs
     }
@@ -200,8 +222,8 @@ impl Joints {
         let of_edge = |edge: &Edge| edge.curve.points().fold(Aabb::EMPTY, Aabb::with);
         let tree = Bvh::new(&self.edges.iter().map(of_edge).collect::<Vec<_>>());
         let mut cuts = vec![Vec::new(); self.edges.len()];
-        for (&cluster, points) in &self.members {
-            let point = points[0];
+        for (&cluster, corner) in &self.members {
+            let point = corner.points[0];
             for leaf in tree.leaves_within(point, self.reach * self.reach) {
                 let index = tree.primitive(&leaf) as usize;
                 let ends = [0, 1].map(|end| self.clusters.of((2 * index + end) as u32));
@@ -223,7 +245,7 @@ impl Joints {
         let mut keys = Vec::new();
         for mut arc in arcs {
             if arc.ends[0] > arc.ends[1] {
-                arc = EdgePart { curve: arc.curve.reversed(), ends: [arc.ends[1], arc.ends[0]], ..arc };
+                arc = arc.reversed();
             }
             groups.entry(arc.ends).or_insert_with(|| {
                 keys.push(arc.ends);
@@ -261,7 +283,7 @@ impl Joints {
     }
 
     /// Returns the points of the groups.
-    fn corners(self) -> impl Iterator<Item = Vec<DVec3>> {
+    fn corners(self) -> impl Iterator<Item = Corner> {
         self.members.into_values()
     }
 }
@@ -275,8 +297,7 @@ fn in_one_direction([a, b]: [EdgePart; 2]) -> [EdgePart; 2] {
     if early <= late {
         return [a, b];
     }
-    let b = EdgePart { curve: b.curve.reversed(), ..b };
-    [a, b]
+    [a, b.reversed()]
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -286,7 +307,7 @@ mod tests {
 
     fn edge(surface: usize, points: &[[f64; 3]]) -> Edge {
         let controls = points.iter().map(|&point| DVec3::from_array(point).extend(1.0)).collect();
-        Edge { surface, curve: Curve { center: DVec3::ZERO, controls } }
+        Edge { surface, curve: Curve { center: DVec3::ZERO, controls }, forward: true }
     }
 
     fn boundary(single: Vec<Edge>, gap: f64) -> Boundary {

@@ -6,10 +6,12 @@
 //! [`Enclosing`] has the side that follows. A sheet has no sides, but a [`pseudonormal`] at each point. docs/solids.md has the lemmas. Nothing here knows of files, processors or options.
 
 mod clusters;
+mod cracks;
 mod curve;
 mod edges;
 mod enclosing;
 mod joints;
+mod orientation;
 mod parity;
 mod pseudonormal;
 mod ray;
@@ -19,5 +21,6 @@ mod strips;
 pub(crate) use edges::Edges;
 pub(crate) use enclosing::{Enclosing, Relation};
 pub(crate) use joints::Boundary;
+pub(crate) use orientation::Joined;
 pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;

@@ -39,7 +39,21 @@ impl Boundary {
     /// this is the boundary of. It holds for all points within `error` of the one given. O(√patches) a
     /// ray in general position.
     pub(crate) fn enclosing(&self, target: &Target, point: DVec3, error: f64) -> Option<Enclosing> {
-        if !self.is_closed() || !point.is_finite() {
+        if self.is_closed() { self.enclosing_closed(target, point, error) } else { None }
+    }
+
+    /// Returns whether one shell encloses a point, where that is certain: the others may be open. `target` has the
+    /// patches of that shell alone. As [`Boundary::enclosing`].
+    pub(crate) fn encloses(&self, shell: u32, target: &Target, point: DVec3, error: f64) -> Option<bool> {
+        if self.joined().of_shell[shell as usize].free > 0 {
+            return None;
+        }
+        self.enclosing_closed(target, point, error).map(|around| around.has(shell))
+    }
+
+    /// As [`Boundary::enclosing`] for patches of shells that close.
+    fn enclosing_closed(&self, target: &Target, point: DVec3, error: f64) -> Option<Enclosing> {
+        if !point.is_finite() {
             return None;
         }
         for direction in (0..MAX_RAYS).map(direction) {

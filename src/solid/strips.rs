@@ -51,6 +51,10 @@ pub(super) struct StripLimits {
 pub(super) struct Covering {
     pub(super) strips: Vec<Strip>,
     pub(super) thickness: f64,
+    /// An upper bound on the area of all strips between pairs (lemma S6 of docs/solids.md), without the
+    /// rounding of their edges, and on the mean length of both edges.
+    pub(super) area: f64,
+    pub(super) length: f64,
 }
 
 impl Covering {
@@ -71,6 +75,9 @@ impl Covering {
         if (radius <= limits.radius && is_narrow) || depth == MAX_DIVISIONS {
             // Lemma S1: a point of a segment is nearer than half its length to one of its ends.
             self.thickness = upper_max(self.thickness, upper_min(2.0 * radius, 0.5 * width));
+            let length = 0.5 * (curves[0].polygon() + curves[1].polygon());
+            self.area += width * length;
+            self.length += length;
             self.strips.push(Strip::Pair(curves));
             return;
         }

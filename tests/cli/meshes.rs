@@ -31,13 +31,29 @@ fn meshes_and_points_are_read_by_the_ending_of_their_names() {
     assert!(text.contains("on A       point 0") && text.contains("on B       triangle "), "{text}");
 }
 
+/// A file of triangles and one of points, in text and in JSON.
+#[test]
+fn info_has_the_facts_of_meshes_and_clouds() {
+    let mesh = file("mesh-info.stl", &stl(0.0));
+    let points = file("mesh-info.xyz", "0 0 0\n1 2 3\n");
+    let text = String::from_utf8_lossy(&run(&["info", &mesh]).stdout).into_owned();
+    assert!(text.contains("extents") && text.contains("edges of faces have no partner"), "{text}");
+    let info: serde_json::Value = serde_json::from_slice(&run(&["info", &points, "--json"]).stdout).unwrap();
+    assert_eq!(info["counts"]["points"], 2);
+    assert_eq!(info["facts"]["volumeUnknown"], "points");
+    assert_eq!(info["bodies"][0]["kind"], "points");
+    for (axis, expected) in [1.0, 2.0, 3.0].into_iter().enumerate() {
+        let extent = &info["facts"]["extents"][axis];
+        let [lower, upper] = ["lower", "upper"].map(|end| extent[end].as_f64().unwrap());
+        assert!(lower <= expected && expected <= upper && upper - lower < 1e-12, "{extent}");
+    }
+}
+
 #[test]
 fn what_needs_surfaces_refuses_meshes_by_code() {
     let mesh = file("mesh-refused.stl", &stl(0.0));
     let points = file("mesh-refused.xyz", "0 0 0\n1 2 3\n");
-    for arguments in
-        [vec!["info", &mesh], vec!["convert", &mesh, "unwritten.json"], vec!["clearance", &mesh, &points]]
-    {
+    for arguments in [vec!["convert", &mesh, "unwritten.json"], vec!["clearance", &mesh, &points]] {
         let output = run(&arguments);
         let error = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(status(&output) == 2 && error.contains("FACETS_UNSUPPORTED"), "{arguments:?}: {error}");

@@ -7,7 +7,7 @@ use crate::bvh::Aabb;
 use crate::error::{Error, Result};
 use crate::facets::PreparedFacets;
 use crate::pieces::FacePieces;
-use crate::solid::{Boundary, Edges};
+use crate::solid::{Boundary, Edges, Joined};
 use crate::threads::computed;
 use crate::threads::parallel::map;
 
@@ -95,6 +95,17 @@ impl PreparedModel {
             let (edges, point_error) = (Edges::of_surfaces(&self.bezier), self.bezier.point_error);
             Boundary::new(edges, point_error, &self.control_box, self.gap, degrees.max().unwrap_or(0))
         })
+    }
+
+    /// Returns the surfaces that joined edges connect: pieces of faces, or triangles by their places. Those of
+    /// a mesh too large for [`Self::boundary`] are joined along edges of the same vertices only.
+    pub(in crate::engine) fn joined(&self) -> &Joined {
+        match &self.facets {
+            Some(facets) if !facets.may_close() => {
+                computed::<Joined>(&self.kept.joined, || facets.joined_exactly())
+            }
+            _ => self.boundary().joined(),
+        }
     }
 
     /// Returns the number of faces.

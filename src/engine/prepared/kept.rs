@@ -1,18 +1,21 @@
 //! What is computed from a model at first use, and kept.
 
 use super::PreparedModel;
+use super::bodies::BodyParts;
+use super::measured::MeasuredBody;
 use super::shells::KnownShells;
 use crate::area::Area;
 use crate::bezier::{LocalDerivativeBounds, PatchSet};
 use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
 use crate::error::Result;
+use crate::facts::Facts;
 use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Places, flatten, recut};
 use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{CoveringRadius, Sampling, SamplingRule};
 use crate::progress::Progress;
-use crate::solid::Boundary;
+use crate::solid::{Boundary, Joined};
 use crate::surface_point::SurfacePoint;
 use crate::threads::{computed, locked};
 use glam::DVec3;
@@ -42,6 +45,10 @@ pub(super) struct Kept {
     pub(super) cells: Mutex<Option<Arc<PreparedCells>>>,
     pub(super) areas: OnceLock<Vec<Area>>,
     pub(super) boundary: OnceLock<Boundary>,
+    pub(super) joined: OnceLock<Joined>,
+    pub(super) bodies: OnceLock<Vec<BodyParts>>,
+    pub(super) measured: OnceLock<Vec<MeasuredBody>>,
+    pub(super) facts: OnceLock<Facts>,
     pub(super) shells: KnownShells,
 }
 

@@ -1,7 +1,9 @@
 //! Models with the data that is computed from them once.
 
+mod bodies;
 mod facts;
 mod kept;
+mod measured;
 mod points;
 mod shells;
 mod units;
@@ -19,6 +21,7 @@ use crate::symmetry::{Revolution, revolutions};
 use crate::threads::locked;
 use crate::threads::parallel::Watch;
 use crate::untrim::Untrimmed;
+pub(in crate::engine) use bodies::BodyParts;
 use kept::Kept;
 pub(crate) use kept::{PreparedCells, PreparedSampling, PreparedTarget};
 pub(in crate::engine) use shells::Shells;

@@ -44,13 +44,32 @@ impl Shells<'_> {
     /// Returns the side of the points that these shells of the model enclose, by the rule of
     /// docs/solids.md, section 2. Shells are compared at first use.
     pub(in crate::engine) fn side(&self, enclosing: &Enclosing) -> Side {
-        enclosing.side(|pair| {
-            if let Some(&known) = locked(&self.known.relations).get(&pair) {
-                return known;
-            }
-            let found = self.compared(pair);
-            *locked(&self.known.relations).entry(pair).or_insert(found)
-        })
+        enclosing.side(|pair| self.relation(pair))
+    }
+
+    /// Returns how two shells lie, of which both enclose some point, compared at first use.
+    fn relation(&self, pair: [u32; 2]) -> Relation {
+        if let Some(&known) = locked(&self.known.relations).get(&pair) {
+            return known;
+        }
+        let found = self.compared(pair);
+        *locked(&self.known.relations).entry(pair).or_insert(found)
+    }
+
+    /// Returns whether a shell lies within another one, apart from it; `None` where that is not known.
+    pub(in crate::engine) fn is_within(&self, shell: u32, other: u32) -> Option<bool> {
+        let target = self.target(shell);
+        let point = target.patches.patch(0).point([0.5; 2]);
+        let error = self.boundary.margin_at(point);
+        if self.boundary.encloses(other, &self.target(other), point, error) == Some(false) {
+            return Some(false);
+        }
+        match self.relation([shell.min(other), shell.max(other)]) {
+            Relation::Within => Some(shell < other),
+            Relation::About => Some(shell > other),
+            Relation::Meeting => Some(false),
+            Relation::Unknown => None,
+        }
     }
 
     /// Returns how two shells lie, by the least distance of their points. They are apart only if their
@@ -80,9 +99,8 @@ impl Shells<'_> {
     /// Returns which of two shells that are apart lies within the other, by a point of the first one.
     fn nested(&self, [_, other]: [u32; 2], targets: &[Arc<Target>; 2]) -> Relation {
         let point = targets[0].patches.patch(0).point([0.5; 2]);
-        let is_within = |around: &Enclosing| around.has(other);
         let error = self.boundary.margin_at(point);
-        match self.boundary.enclosing(&targets[1], point, error).as_ref().map(is_within) {
+        match self.boundary.encloses(other, &targets[1], point, error) {
             Some(true) => Relation::Within,
             // Both enclose a point, so that one lies within the other.
             Some(false) => Relation::About,

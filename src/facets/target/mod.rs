@@ -9,6 +9,7 @@ use super::{Facet, Group, PointCloud, TriangleMesh};
 use crate::area::Area;
 use crate::bvh::{Aabb, RangeTree};
 use crate::rounding::gamma;
+use crate::solid::Joined;
 use crate::threads::computed;
 use crate::threads::parallel::map;
 use glam::DVec3;
@@ -126,6 +127,16 @@ impl FacetTarget {
             let largest = self.vertices.iter().flatten().max();
             neighbours::neighbours(&self.vertices, largest.map_or(0, |&vertex| vertex as usize + 1))
         })
+    }
+
+    /// Returns the triangles that share edges of the same two vertices. O(n).
+    pub(super) fn joined(&self) -> Joined {
+        Joined::of_neighbours(&self.vertices, self.neighbours(), NONE)
+    }
+
+    /// Returns the indices of the vertices of a triangle, equal for equal points.
+    pub(crate) fn corners(&self, place: u32) -> [u32; 3] {
+        self.vertices[place as usize]
     }
 
     /// Returns the number of facets.

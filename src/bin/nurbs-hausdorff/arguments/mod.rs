@@ -406,9 +406,40 @@ pub(crate) struct BatchArguments {
 pub(crate) struct InfoArguments {
     /// The model; - is standard input.
     pub(crate) model: PathBuf,
+    /// The unit of the facts; that of the model if not given.
+    #[arg(long, value_enum)]
+    pub(crate) unit: Option<Unit>,
+    /// The mass of a cubic unit of the facts, for the mass of bodies.
+    #[arg(long, value_name = "MASS")]
+    pub(crate) density: Option<f64>,
     /// Prints the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// A unit of length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Unit {
+    Mm,
+    Cm,
+    M,
+    In,
+    Ft,
+    Um,
+}
+
+impl Unit {
+    /// Returns its metres.
+    pub(crate) fn metres(self) -> f64 {
+        match self {
+            Self::Mm => 1e-3,
+            Self::Cm => 1e-2,
+            Self::M => 1.0,
+            Self::In => 0.0254,
+            Self::Ft => 0.3048,
+            Self::Um => 1e-6,
+        }
+    }
 }
 
 #[derive(Debug, Args)]

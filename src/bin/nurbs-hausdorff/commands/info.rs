@@ -1,53 +1,187 @@
 //! The command `info`.
 
-use crate::arguments::InfoArguments;
+use crate::arguments::{InfoArguments, Unit};
 use crate::failure::Failure;
 use crate::input::{Input, read};
 use crate::output::json::{OfFile, print_json};
 use crate::output::print;
 use crate::output::report::short;
-use nurbs_hausdorff::{ModelInfo, Note, ReadReport, Skipped};
+use clap::ValueEnum;
+use nurbs_hausdorff::{
+    BodyInfo, BodyKind, Error, Facts, Interval, ModelInfo, Note, Orientation, ReadReport, Skipped,
+    VolumeUnknown,
+};
 use serde::Serialize;
 use std::fmt::Write;
 
-/// Prints the faces, patches, areas and bounding box of the model.
+/// Prints the facts, bodies, faces, patches and areas of the model.
 pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     let input = read(&arguments.model)?;
-    let info = ModelInfo::of_prepared(input.surfaces("the table of faces")?, &input.prepared);
+    let mut info = match &input.model {
+        Some(model) => ModelInfo::of_prepared(model, &input.prepared),
+        None => ModelInfo::of_facets(&input.prepared),
+    };
+    if let Some(unit) = arguments.unit {
+        convert(&mut info, unit)?;
+    }
+    let density = arguments.density;
+    if let Some(found) = density.filter(|density| !(*density > 0.0 && density.is_finite())) {
+        let expected = "a finite number above 0";
+        return Err(Error::OptionOutOfRange { option: "density", found: found.to_string(), expected }.into());
+    }
+    let mass = density.zip(info.facts.volume).map(|(density, volume)| volume * density);
     let Input { report, source, .. } = input;
+    let unit = arguments.unit.and_then(|unit| unit.to_possible_value());
+    let unit = unit.as_ref().map(|unit| unit.get_name());
     if arguments.json {
         let ReadReport { skipped, notes, .. } = &report.read;
-        let info = Info { info: &info, skipped, notes };
+        let info = Info { info: &info, unit_of_facts: unit, mass, skipped, notes };
         return print_json(&OfFile::new("info", &info, &source));
     }
     let mut text = String::new();
     // Writing to a string does not fail.
-    let _ = lines(&mut text, &info);
+    let _ = lines(&mut text, &info, unit, mass);
     print(&text)
 }
 
 /// A model in numbers, with the faces that were left out of it and the notes on others.
 #[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
 struct Info<'a> {
     #[serde(flatten)]
     info: &'a ModelInfo,
+    /// The unit of the facts if they are not in that of the model.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit_of_facts: Option<&'a str>,
+    /// The volume times the density.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mass: Option<Interval>,
     skipped: &'a [Skipped],
     notes: &'a [Note],
 }
 
-fn lines(out: &mut String, info: &ModelInfo) -> std::fmt::Result {
-    let [min, max] = info.bounding_box;
+/// States the facts in another unit.
+///
+/// # Errors
+/// [`Error::OptionInvalid`] if the unit of the model is not known.
+fn convert(info: &mut ModelInfo, unit: Unit) -> Result<(), Failure> {
+    let Some(own) = info.unit else {
+        let expected = "no unit where the file states none";
+        return Err(Error::OptionOutOfRange { option: "unit", found: format!("{unit:?}"), expected }.into());
+    };
+    // Metres of inches and millimetres are decimal numbers that float64 rounds once.
+    let metres = |metres: f64| Interval { lower: metres.next_down(), upper: metres.next_up() };
+    let same = own == unit.metres();
+    let factor = if same { Interval::exactly(1.0) } else { metres(own).over(metres(unit.metres())) };
+    info.facts = info.facts.scaled(factor);
+    info.bodies.iter_mut().for_each(|body| body.facts = body.facts.scaled(factor));
+    Ok(())
+}
+
+fn lines(out: &mut String, info: &ModelInfo, unit: Option<&str>, mass: Option<Interval>) -> std::fmt::Result {
     writeln!(out, "model     {}", info.name.as_deref().unwrap_or("without a name"))?;
-    writeln!(out, "box       {min:?} to {max:?}, diagonal {:?}", info.diagonal)?;
     if let Some(unit) = info.unit {
         writeln!(out, "unit      {unit:?} m")?;
     }
-    writeln!(out, "area      {} to {}", short(info.area.lower), short(info.area.upper))?;
+    if let Some(unit) = unit {
+        writeln!(out, "facts in  {unit}")?;
+    }
+    facts(out, &info.facts)?;
+    if let Some(mass) = mass {
+        writeln!(out, "mass      {mass}")?;
+    }
+    counts(out, info)?;
+    for (index, body) in info.bodies.iter().enumerate() {
+        self::body(out, index, body)?;
+    }
+    faces(out, info)
+}
+
+/// Writes the facts of a model.
+fn facts(out: &mut String, facts: &Facts) -> std::fmt::Result {
+    let three = |of: &[Interval; 3]| of.map(|one| one.to_string()).join(", ");
+    writeln!(out, "extents   {}", three(&facts.extents))?;
+    writeln!(out, "from      {}", three(&facts.min))?;
+    writeln!(out, "to        {}", three(&facts.max))?;
+    if let Some(area) = &facts.area {
+        writeln!(out, "area      {area}")?;
+    }
+    match (&facts.volume, facts.volume_unknown) {
+        (Some(volume), _) => writeln!(out, "volume    {volume}")?,
+        (None, Some(why)) => writeln!(out, "volume    not known: {}", reason(why))?,
+        (None, None) => {}
+    }
+    if let Some(centroid) = &facts.centroid {
+        writeln!(out, "centroid  {}", three(centroid))?;
+    }
+    if let Some(moments) = &facts.principal_moments {
+        writeln!(out, "moments   {}", three(moments))?;
+    }
+    Ok(())
+}
+
+fn reason(why: VolumeUnknown) -> &'static str {
+    match why {
+        VolumeUnknown::Open => "edges of faces have no partner",
+        VolumeUnknown::NotOrientable => "the faces have no two sides",
+        VolumeUnknown::Nesting => "which shells are voids is not decided",
+        VolumeUnknown::Points => "points have none",
+        _ => "for a reason that this version does not name",
+    }
+}
+
+/// Writes what the model consists of.
+fn counts(out: &mut String, info: &ModelInfo) -> std::fmt::Result {
+    let counts = &info.counts;
     let trimmed = if info.trimmed > 0 { format!("{} trimmed, ", info.trimmed) } else { String::new() };
-    writeln!(out, "faces     {}, {trimmed}{} Bézier patches", info.faces.len(), info.patches)?;
+    match (counts.triangles, counts.points) {
+        (Some(triangles), _) => writeln!(out, "triangles {triangles}")?,
+        (None, Some(points)) => writeln!(out, "points    {points}")?,
+        (None, None) => {
+            writeln!(out, "faces     {}, {trimmed}{} Bézier patches", info.faces.len(), info.patches)?;
+        }
+    }
+    if counts.kinds.len() > 1 {
+        let kinds = counts.kinds.iter().map(|(kind, count)| format!("{count} {kind}"));
+        writeln!(out, "kinds     {}", kinds.collect::<Vec<_>>().join(", "))?;
+    }
+    for (count, what) in [
+        (counts.free_edges.unwrap_or(0), "free edges"),
+        (counts.duplicate_faces, "faces that stand twice"),
+        (counts.duplicate_triangles, "triangles that stand twice"),
+        (counts.degenerate_triangles, "triangles on a line"),
+    ] {
+        if count > 0 {
+            writeln!(out, "note      {count} {what}")?;
+        }
+    }
     if info.trimmed > 0 || info.gap > 0.0 {
         writeln!(out, "gap       {:?}, deviation of the pieces {:?}", info.gap, info.deviation)?;
     }
+    Ok(())
+}
+
+/// Writes a line on a body.
+fn body(out: &mut String, index: usize, BodyInfo { body, facts, .. }: &BodyInfo) -> std::fmt::Result {
+    let kind = match body.kind {
+        BodyKind::Solid => "solid",
+        BodyKind::Sheet => "sheet",
+        _ => "points",
+    };
+    let turned = match body.orientation {
+        Some(Orientation::InsideOut) => ", inside out",
+        Some(Orientation::Mixed) => ", faces against each other",
+        Some(Orientation::NotOrientable) => ", not orientable",
+        _ => "",
+    };
+    let voids = if body.voids > 0 { format!(", {} voids", body.voids) } else { String::new() };
+    let volume = facts.volume.map_or(String::new(), |volume| format!("  volume {volume}"));
+    let name = if body.path.is_empty() { String::new() } else { format!("  {}", body.path.join(" / ")) };
+    writeln!(out, "body {index:>4} {kind}{turned}{voids}, {} faces{volume}{name}", body.faces.len())
+}
+
+/// Writes a line on each face.
+fn faces(out: &mut String, info: &ModelInfo) -> std::fmt::Result {
     for (index, face) in info.faces.iter().enumerate() {
         let [p, q] = face.degree;
         let [rows, columns] = face.counts;

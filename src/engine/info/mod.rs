@@ -1,11 +1,16 @@
 //! A model in numbers, for people and programs that choose options.
 
-use super::PreparedModel;
+mod counts;
+
+use super::{Body, PreparedModel};
 use crate::area::Area;
 use crate::axis::Axis;
 use crate::error::Result;
+use crate::facts::Facts;
 use crate::model::trim::TrimPiece;
 use crate::model::{Face, Model};
+pub use counts::Counts;
+use glam::DVec3;
 use serde::Serialize;
 
 /// The faces, patches and bounding box of a model.
@@ -24,16 +29,35 @@ pub struct ModelInfo {
     /// The upper bound, in model units, on the Hausdorff distance between the trimmed
     /// faces and the pieces that are measured.
     pub deviation: f64,
-    /// The faces in order.
+    /// The faces in order; none of a mesh or a cloud of points.
     pub faces: Vec<FaceInfo>,
     /// The number of Bézier patches.
     pub patches: usize,
-    /// The smallest and the largest coordinates of the control points.
+    /// A box around the model: its least and its largest coordinates, rounded out by at most about 1e-9 of the
+    /// diagonal.
     pub bounding_box: [[f64; 3]; 2],
     /// The length of the box's diagonal.
     pub diagonal: f64,
     /// The area of all faces' pieces, in squares of the model unit.
     pub area: Area,
+    /// The facts of all bodies together.
+    pub facts: Facts,
+    /// The bodies.
+    pub bodies: Vec<BodyInfo>,
+    /// What the model consists of.
+    pub counts: Counts,
+}
+
+/// A body with its facts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct BodyInfo {
+    /// The body.
+    #[serde(flatten)]
+    pub body: Body,
+    /// Its facts.
+    pub facts: Facts,
 }
 
 /// A face in numbers.
@@ -83,20 +107,41 @@ impl ModelInfo {
     /// As [`ModelInfo::new`] for a model that is prepared.
     #[must_use]
     pub fn of_prepared(model: &Model, prepared: &PreparedModel) -> Self {
-        let bounding_box = prepared.bounding_box();
         let pieces = prepared.face_patch_counts().zip(prepared.face_areas());
         let faces = model.faces().zip(pieces);
+        let faces = faces.map(|(face, (patches, area))| FaceInfo::new(&face, patches, *area)).collect();
+        let trimmed = model.faces().filter(|face| face.trim().is_some()).count();
+        let counts = Counts::new(Some(model), prepared);
+        Self { faces, trimmed, patches: prepared.face_patch_counts().sum(), ..Self::whole(prepared, counts) }
+    }
+
+    /// Counts and measures a mesh or a cloud of points, of which `faces` are none.
+    #[must_use]
+    pub fn of_facets(prepared: &PreparedModel) -> Self {
+        Self::whole(prepared, Counts::new(None, prepared))
+    }
+
+    /// Returns what is known of the model without its faces.
+    fn whole(prepared: &PreparedModel, counts: Counts) -> Self {
+        let facts = prepared.facts().clone();
+        let bounding_box = [facts.min.map(|low| low.lower), facts.max.map(|high| high.upper)];
+        let [min, max] = bounding_box.map(DVec3::from_array);
+        let facts_of_bodies = prepared.body_facts().cloned();
+        let bodies = prepared.bodies().into_iter().zip(facts_of_bodies);
         Self {
-            name: model.name().map(str::to_owned),
-            unit: model.unit(),
-            trimmed: model.faces().filter(|face| face.trim().is_some()).count(),
-            gap: model.gap(),
+            name: prepared.name().map(str::to_owned),
+            unit: prepared.unit(),
+            trimmed: 0,
+            gap: prepared.gap(),
             deviation: prepared.deviation(),
-            faces: faces.map(|(face, (patches, area))| FaceInfo::new(&face, patches, *area)).collect(),
-            patches: prepared.face_patch_counts().sum(),
-            bounding_box: [bounding_box.min.to_array(), bounding_box.max.to_array()],
-            diagonal: bounding_box.diagonal(),
+            faces: Vec::new(),
+            patches: 0,
+            bounding_box,
+            diagonal: min.distance(max),
             area: prepared.area(),
+            facts,
+            bodies: bodies.map(|(body, facts)| BodyInfo { body, facts }).collect(),
+            counts,
         }
     }
 }

@@ -1,0 +1,227 @@
+//! Intervals of real numbers.
+
+use serde::Serialize;
+use std::fmt::{Display, Formatter};
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// An interval that contains a number: `lower <= number <= upper`.
+///
+/// Sums, differences and products contain those of all numbers of the operands, rounding included.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Interval {
+    /// A lower bound.
+    pub lower: f64,
+    /// An upper bound.
+    pub upper: f64,
+}
+
+impl Interval {
+    /// The interval of all numbers, which bounds nothing.
+    pub(crate) const ALL: Self = Self { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
+
+    /// The interval of the numbers that are within `error` of `value`; NaN bounds nothing.
+    #[must_use]
+    pub fn about(value: f64, error: f64) -> Self {
+        Self::outward(value - error, value + error)
+    }
+
+    /// The interval of one number.
+    #[must_use]
+    pub fn exactly(value: f64) -> Self {
+        Self { lower: value, upper: value }
+    }
+
+    /// The interval between two bounds that were rounded once each.
+    fn outward(lower: f64, upper: f64) -> Self {
+        if lower <= upper { Self { lower: lower.next_down(), upper: upper.next_up() } } else { Self::ALL }
+    }
+
+    /// Returns the number in the middle; for an interval without bounds it is not finite.
+    #[must_use]
+    pub fn middle(&self) -> f64 {
+        0.5 * self.lower + 0.5 * self.upper
+    }
+
+    /// Returns an upper bound on the width.
+    #[must_use]
+    pub fn width(&self) -> f64 {
+        (self.upper - self.lower).next_up()
+    }
+
+    /// Returns an upper bound on the distance of the numbers from the middle.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        let middle = self.middle();
+        let [below, above] = [middle - self.lower, self.upper - middle];
+        if below > above { below.next_up() } else { above.next_up() }
+    }
+
+    /// Returns whether a number is in the interval.
+    #[must_use]
+    pub fn contains(&self, number: f64) -> bool {
+        self.lower <= number && number <= self.upper
+    }
+
+    /// Returns whether all numbers are below all of the other interval, or none is; `None` where that is
+    /// not decided.
+    #[must_use]
+    pub fn is_below(&self, other: &Self) -> Option<bool> {
+        if self.upper < other.lower {
+            Some(true)
+        } else if self.lower >= other.upper {
+            Some(false)
+        } else {
+            None
+        }
+    }
+
+    /// Returns the interval of the quotients by a number that is not 0; all numbers where the divisor may be.
+    #[must_use]
+    pub fn over(self, divisor: Self) -> Self {
+        if !(divisor.lower > 0.0) && !(divisor.upper < 0.0) {
+            return Self::ALL;
+        }
+        let quotients = [
+            self.lower / divisor.lower,
+            self.lower / divisor.upper,
+            self.upper / divisor.lower,
+            self.upper / divisor.upper,
+        ];
+        Self::hull(quotients)
+    }
+
+    /// The interval about four numbers that were rounded once each; NaN bounds nothing.
+    fn hull(numbers: [f64; 4]) -> Self {
+        let (mut lower, mut upper) = (numbers[0], numbers[0]);
+        for number in numbers {
+            if number.is_nan() {
+                return Self::ALL;
+            }
+            if number < lower {
+                lower = number;
+            }
+            if number > upper {
+                upper = number;
+            }
+        }
+        Self::outward(lower, upper)
+    }
+
+    /// Returns the interval of the larger of two numbers.
+    pub(crate) fn larger(self, other: Self) -> Self {
+        Self {
+            lower: if other.lower > self.lower { other.lower } else { self.lower },
+            upper: if other.upper > self.upper { other.upper } else { self.upper },
+        }
+    }
+
+    /// Returns the numbers of the interval that are not negative, of which there must be one.
+    pub(crate) fn not_negative(self) -> Self {
+        let raised = |bound: f64| if bound < 0.0 { 0.0 } else { bound };
+        Self { lower: raised(self.lower), upper: raised(self.upper) }
+    }
+}
+
+impl Add for Interval {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self::outward(self.lower + other.lower, self.upper + other.upper)
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self::outward(self.lower - other.upper, self.upper - other.lower)
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { lower: -self.upper, upper: -self.lower }
+    }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self::hull([
+            self.lower * other.lower,
+            self.lower * other.upper,
+            self.upper * other.lower,
+            self.upper * other.upper,
+        ])
+    }
+}
+
+impl Mul<f64> for Interval {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        self * Self::exactly(factor)
+    }
+}
+
+/// The digits of the radius in texts.
+const RADIUS_DIGITS: usize = 0;
+
+/// The most digits behind the point.
+const MAX_DECIMALS: f64 = 17.0;
+
+impl Display for Interval {
+    /// Writes the middle with the digits that are certain, and the radius: `360.00000 ± 2e-7`.
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
+        let (middle, radius) = (self.middle(), self.radius());
+        if !radius.is_finite() {
+            return write!(formatter, "unknown");
+        }
+        // The middle as written is off by at most half of the radius, which is rounded up.
+        let decimals = (1.0 - radius.log10().floor()).clamp(0.0, MAX_DECIMALS) as usize;
+        let written = format!("{middle:.decimals$}");
+        let off = written.parse::<f64>().map_or(0.0, |written| (written - middle).abs());
+        let radius = (radius + off).next_up();
+        let size = 10.0_f64.powf(radius.log10().floor());
+        let rounded = (radius / size).ceil() * size * (1.0 + 2.0 * f64::EPSILON);
+        write!(formatter, "{written} ± {rounded:.RADIUS_DIGITS$e}")
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_contain_those_of_all_numbers() {
+        let [a, b] = [Interval { lower: -1.0, upper: 2.0 }, Interval { lower: 3.0, upper: 5.0 }];
+        let holds = |found: Interval, lower: f64, upper: f64| {
+            assert!(found.lower <= lower && upper <= found.upper && found.width() < upper - lower + 1e-14);
+        };
+        holds(a + b, 2.0, 7.0);
+        holds(a - b, -6.0, -1.0);
+        holds(a * b, -5.0, 10.0);
+        holds(a.over(b), -1.0 / 3.0, 2.0 / 3.0);
+        assert_eq!(b.over(a), Interval::ALL);
+        assert_eq!(Interval::about(f64::NAN, 1.0), Interval::ALL);
+        assert_eq!(Interval::about(1.0, f64::NAN), Interval::ALL);
+    }
+
+    #[test]
+    fn what_intervals_do_not_decide_is_none() {
+        let of = |lower: f64, upper: f64| Interval { lower, upper };
+        assert_eq!(of(0.0, 1.0).is_below(&of(2.0, 3.0)), Some(true));
+        assert_eq!(of(2.0, 3.0).is_below(&of(0.0, 2.0)), Some(false));
+        assert_eq!(of(0.0, 2.0).is_below(&of(1.0, 3.0)), None);
+    }
+
+    #[test]
+    fn texts_have_the_digits_that_are_certain() {
+        assert_eq!(Interval::about(360.0, 1.5e-7).to_string(), "360.00000000 ± 2e-7");
+        assert_eq!(Interval::about(-12.34567, 0.04).to_string(), "-12.346 ± 5e-2");
+        assert_eq!(Interval::ALL.to_string(), "unknown");
+    }
+}

@@ -1,0 +1,11 @@
+//! Bodies of models, and their facts: intervals that contain what formulas and exact arithmetic state.
+#![cfg(not(target_arch = "wasm32"))]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod bodies;
+mod exact;
+mod formulas;
+mod models;
