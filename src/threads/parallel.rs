@@ -12,8 +12,15 @@ pub(crate) fn ranges(count: usize) -> impl ExactSizeIterator<Item = Range<usize>
 }
 
 /// Calls `work` on consecutive ranges that cover `0..count`; returns the results in order.
+#[cfg(not(target_arch = "wasm32"))]
 pub(crate) fn map_ranges<T: Send>(count: usize, work: impl Fn(Range<usize>) -> T + Sync + Send) -> Vec<T> {
     map_items(ranges(count).collect(), work)
+}
+
+/// Calls `work` on consecutive ranges that cover `0..count`; returns the results in order.
+#[cfg(target_arch = "wasm32")]
+pub(crate) fn map_ranges<T>(count: usize, work: impl Fn(Range<usize>) -> T) -> Vec<T> {
+    ranges(count).map(work).collect()
 }
 
 /// The smallest number of items of a few microseconds each for which it pays to
@@ -92,7 +99,7 @@ pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send
 
 /// Calls `work` on `0..count`; returns the results in order.
 #[cfg(target_arch = "wasm32")]
-pub(crate) fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+pub(crate) fn map<T>(count: usize, work: impl Fn(usize) -> T) -> Vec<T> {
     (0..count).map(work).collect()
 }
 
