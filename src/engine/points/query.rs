@@ -66,6 +66,10 @@ pub(super) struct Found<'a> {
 }
 
 /// The place of a foot.
+#[allow(
+    clippy::large_enum_variant,
+    reason = "one exists at a time, and a box would be allocated for each point"
+)]
 enum Place<'a> {
     Patch { patch: Patch<'a>, parameters: [f64; 2], jet: Jet, pieces: &'a FacePieces },
     Facet { facets: &'a PreparedFacets, facet: u32, nearest: Nearest },
