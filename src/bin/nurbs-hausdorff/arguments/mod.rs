@@ -1,12 +1,14 @@
 //! The arguments.
 
+mod counts;
 pub(crate) mod motion;
 pub(crate) mod usage;
 
 use crate::reports::Format;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use motion::{Counts, Rotation, Translation};
+use counts::Counts;
+use motion::{Rotation, Translation};
 use nurbs_hausdorff::options::{Audit, Culling, Flatness, Projection, SamplingRule};
 use nurbs_hausdorff::{
     Backend, ClearanceOptions, DiffOptions, DistanceOptions, GridOptions, MethodName, NamedOptions,

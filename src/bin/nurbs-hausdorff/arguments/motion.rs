@@ -1,4 +1,4 @@
-//! The arguments of several numbers: those that move A, and the counts of a grid.
+//! The arguments that move A.
 
 use glam::{DQuat, DVec3};
 use std::str::FromStr;
@@ -11,23 +11,6 @@ pub(crate) struct Translation(pub(crate) DVec3);
 /// about it, counter-clockwise seen against the axis.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rotation(pub(crate) DQuat);
-
-/// `nx,ny,nz`, the numbers of points along the axes.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Counts(pub(crate) [usize; 3]);
-
-impl FromStr for Counts {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let count = |text: &str| {
-            text.trim().parse().map_err(|_| format!("found {text:?}, expected a whole number from 0"))
-        };
-        let counts: Vec<usize> = text.split(',').map(count).collect::<Result<_, _>>()?;
-        let found = counts.len();
-        counts.try_into().map(Self).map_err(|_| format!("found {found} numbers, expected 3"))
-    }
-}
 
 impl FromStr for Translation {
     type Err = String;
