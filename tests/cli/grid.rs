@@ -66,7 +66,11 @@ fn distances_are_written_in_three_formats() {
         assert_values(&bytes[start..], size, bound, undecided);
         match name {
             "g.npy" => {
-                assert!(bytes.starts_with(b"\x93NUMPY\x01\x00") && start.is_multiple_of(64) && head.ends_with(" \n"));
+                assert!(
+                    bytes.starts_with(b"\x93NUMPY\x01\x00")
+                        && start.is_multiple_of(64)
+                        && head.ends_with(" \n")
+                );
                 assert_eq!(usize::from(u16::from_le_bytes([bytes[8], bytes[9]])), start - 10);
                 assert!(head.contains("{'descr': '<f8', 'fortran_order': True, 'shape': (5, 7, 3), }"));
             }

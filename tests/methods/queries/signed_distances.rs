@@ -80,7 +80,8 @@ fn distances_of_bodies_are_those_of_the_formulas() {
         assert!(found.values.iter().any(|value| *value < 0.0));
         let banded = SignedDistanceOptions { band: Some(0.25), ..resolution(40) };
         let found = distances(model, &banded).unwrap();
-        assert!(assert_values(name, &found, depth) > found.grid.len() / 2, "{name}");
+        // Of the box's grid, of side 2.5, the cube of side 1.5 in its middle alone is more than an eighth.
+        assert!(assert_values(name, &found, depth) > found.grid.len() / 8, "{name}");
         // Bricks beyond the band are skipped.
         assert!(found.measured < found.grid.len(), "{name}: {} of {}", found.measured, found.grid.len());
     }
