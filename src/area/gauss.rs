@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 pub(super) const MAX_NODES: usize = 24;
 
 /// The largest number of nodes of a rule.
-pub(crate) const MAX_RULE: usize = 40;
+pub(crate) const MAX_RULE: usize = 65;
 
 /// The numbers of Newton steps from the asymptotic position of a node: the error is below
 /// 0.01 at the start and is squared by every step.

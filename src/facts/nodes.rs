@@ -12,8 +12,9 @@ const RADII: [f64; 22] = [
 /// The error aimed at, relative to the bound on the density: two digits below the width of a volume.
 const MAX_ERROR: f64 = 1e-13;
 
-/// The largest number of nodes before a part is halved.
-const MAX_NODES: usize = 32;
+/// The largest number of nodes before a part is halved, for each degree, and besides: 3 for each degree are those
+/// of a polynomial of the numerator's degree, which halving does not lower.
+const MAX_NODES: [usize; 2] = [3, 20];
 
 /// The factor of the error of Gauss's rule for a mean value: lemma A1 of docs/area.md.
 const GAUSS_FACTOR: f64 = 32.0 / 15.0;
@@ -62,9 +63,10 @@ impl Dependence {
                     slopes: degrees.map(|degree| degree as f64),
                 })
             }
-            Self::Rational { .. } => {
+            Self::Rational { degree, .. } => {
                 let choices = RADII.iter().filter_map(|&radius| self.within(radius));
-                choices.min_by_key(|nodes| nodes.count).filter(|nodes| nodes.count <= MAX_NODES)
+                let most = MAX_NODES[0] * degree + MAX_NODES[1];
+                choices.min_by_key(|nodes| nodes.count).filter(|nodes| nodes.count <= most)
             }
         }
     }

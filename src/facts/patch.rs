@@ -11,8 +11,10 @@ use crate::param_box::ParamBox;
 use crate::rounding::{UNIT_ROUNDOFF, gamma, upper_max};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
-/// The largest number of halvings of a patch: weights that are farther apart give wider bounds.
+/// The largest number of halvings of a part, and of parts of a patch: weights that are farther apart give wider
+/// bounds.
 const MAX_DEPTH: u32 = 16;
+const MAX_PARTS: usize = 256;
 
 /// The error of a node of a rule in [-1, 1] and that of a weight, relative to it.
 const RULE_ERROR: f64 = 8.0 * f64::EPSILON;
@@ -42,19 +44,20 @@ struct Cone<'a> {
 pub(crate) fn of_patch(patch: &Patch<'_>, origin: DVec3, moved: f64) -> Moments {
     let cone = Cone::new(patch, origin);
     let mut moments = Moments::ZERO;
-    let mut parts = vec![(ParamBox::UNIT, 0)];
+    let (mut parts, mut count) = (vec![(ParamBox::UNIT, 0)], 1);
     while let Some((part, depth)) = parts.pop() {
         let dependences = Axis::BOTH.map(|axis| cone.dependence(part, axis));
         let nodes = [0, 1].map(|axis: usize| dependences[axis].nodes());
         match nodes {
             [Some(in_s), Some(in_t)] => moments.add(&cone.mean(part, [in_s, in_t]), false),
-            _ if depth == MAX_DEPTH => {
+            _ if depth == MAX_DEPTH || count >= MAX_PARTS => {
                 let nodes = [0, 1].map(|axis: usize| dependences[axis].any_nodes());
                 moments.add(&cone.mean(part, nodes), false);
             }
             [in_s, _] => {
                 let axis = if in_s.is_none() { Axis::U } else { Axis::V };
                 parts.extend(part.halves(axis).map(|half| (half, depth + 1)));
+                count += 1;
             }
         }
     }

@@ -91,8 +91,7 @@ impl Boundary {
             (RELATIVE_RADIUS * control_box.diagonal(), RELATIVE_TIE * control_box.diagonal());
         let limits = StripLimits { radius: reach.max(radius), width };
         let mut cracks = Cracks::default();
-        for [a, b] in joints.pair(arcs, &mut free) {
-            orientations.join(a.surface as u32, b.surface as u32, a.forward == b.forward);
+        for [a, b] in joints.pair(arcs, &mut free, &mut orientations) {
             let before = [covering.area, covering.length];
             covering.add_pair([a.curve, b.curve], limits, 0);
             cracks.strips.push((a.surface, [covering.area - before[0], covering.length - before[1]]));
@@ -240,7 +239,12 @@ impl Joints {
     }
 
     /// Returns the arcs in pairs that run side by side in one direction; the others are free.
-    fn pair(&self, arcs: Vec<EdgePart>, free: &mut Vec<FreeEdge>) -> Vec<[EdgePart; 2]> {
+    fn pair(
+        &self,
+        arcs: Vec<EdgePart>,
+        free: &mut Vec<FreeEdge>,
+        orientations: &mut Orientations,
+    ) -> Vec<[EdgePart; 2]> {
         let mut groups: HashMap<[u32; 2], Vec<EdgePart>> = HashMap::new();
         let mut keys = Vec::new();
         for mut arc in arcs {
@@ -255,12 +259,20 @@ impl Joints {
                 group.push(arc);
             }
         }
+        // Groups of two arcs leave no choice: the sides that follow from them help to choose in others.
+        let (sure, others): (Vec<_>, Vec<_>) =
+            keys.into_iter().partition(|key| groups.get(key).is_some_and(|group| group.len() <= 2));
         let mut pairs = Vec::new();
-        for key in keys {
+        for key in sure.into_iter().chain(others) {
             let mut group = groups.remove(&key).unwrap_or_default();
             while let Some(arc) = group.pop() {
-                match self.partner(&arc, &group) {
-                    Some(index) => pairs.push(in_one_direction([arc, group.swap_remove(index)])),
+                match self.partner(&arc, &group, orientations) {
+                    Some(index) => {
+                        let pair = in_one_direction([arc, group.swap_remove(index)]);
+                        let [a, b] = &pair;
+                        orientations.join(a.surface as u32, b.surface as u32, a.forward == b.forward);
+                        pairs.push(pair);
+                    }
                     None => {
                         let points = [0.0, 0.5, 1.0].map(|t| arc.curve.point(t));
                         free.push(FreeEdge { surface: arc.surface, points });
@@ -273,13 +285,30 @@ impl Joints {
 
     /// Returns the index of the arc nearest to the middle of this one, if it is near enough; of several
     /// that are as near, that of the surface nearest in the file, as a body's faces follow each other.
-    fn partner(&self, arc: &EdgePart, others: &[EdgePart]) -> Option<usize> {
+    /// Arcs that run the wrong way round for the sides of their surfaces, as far as these are known, come
+    /// after all others: a face thinner than the reach has both its edges near those of its neighbours.
+    fn partner(&self, arc: &EdgePart, others: &[EdgePart], orientations: &mut Orientations) -> Option<usize> {
         let middle = arc.curve.point(0.5);
         let distances: Vec<f64> = others.iter().map(|other| other.curve.closest(middle).1).collect();
-        let nearest = distances.iter().copied().fold(f64::INFINITY, lower_min);
-        let farthest = self.reach.min(nearest + self.tie);
-        let near = (0..others.len()).filter(|&index| nearest <= self.reach && distances[index] <= farthest);
-        near.min_by_key(|&index| others[index].surface.abs_diff(arc.surface))
+        let mut is_against = |index: usize| {
+            let other = &others[index];
+            let is_open = arc.ends[0] != arc.ends[1];
+            is_open && {
+                let turned = orientations.turned(arc.surface as u32, other.surface as u32);
+                turned.is_some_and(|turned| turned != (arc.forward == other.forward))
+            }
+        };
+        let [mut along, mut against] = [Vec::new(), Vec::new()];
+        for index in 0..others.len() {
+            if is_against(index) { against.push(index) } else { along.push(index) }
+        }
+        [along, against].into_iter().find_map(|indices| {
+            let nearest = indices.iter().map(|&index| distances[index]).fold(f64::INFINITY, lower_min);
+            let farthest = self.reach.min(nearest + self.tie);
+            let near =
+                indices.into_iter().filter(|&index| nearest <= self.reach && distances[index] <= farthest);
+            near.min_by_key(|&index| others[index].surface.abs_diff(arc.surface))
+        })
     }
 
     /// Returns the points of the groups.

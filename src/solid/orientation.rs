@@ -56,6 +56,13 @@ impl Orientations {
         self.one_sided[root] |= self.one_sided[child];
     }
 
+    /// Returns whether the second surface is to be turned over to agree with the first one, if they are of
+    /// one group.
+    pub(super) fn turned(&mut self, a: u32, b: u32) -> Option<bool> {
+        let [(of_a, a_turned), (of_b, b_turned)] = [a, b].map(|surface| self.of(surface));
+        (of_a == of_b).then_some(a_turned ^ b_turned)
+    }
+
     /// Returns the first surface of the group, and whether this one is turned against it.
     fn of(&mut self, surface: u32) -> (u32, bool) {
         let (mut root, mut turned) = (surface as usize, false);
