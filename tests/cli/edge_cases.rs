@@ -164,7 +164,8 @@ fn a_step_file_is_read_by_its_content() {
     let path = file("triangle", text.of(&[shell], UnitsOf::Millimetres).as_bytes());
     let run = run(&["info", "--json", &path]);
     let json: Value = serde_json::from_str(&run.stdout).unwrap();
-    assert_eq!((json["unit"].as_f64(), json["diagonal"].as_f64()), (Some(1e-3), Some(5.0)));
+    let diagonal = json["diagonal"].as_f64().unwrap();
+    assert!(json["unit"] == 1e-3 && (diagonal - 5.0).abs() < 1e-9, "{diagonal}");
     assert!(run.stderr.contains(&format!("face 1 (#{broken}) is left out: #9999")), "{}", run.stderr);
     let cut = file("cut", b"ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=POINT(");
     assert_refused(&self::run(&["info", &cut]), "STEP_SYNTAX", &[&cut, "line 5"]);
@@ -180,7 +181,7 @@ fn an_iges_file_is_read_by_its_content() {
     let run = run(&["info", "--json", &path]);
     let json: Value = serde_json::from_str(&run.stdout).unwrap();
     let diagonal = json["diagonal"].as_f64().unwrap();
-    assert!(json["unit"] == 1e-3 && (diagonal - 127.0).abs() < 1e-12, "{diagonal}");
+    assert!(json["unit"] == 1e-3 && (diagonal - 127.0).abs() < 1e-9, "{diagonal}");
     assert!(run.stderr.contains(&format!("face 1 (#{broken}) is left out: entity 999")), "{}", run.stderr);
     let end = text.text().find("P      1").unwrap();
     let cut = file("cut-iges", &text.text().as_bytes()[..end + 9]);

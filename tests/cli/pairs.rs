@@ -194,7 +194,7 @@ fn git_shows_differences_by_textconv_and_difftool() {
     done(&["commit", "--quiet", "--message", "first"]);
     std::fs::write(format!("{folder}/part.step.json"), plane(3.0).to_string()).unwrap();
     let difference = done(&["diff"]);
-    assert!(difference.contains("-box") && difference.contains("+box"), "{difference}");
+    assert!(difference.contains("-from") && difference.contains("+from"), "{difference}");
     let compared = done(&["difftool", "--no-prompt", "--tool", "cad"]);
     assert!(compared.contains("CHANGED 0.001: 3 ("), "{compared}");
 }

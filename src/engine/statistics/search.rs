@@ -29,7 +29,8 @@ const KEPT_PART: f64 = 0.75;
 const PERCENTILE_PART: f64 = 0.45;
 
 /// The share of the area that parts near a percentile may have however wide they are, in units of the
-/// tolerance of parts: where distances jump, no number of parts makes the percentile narrow.
+/// tolerance of parts, while there are others to halve: where distances jump, no number of parts makes the
+/// percentile narrow.
 const LEVEL_PART: f64 = 0.25;
 
 /// The part of the tolerance below which parts near a percentile are not halved: what still widens
@@ -170,7 +171,10 @@ impl Search<'_> {
             if self.is_narrow(&sums) {
                 return Ok((sums, true, cells));
             }
-            let mut halved = self.halved(&parts, cover.rounding(), &sums);
+            let mut halved = self.halved(&parts, cover.rounding(), &sums, LEVEL_PART);
+            if halved.is_empty() {
+                halved = self.halved(&parts, cover.rounding(), &sums, 0.0);
+            }
             halved.truncate(self.options.max_cells.saturating_sub(cells) / 2);
             let is_late =
                 self.options.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most);
@@ -218,8 +222,9 @@ impl Search<'_> {
     }
 
     /// Returns the parts that widen the intervals which are too wide, those that widen them most first. Any
-    /// choice is valid: it decides only the number of parts.
-    fn halved<T: Weighted>(&self, parts: &[T], rounding: f64, sums: &Sums) -> Vec<usize> {
+    /// choice is valid: it decides only the number of parts. Parts near percentiles are left alone where they have
+    /// `level` of the tolerance of parts together.
+    fn halved<T: Weighted>(&self, parts: &[T], rounding: f64, sums: &Sums, level: f64) -> Vec<usize> {
         let wide = |of: &Bounded| of.upper - of.lower > self.tolerance;
         let share = |part: &T| part.weight().upper / sums.total.upper;
         let mut urgency = vec![0.0; parts.len()];
@@ -263,7 +268,7 @@ impl Search<'_> {
                 .min(0.5 * widest)
                 .max(LEAST_PERCENTILE_PART * self.tolerance);
             let open = |part: &T| if width(part) > kept { share(part) } else { 0.0 };
-            take_widest(parts, open, LEVEL_PART * self.options.part_tolerance, &mut urgency);
+            take_widest(parts, open, level * self.options.part_tolerance, &mut urgency);
         }
         let mut halved: Vec<(f64, usize)> =
             urgency.into_iter().zip(0..).filter(|(urgency, _)| *urgency > 0.0).collect();
