@@ -18,7 +18,7 @@ const GAUSS_FACTOR: f64 = 32.0 / 15.0;
 /// The smallest number of nodes for which that lemma holds.
 const MIN_NODES: usize = 2;
 
-/// The error of a node of a rule in [-1, 1] and that of a weight, relative to it.
+/// The error of a node of a rule in [-1, 1], and that of all weights together, relative to their sum.
 const RULE_ERROR: f64 = 8.0 * f64::EPSILON;
 
 /// The number of times that a bound on |N|² exceeds the rounding of its terms at least if
