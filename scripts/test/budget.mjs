@@ -14,7 +14,7 @@ import { Failure, say } from "../process.mjs";
  */
 const budgets = {
   nurbs_hausdorff: { plain: 2000, gzipped: 800 },
-  nurbs_hausdorff_readers: { plain: 972, gzipped: 413 },
+  nurbs_hausdorff_readers: { plain: 973, gzipped: 420 },
   nurbs_hausdorff_meshes: { plain: 679, gzipped: 298 },
   nurbs_hausdorff_scans: { plain: 387, gzipped: 156 },
 };
