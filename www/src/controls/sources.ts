@@ -31,8 +31,9 @@ export interface Opened {
   files: readonly File[];
 }
 
-/** The shapes shown. */
+/** The shapes shown, and the entry of their pair. */
 const shown: Sides<string> = {};
+let shownPair = OTHER;
 let open: (opened: Opened) => void = () => {};
 /** The allowed deviation that an example began with, until the user changes it. */
 let proposed: number | undefined;
@@ -198,11 +199,13 @@ export function showSources(models: Sides<DisplayModel>, placement: Placement): 
       preset.b === lists.b.value &&
       samePlacement(preset.placement, placement),
   );
-  pair.value = index < 0 ? OTHER : `${index}`;
+  shownPair = index < 0 ? OTHER : `${index}`;
+  pair.value = shownPair;
 }
 
 /** Shows the names of models again, because those that were read instead are not there. */
 export function showNames(models: Sides<DisplayModel>): void {
+  pair.value = shownPair;
   for (const side of SIDES) {
     const model = models[side];
     if (side === aside) {
