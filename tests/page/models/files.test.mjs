@@ -62,7 +62,9 @@ test("planes are dropped on the halves of the view; the slider moves A, and the 
   const high = ["high.json", JSON.stringify(planes(3))];
   // Alone it is compared with no example.
   await drop("#stage", 0.25, low);
-  await page.locator("#shape-a option:checked", { hasText: "low.json" }).waitFor({ state: "attached" });
+  await page
+    .locator("#shape-a option:checked", { hasText: "low.json" })
+    .waitFor({ state: "attached" });
   await opened.until("done", () => drop("#stage", 0.75, high));
   assert.equal(await chosen("#shape-b"), "high.json");
   await opened.until("done", () => page.locator("#move-z").fill("0.5"));
