@@ -2,7 +2,7 @@
 
 use super::density::Density;
 use super::ellipse::{Region, Sizes};
-use super::gauss::{MAX_NODES, rule};
+use super::gauss::{GAUSS_FACTOR, MAX_NODES, rule};
 use super::{Area, MAX_RELATIVE_WIDTH, QUADRATURE_SHARE};
 use crate::axis::Axis;
 use crate::param_box::ParamBox;
@@ -11,9 +11,6 @@ use crate::rounding::gamma;
 /// The part of the allowed relative width that the error along one parameter may take: both
 /// count on both sides, and the bound of a density exceeds its mean.
 const AXIS_SHARE: f64 = 0.0625;
-
-/// The factor of the error of Gauss's rule for a mean value: lemma A1 of docs/area.md.
-const GAUSS_FACTOR: f64 = 32.0 / 15.0;
 
 /// The smallest number of nodes for which that lemma holds.
 const MIN_NODES: usize = 2;

@@ -8,6 +8,9 @@ pub(super) const MAX_NODES: usize = 24;
 /// The largest number of nodes of a rule.
 pub(crate) const MAX_RULE: usize = 65;
 
+/// The factor of the error of a rule for a mean value: lemma A1 of docs/area.md.
+pub(crate) const GAUSS_FACTOR: f64 = 32.0 / 15.0;
+
 /// The numbers of Newton steps from the asymptotic position of a node: the error is below
 /// 0.01 at the start and is squared by every step.
 const NEWTON_STEPS: usize = 6;

@@ -1,6 +1,6 @@
 //! The numbers of nodes with which Gauss's rules integrate moments.
 
-use crate::area::gauss::MAX_RULE;
+use crate::area::gauss::{GAUSS_FACTOR, MAX_RULE};
 use crate::rounding::gamma;
 
 /// The radii of ellipses tried, sums of the half-axes.
@@ -16,8 +16,8 @@ const MAX_ERROR: f64 = 1e-13;
 /// of a polynomial of the numerator's degree, which halving does not lower.
 const MAX_NODES: [usize; 2] = [3, 20];
 
-/// The factor of the error of Gauss's rule for a mean value: lemma A1 of docs/area.md.
-const GAUSS_FACTOR: f64 = 32.0 / 15.0;
+/// More than the roundings of an error, powers by repeated multiplication among them, relative to it.
+const ERROR_ROUNDINGS: f64 = 1024.0;
 
 /// The largest order of a moment.
 const MAX_ORDER: usize = 2;
@@ -98,7 +98,7 @@ impl Dependence {
             return None;
         }
         let count = if needed > 2.0 { needed.ceil() as usize } else { 2 };
-        let rounding = 1.0 + gamma(1024.0);
+        let rounding = 1.0 + gamma(ERROR_ROUNDINGS);
         let errors = [0, 1, 2].map(|order| bound(order) * square.powi(-(count as i32)) / closed * rounding);
         // f = P / w^k has the slope P' / w^k − k f w' / w, by Bernstein's inequality for both polynomials.
         let variation = change(1.0) / (constant - change(1.0));
