@@ -12,11 +12,12 @@ pub enum Orientation {
     Consistent,
     /// Into the body, all of them.
     InsideOut,
-    /// Some against others: sides that agree were found for them.
+    /// Some against others: sides that agree were found for them. Stated of meshes and of untrimmed faces alone.
     Mixed,
     /// There are no sides that agree, as on a strip of Möbius.
     NotOrientable,
-    /// To one side, but the volume is too small to tell which.
+    /// Not known: all are to one side, but the volume is too small to tell which, or some pieces of trimmed faces
+    /// are against others, which slivers are also where they join the wrong way round.
     Undecided,
 }
 

@@ -127,6 +127,9 @@ impl PreparedModel {
         } else {
             summed(&shells)
         };
+        // Which of a sliver's two long edges joins a neighbour is not known, and so not its side either.
+        let is_guessed = orientation == Orientation::Mixed && self.trimmed_faces.is_some();
+        let orientation = if is_guessed { Orientation::Undecided } else { orientation };
         let facts = Facts { area: Some(area), ..Facts::within(min, max, why.unwrap_or(VolumeUnknown::Open)) };
         if why.is_some() {
             return MeasuredBody { orientation, facts, moments: None };
