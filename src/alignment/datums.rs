@@ -60,10 +60,10 @@ pub struct DatumFit {
 }
 
 impl RigidTransform {
-    /// Returns the motion that lays datums of A on those of B: the primary as far as a motion can, the
-    /// secondary as far as the freedoms that are left can, and so on. A plane takes two rotations and a
-    /// translation of a free part, an axis two of each, a point three translations. The rest stays
-    /// as in `given`.
+    /// Returns the motion that aligns datums of A with those of B in their order. The primary datum is aligned
+    /// first; each later one uses only the degrees of freedom that are left. On a free part a plane constrains
+    /// two rotations and one translation, an axis two of each, a point three translations. Degrees of freedom
+    /// that no datum constrains keep the pose of `given`.
     ///
     /// # Errors
     /// [`Error::OptionInvalid`] for features of two kinds, a direction without length, and coordinates

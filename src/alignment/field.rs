@@ -8,8 +8,8 @@ use glam::DVec3;
 /// The largest number of Newton steps from the foot of the step before: near it a few suffice.
 const MAX_ITERATIONS: u32 = 16;
 
-/// The distance, as a part of the model's size, below which the direction from foot to point is
-/// mostly rounding, and the model's normal takes its place.
+/// The distance, as a part of the model's size, below which rounding dominates the direction from foot to
+/// point. The model's normal is used there.
 const TOUCHING: f64 = 1e-6;
 
 /// The place of a foot on its model: a patch with parameters, or a facet.

@@ -21,7 +21,7 @@ const MAX_DAMPING: f64 = 1e12;
 /// The part of the mean square by which a step has to lower it: above its rounding.
 const MIN_GAIN: f64 = 1e-12;
 
-/// The part of the gyration that counts as no distance when outliers are told: above rounding.
+/// The least scale of robust weights, in radii of gyration: residuals below it are rounding.
 const LEAST_SCALE: f64 = 1e-9;
 
 /// The way in which one step ended.

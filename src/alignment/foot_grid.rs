@@ -7,8 +7,8 @@ use crate::bvh::Aabb;
 use crate::threads::parallel::map_ranges;
 use glam::DVec3;
 
-/// The number of cells along the longest side: its tenth is the size of details that the look-up
-/// tells apart, and all nodes take some tenths of a second.
+/// The number of cells along the longest side. The grid resolves details of a tenth of that side, and
+/// is computed in some tenths of a second.
 const CELLS: f64 = 28.0;
 
 /// The margin around the model as a part of its diagonal: poses that are tried leave it by about that.

@@ -1,4 +1,4 @@
-//! Rotations spread evenly, and poses that are told apart.
+//! Evenly spread rotations, and the distinct ones of many poses.
 
 use super::Samples;
 use crate::model::RigidTransform;

@@ -1,4 +1,4 @@
-//! The search for poses: many starts by a grid of feet, the best of which are fitted by exact feet.
+//! The search for poses: many starts are fitted with the feet of a grid, and the best of them with exact feet.
 
 use super::field::{Field, FootField};
 use super::fit::LocalFit;
@@ -27,7 +27,7 @@ const EXACT_SAMPLES: usize = 200;
 const EXACT_STEPS: usize = 12;
 const MOST_EXACT: usize = 48;
 
-/// Samples of the poses that are told apart by their residuals, their steps and their number.
+/// The samples, the steps and the number of poses of the last round, whose residuals are compared.
 const FINE_SAMPLES: usize = 2000;
 const FINE_STEPS: usize = 4;
 const MOST_FINE: usize = 24;

@@ -7,7 +7,7 @@ use crate::support::quadrature::gauss;
 use nurbs_hausdorff::internals::engine::PreparedModel;
 use nurbs_hausdorff::{Axis, NurbsSurface};
 
-/// One pair in so many is checked: the rule takes longer than most searches.
+/// The number of pairs of which one is checked: the rule takes longer than most searches.
 const ONE_IN: u64 = 32;
 
 /// Nodes of the rule along each direction of a part, and the parts of a span in the three passes.
