@@ -106,7 +106,7 @@ export class View {
       this.#lines.b.lines,
     );
     this.#viewport = viewport;
-    viewport.keepClear(...["legend", "tools", "cut", "foot"].map((id) => element(id)));
+    viewport.keepClear(...["legend", "context", "cut", "foot"].map((id) => element(id)));
     this.#gizmo = new Gizmo(viewport, canvas, onGizmo);
     const cube = new ViewCube(element("axes", SVGSVGElement), (view) => this.look(view));
     viewport.onDraw = () => {
