@@ -2,8 +2,8 @@
 // the list of parts.
 import { element } from "../common/elements.ts";
 
-/** The window's width from which the list of parts has room beside the view, in pixels. */
-const ROOM_FOR_SIDE = 1101;
+/** Where the list of parts has room beside the view, as the style sheet has it; else it lies over the view. */
+const roomForSide = matchMedia("(min-width: 1101px)");
 
 const sideToggle = element("side-toggle", HTMLButtonElement);
 
@@ -34,7 +34,8 @@ export function connectBar(): void {
   });
   element("to-picture").addEventListener("click", () => element("export-png").click());
   sideToggle.addEventListener("click", () => showSide(!isSideShown()));
-  showSide(innerWidth >= ROOM_FOR_SIDE);
+  roomForSide.addEventListener("change", ({ matches }) => showSide(matches));
+  showSide(roomForSide.matches);
 }
 
 const isSideShown = (): boolean => document.body.dataset.side === "open";
