@@ -17,6 +17,7 @@ import {
 import type { MapDisplay } from "../worker/map/display.ts";
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { areaBeyond, totalArea } from "./cumulative.ts";
+import { showDistribution } from "./distributionPlot.ts";
 import { keepWithin } from "./faceBounds.ts";
 import { hideLegend, type Legend, showLegend } from "./legend.ts";
 
@@ -193,7 +194,9 @@ function legendOf({ maps, drawn, result, extent }: ShownMaps): Legend {
 function draw(now: ShownMaps): ColorScale {
   const { maps, result, extent } = now;
   const { diagonal } = result;
-  showLegend(legendOf(now), (from, to) => setFocus([from, to]));
+  const legend = legendOf(now);
+  showLegend(legend, (from, to) => setFocus([from, to]));
+  showDistribution(legend);
   element("beyond-limit").textContent = SIDES.flatMap((side) => {
     const text = beyond(maps[side], extent.largest, diagonal);
     return text === "" ? [] : [`${side.toUpperCase()}: ${text}`];
@@ -225,7 +228,9 @@ function beyond(map: MapDisplay | undefined, largest: number, diagonal: number):
     ? `${area} of ${total}`
     : `${distanceText(area, diagonal)}${unit === undefined ? "" : ` ${unit}²`}`;
   const what = isCloud ? "points are" : "area is";
-  const share = `≈ ${((100 * area) / total).toFixed(1)} % of the ${what} beyond (${size})`;
+  const out = ((100 * area) / total).toFixed(1);
+  const within = (100 - Number(out)).toFixed(1);
+  const share = `≈ ${out} % of the ${what} beyond (${size}), ${within} % within`;
   // Less area than the map resolves is not none.
   const isBeyond = largest > Math.max(limits.above, limits.below);
   return area === 0 && isBeyond && map.largest === largest
