@@ -2,7 +2,7 @@
 // what is allowed.
 import type { DiffResult, DistanceResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
-import { distanceText } from "../common/numbers.ts";
+import { distanceText, shownLength } from "../common/numbers.ts";
 import { commonUnit } from "../files/units.ts";
 import { ownLimits } from "../results/ownLimits.ts";
 import { statisticsOf } from "../results/resultDetails.ts";
@@ -226,7 +226,7 @@ function beyond(map: MapDisplay | undefined, largest: number, diagonal: number):
   const isCloud = map.indices.length === 0;
   const size = isCloud
     ? `${area} of ${total}`
-    : `${distanceText(area, diagonal)}${unit === undefined ? "" : ` ${unit}²`}`;
+    : `${distanceText(shownLength(area), diagonal)}${unit === undefined ? "" : ` ${unit}²`}`;
   const what = isCloud ? "points are" : "area is";
   const out = ((100 * area) / total).toFixed(1);
   const within = (100 - Number(out)).toFixed(1);

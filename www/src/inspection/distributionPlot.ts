@@ -15,7 +15,7 @@ const DECADES = [1e-4, 1e-3, 1e-2, 0.1, 1] as const;
 /** The steps of a linear axis, of which the one with the fewest lines above two is taken. */
 const STEPS = [0.5, 0.25, 0.2, 0.1, 0.05, 0.02, 0.01] as const;
 /** Pixels that two labels of the lower axis are apart at least. */
-const APART = 52;
+const APART = 72;
 
 const figure = element("distribution");
 const logarithmic = element("distribution-log", HTMLInputElement);
