@@ -95,6 +95,14 @@ impl<'a> Spreads<'a> {
         self.rounding
     }
 
+    /// An upper bound on the distance of every point of A from B: both are in the hulls of their control points.
+    pub(crate) fn farthest(&self) -> f64 {
+        let (a, b) = (self.pair.a.control_box, self.pair.b.control_box);
+        let center = self.pair.transform.apply(a.center());
+        let far = b.max_distance_squared(center).sqrt() + 0.5 * a.diagonal();
+        far * (1.0 + MEAN_ROUNDINGS * UNIT_ROUNDOFF) + 2.0 * self.rounding
+    }
+
     /// The first start: the apex is farther than A and B are from each other.
     pub(crate) fn start(&self) -> SpreadStart {
         let size = self.pair.a.control_box.diagonal() + self.pair.b.control_box.diagonal();

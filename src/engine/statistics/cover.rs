@@ -31,6 +31,9 @@ pub(super) trait Cover: Sync {
     /// Returns the bounds of a range of the first parts; `None` for a B without pieces.
     fn first(&self, range: Range<usize>) -> Option<Vec<Self::Part>>;
 
+    /// Returns the bounds of one of the first parts that hold without looking at B: where the time is over.
+    fn unmeasured(&self, index: usize) -> Self::Part;
+
     /// Returns the halves of a part; `None` for a part that float64 does not halve.
     fn halves(&self, part: &Self::Part) -> Option<[Self::Part; 2]>;
 
@@ -68,6 +71,10 @@ impl Cover for Parts<'_> {
             Some(part)
         };
         range.map(&mut next).collect()
+    }
+
+    fn unmeasured(&self, index: usize) -> WeightedPart {
+        Self::unmeasured(self, index as u32)
     }
 
     fn halves(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
@@ -163,6 +170,13 @@ impl Cover for Cells<'_> {
             part
         };
         Some(range.map(next).collect())
+    }
+
+    fn unmeasured(&self, index: usize) -> WeightedCell {
+        let cell = Cell::whole(index as u32);
+        let spread = Spread::exact([0.0, self.spreads.farthest()]);
+        let (weight, start) = (self.area(&cell), self.spreads.start());
+        WeightedCell { cell, weight, spread, axis: Axis::U, start }
     }
 
     fn halves(&self, part: &WeightedCell) -> Option<[WeightedCell; 2]> {

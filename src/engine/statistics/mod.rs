@@ -43,7 +43,8 @@ pub struct StatisticsOptions {
     /// The parts of A after which the intervals reached are returned, 1 or more. All facets or
     /// patches of A are bounded at least once.
     pub max_cells: usize,
-    /// Seconds after which the intervals reached are returned, positive.
+    /// Seconds after which the intervals reached are returned, positive. Facets and patches that were not looked at
+    /// then have the bounds of the models' boxes.
     pub max_seconds: Option<f64>,
     /// Whether B is scaled to the unit of A where both state different ones; else they are
     /// an error.

@@ -156,8 +156,11 @@ impl Search<'_> {
     /// compared with.
     async fn count(&self, parts: &Parts<'_>, progress: &mut Progress<'_>) -> Result<Found> {
         let gap = POINT_PART * self.tolerance;
-        let points = bounded(parts.len(), progress, |range| {
+        let points = bounded(parts.len(), self.at_once(), progress, |range| {
             let mut start = Start::default();
+            if self.is_late() {
+                return Some(range.map(|_| parts.unmeasured_point()).collect());
+            }
             let next = |index: usize| {
                 let (point, found) = parts.point(index as u32, start, gap)?;
                 start = found;
@@ -194,7 +197,14 @@ impl Search<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<(Vec<C::Part>, (Sums, bool, usize))> {
         let mut known = Area { lower: 0.0, upper: f64::INFINITY };
-        let mut parts = bounded(cover.len(), progress, |range| cover.first(range)).await?;
+        let first = |range: Range<usize>| {
+            if self.is_late() {
+                Some(range.map(|index| cover.unmeasured(index)).collect())
+            } else {
+                cover.first(range)
+            }
+        };
+        let mut parts = bounded(cover.len(), self.at_once(), progress, first).await?;
         let mut cells = parts.len();
         loop {
             let sums = Sums::of(&parts, self.options, self.over, known);
@@ -216,6 +226,11 @@ impl Search<'_> {
         }
     }
 
+    /// The number of parts between two looks at the time.
+    fn at_once(&self) -> usize {
+        if self.options.max_seconds.is_some() { TIMED_PARTS_AT_ONCE } else { PARTS_AT_ONCE }
+    }
+
     fn is_late(&self) -> bool {
         self.options.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most)
     }
@@ -230,8 +245,7 @@ impl Search<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<usize> {
         let mut count = 0;
-        let at_once = if self.options.max_seconds.is_some() { TIMED_PARTS_AT_ONCE } else { PARTS_AT_ONCE };
-        for page in indices.chunks(at_once) {
+        for page in indices.chunks(self.at_once()) {
             if self.is_late() {
                 break;
             }
@@ -325,15 +339,15 @@ impl Search<'_> {
 /// Returns the bounds of all points, facets or patches.
 async fn bounded<T: Send>(
     count: usize,
+    at_once: usize,
     progress: &mut Progress<'_>,
     bound: impl Fn(Range<usize>) -> Option<Vec<T>> + Sync,
 ) -> Result<Vec<T>> {
     let mut bounded = Vec::with_capacity(count);
     while bounded.len() < count {
         let first = bounded.len();
-        let found = map_ranges(PARTS_AT_ONCE.min(count - first), |range| {
-            bound(first + range.start..first + range.end)
-        });
+        let found =
+            map_ranges(at_once.min(count - first), |range| bound(first + range.start..first + range.end));
         for found in found {
             bounded.append(&mut found.ok_or(Error::EmptyModel)?);
         }

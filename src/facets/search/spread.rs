@@ -173,6 +173,34 @@ impl<'a> Parts<'a> {
         Some((part, Start { piece: part.start, ..start }))
     }
 
+    /// Returns bounds on a point of A, or on a triangle or a patch, that hold without looking at B: by the boxes of both.
+    pub(crate) fn unmeasured_point(&self) -> BoundedPoint {
+        BoundedPoint { lower: 0.0, upper: self.farthest() }
+    }
+
+    /// The same of a triangle or a patch.
+    pub(crate) fn unmeasured(&self, place: u32) -> WeightedPart {
+        let (region, weight) = match self.a {
+            Source::Facets { facets, .. } => {
+                let corner = |weights| self.transform.apply(facets.facet(place).point(weights));
+                let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(corner);
+                (WeightedRegion::Triangle(corners, 0), facets.area(place))
+            }
+            Source::Patches { patches, .. } => {
+                let cell = PatchCell::whole(place);
+                (WeightedRegion::Cell(cell), self.area(patches, &cell))
+            }
+        };
+        WeightedPart { region, weight, start: 0, spread: Spread::exact([0.0, self.farthest()]) }
+    }
+
+    /// An upper bound on the distance of every point of A from B.
+    fn farthest(&self) -> f64 {
+        let (a, b) = (self.a.bounding_box(), self.b.bounding_box());
+        let far = b.max_distance_squared(self.transform.apply(a.center())).sqrt() + 0.5 * a.diagonal();
+        far * (1.0 + gamma(SPREAD_ROUNDINGS)) + 2.0 * self.rounding
+    }
+
     /// Returns the halves of a part; `None` for a part that float64 does not halve.
     pub(crate) fn halves(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
         let Measured::Facets { facets: b, .. } = self.b else { return None };
