@@ -15,6 +15,7 @@ mod hierarchy;
 mod info;
 mod iteration;
 mod options;
+mod overlap;
 mod points;
 mod prepared;
 mod result;
@@ -37,6 +38,7 @@ pub use options::{
     Backend, CertifiedOptions, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
     NamedOptions,
 };
+pub use overlap::{OverlapOptions, OverlapResult, OverlapVolumes, VolumesUnknown};
 pub use points::{
     ClosestPointOptions, ClosestPoints, Grid, GridOptions, Precision, SignedDistanceOptions, SignedDistances,
 };
