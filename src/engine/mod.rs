@@ -12,6 +12,7 @@ mod dispatch;
 mod facets;
 mod field;
 mod hierarchy;
+mod hint;
 mod info;
 mod iteration;
 mod options;

@@ -9,6 +9,7 @@ pub use solids::VolumesUnknown;
 pub use volumes::OverlapVolumes;
 
 use super::direction::Direction;
+use super::hint::hint;
 use super::{Computation, Engine, PreparedModel, Seconds, Stop};
 use crate::error::{Error, Result};
 use crate::facts::Interval;
@@ -48,6 +49,10 @@ pub struct OverlapResult {
     /// Metres per unit of length here, if A or B states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
+    /// What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+    /// units have. Nothing was scaled for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
     /// The sum of both models' gaps, as in [`super::DistanceResult::gap`].
     pub gap: f64,
     /// Whether that is an upper bound, as far as both models' readers know.
@@ -89,6 +94,7 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<OverlapResult> {
         options.validate()?;
+        let hint = hint(a, b);
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
         let started = Instant::now();
@@ -104,6 +110,7 @@ impl Engine {
             tolerance: options.relative_width(),
             volume_of_gap: None,
             unit: direction.unit(),
+            hint,
             gap: direction.gap(),
             gap_proven: direction.is_gap_proven(),
             cells: 0,

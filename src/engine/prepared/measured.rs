@@ -241,6 +241,12 @@ impl PreparedModel {
         [min, [0, 1, 2].map(|axis| at(axis) + largest(DVec3::AXES[axis]))]
     }
 
+    /// Returns the lengths of the model along x, y and z, to about their intervals' width.
+    pub(in crate::engine) fn lengths(&self) -> [f64; 3] {
+        let [min, max] = self.range(None);
+        [0, 1, 2].map(|axis| (max[axis] - min[axis]).middle())
+    }
+
     /// Returns the length of a body, or of the model, along a direction.
     fn extent(&self, parts: Option<&BodyParts>, direction: DVec3) -> Interval {
         let origin = self.aabb_of(parts).center();
