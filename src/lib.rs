@@ -109,6 +109,7 @@ mod limits;
 mod mesh_files;
 mod model;
 mod one_line;
+mod overlap;
 mod param_box;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod pictures;
@@ -165,9 +166,9 @@ pub use engine::{
     ClosestPoints, Computation, Counts, Details, DeviationField, DiffOptions, DiffResult, DistanceOptions,
     DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart,
     FreeEdge, GapOptions, GapsResult, Grid, GridOptions, HierarchyOptions, IterationOptions, LeftOut,
-    Measure, Method, MethodName, ModelInfo, NamedOptions, Overlap, OverlapUnknown, Percentile, Precision,
-    PreparedModel, Shell, SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics,
-    StatisticsOptions, Witness,
+    Measure, Method, MethodName, ModelInfo, NamedOptions, Overlap, OverlapOptions, OverlapResult,
+    OverlapUnknown, OverlapVolumes, Percentile, Precision, PreparedModel, Shell, SignedDistanceOptions,
+    SignedDistances, Signs, Solid, Statistics, StatisticsOptions, VolumesUnknown, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

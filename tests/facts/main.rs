@@ -8,4 +8,6 @@ mod support;
 mod bodies;
 mod exact;
 mod formulas;
+mod hints;
 mod models;
+mod overlap;

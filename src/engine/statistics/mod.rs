@@ -177,6 +177,10 @@ pub struct CertifiedStatistics {
     /// Metres per unit of every length here, if A or B states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
+    /// What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+    /// units have. Nothing was scaled for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
     /// The number of parts bounded.
     pub cells: usize,
     /// The parts whose bounds were compared with certified distances of their points.

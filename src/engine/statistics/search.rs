@@ -7,6 +7,7 @@ use super::{Beyond, Bounded, CertifiedStatistics, Measure, Percentile, Statistic
 use crate::area::Area;
 use crate::certified::{AuditReport, Pair};
 use crate::engine::direction::Direction;
+use crate::engine::hint::hint;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds};
 use crate::error::{Error, Result};
 use crate::facets::{Parts, PreparedFacets, Source, Spread, Start, Weighted};
@@ -79,6 +80,7 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<CertifiedStatistics> {
         options.validate()?;
+        let hint = hint(a, b);
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
         let mut progress = Progress::new(monitor, false);
@@ -127,6 +129,7 @@ impl Engine {
             tolerance,
             diagonal,
             unit: direction.unit(),
+            hint,
             cells,
             audit,
             notice,
