@@ -157,12 +157,13 @@ pub use brep::FileKind;
 pub use brep::inflated;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, Beyond, Body, BodyKind, Bounded, CertifiedOptions, CertifiedStatistics, ClearanceOptions,
-    ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation, Details,
-    DeviationField, DiffOptions, DiffResult, DistanceOptions, DistanceResult, Engine, FaceDifference,
-    FaceGap, FaceInfo, FaceState, FieldOptions, FreeEdge, GapOptions, GapsResult, HierarchyOptions,
-    IterationOptions, Measure, Method, MethodName, ModelInfo, NamedOptions, Overlap, OverlapUnknown,
-    Percentile, PreparedModel, Shell, Signs, Solid, Statistics, StatisticsOptions, Witness,
+    Backend, Beyond, Body, BodyKind, BodyPair, Bounded, CertifiedOptions, CertifiedStatistics, CheckOptions,
+    CheckResult, CheckedBody, ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions,
+    ClosestPoints, Computation, Details, DeviationField, DiffOptions, DiffResult, DistanceOptions,
+    DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FreeEdge, GapOptions,
+    GapsResult, HierarchyOptions, IterationOptions, Measure, Method, MethodName, ModelInfo, NamedModel,
+    NamedOptions, Overlap, OverlapUnknown, PairState, Percentile, PreparedModel, Shell, Signs, Solid,
+    Statistics, StatisticsOptions, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

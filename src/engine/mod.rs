@@ -3,6 +3,7 @@
 
 mod bodies;
 mod certified;
+mod check;
 mod clearance;
 mod closest_points;
 mod computation;
@@ -22,6 +23,7 @@ mod solid;
 mod statistics;
 
 pub use bodies::{Body, BodyKind};
+pub use check::{BodyPair, CheckOptions, CheckResult, CheckedBody, NamedModel, PairState};
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
     OverlapUnknown,

@@ -6,6 +6,7 @@ mod kept;
 mod measured;
 mod points;
 mod shells;
+mod single;
 mod units;
 
 use crate::bezier::{BezierModel, PatchSet, PointError, extract, without_removable_knots};
@@ -25,6 +26,7 @@ pub(in crate::engine) use bodies::BodyParts;
 use kept::Kept;
 pub(crate) use kept::{PreparedCells, PreparedSampling, PreparedTarget};
 pub(in crate::engine) use shells::Shells;
+pub(in crate::engine) use single::SingleBody;
 use std::sync::Arc;
 
 /// A model ready for distance computations: its Bézier patches, and, computed at
