@@ -8,7 +8,6 @@ mod sweep;
 pub use options::CheckOptions;
 pub use pair::{BodyPair, PairState};
 
-use super::prepared::SingleBody;
 use super::{BodyKind, Computation, Engine, PreparedModel, Seconds};
 use crate::bvh::Aabb;
 use crate::error::{Error, Result};
@@ -90,7 +89,7 @@ impl CheckResult {
 
 /// A body as a model, and the box that it is certainly in.
 struct Checked {
-    body: SingleBody,
+    model: PreparedModel,
     aabb: Aabb,
 }
 
@@ -132,7 +131,7 @@ impl Engine {
         for chunk in near.chunks(PAIRS_AT_ONCE) {
             pairs.extend(map(chunk.len(), |place| {
                 let of = chunk[place];
-                let judged = pair::judged(of.map(|index| &checked[index].body.model), &limits)?;
+                let judged = pair::judged(of.map(|index| &checked[index].model), &limits)?;
                 let [a, b] = of.map(|index| bodies[index].name.clone());
                 Ok(BodyPair { a, b, ..judged })
             }));
@@ -140,7 +139,7 @@ impl Engine {
         }
         let mut pairs = pairs.into_iter().collect::<Result<Vec<BodyPair>>>()?;
         for [a, b] in duplicates::candidates(&near, &boxes, limits.tolerance) {
-            let models = [a, b].map(|index| &checked[index].body.model);
+            let models = [a, b].map(|index| &checked[index].model);
             if self.is_duplicate(models, limits.tolerance).await? {
                 let names = [a, b].map(|index| bodies[index].name.clone());
                 bodies[a].duplicates.push(names[1].clone());
@@ -177,11 +176,11 @@ fn all_bodies(models: &[NamedModel<'_>], options: &CheckOptions) -> Result<(Vec<
             let levels: Vec<String> =
                 above.into_iter().map(level).chain(own.iter().map(|name| level(name))).collect();
             let name = unique(levels.join(" / "), &mut taken);
-            let error = single.model.bezier().point_error.after(0);
+            let error = single.bezier().point_error.after(0);
             // A box of zero width may round to itself when it grows.
-            let aabb = single.model.control_box().grown(error);
+            let aabb = single.control_box().grown(error);
             let aabb = Aabb { min: aabb.min.map(f64::next_down), max: aabb.max.map(f64::next_up) };
-            checked.push(Checked { body: single, aabb });
+            checked.push(Checked { model: single, aabb });
             bodies.push(CheckedBody {
                 name,
                 model,

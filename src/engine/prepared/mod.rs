@@ -26,7 +26,6 @@ pub(in crate::engine) use bodies::BodyParts;
 use kept::Kept;
 pub(crate) use kept::{PreparedCells, PreparedSampling, PreparedTarget};
 pub(in crate::engine) use shells::Shells;
-pub(in crate::engine) use single::SingleBody;
 use std::sync::Arc;
 
 /// A model ready for distance computations: its Bézier patches, and, computed at

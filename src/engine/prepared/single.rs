@@ -7,31 +7,22 @@ use crate::error::Result;
 use crate::facets::{Facet, Facets, PreparedFacets, TriangleMesh};
 use glam::DVec3;
 
-/// A body as a model, with the faces of the whole model that it consists of.
-#[derive(Debug)]
-pub(in crate::engine) struct SingleBody {
-    pub(in crate::engine) model: PreparedModel,
-    /// The index of each of its faces in the whole model; those of a mesh are all in its one face.
-    pub(in crate::engine) faces: Vec<usize>,
-}
-
 impl PreparedModel {
     /// Returns the bodies, in their order, each as a model of the same patches or triangles. O(n log n).
     ///
     /// # Errors
     /// [`crate::Error::FacetsUnsupported`] for a cloud of points.
-    pub(in crate::engine) fn single_bodies(&self) -> Result<Vec<SingleBody>> {
+    pub(in crate::engine) fn single_bodies(&self) -> Result<Vec<Self>> {
         self.require_faces("bodies of a model")?;
         let single = |parts: &BodyParts| {
             let faces = self.faces_of(parts);
             let mut surfaces: Vec<u32> =
                 parts.shells.iter().flat_map(|shell| shell.surfaces.iter().copied()).collect();
             surfaces.sort_unstable();
-            let model = match &self.facets {
-                Some(facets) => self.of_triangles(facets, &surfaces)?,
-                None => self.of_surfaces(&surfaces, &faces),
-            };
-            Ok(SingleBody { model, faces })
+            match &self.facets {
+                Some(facets) => self.of_triangles(facets, &surfaces),
+                None => Ok(self.of_surfaces(&surfaces, &faces)),
+            }
         };
         self.body_parts().iter().map(single).collect()
     }
