@@ -4,6 +4,7 @@
 mod best_fit;
 mod bodies;
 mod certified;
+mod check;
 mod clearance;
 mod computation;
 mod diff;
@@ -24,6 +25,7 @@ mod statistics;
 
 pub use best_fit::{BestFit, BestFitOptions, FitPose, FitStart, LeftOut};
 pub use bodies::{Body, BodyKind};
+pub use check::{BodyPair, CheckOptions, CheckResult, CheckedBody, NamedModel, PairState};
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
     OverlapUnknown,

@@ -68,7 +68,7 @@ pub enum OverlapUnknown {
 }
 
 /// Two solids, the one of A moved.
-pub(super) struct Solids<'a> {
+pub(in crate::engine) struct Solids<'a> {
     pub(super) a: &'a PreparedModel,
     pub(super) b: &'a PreparedModel,
     pub(super) transform: RigidTransform,
@@ -77,7 +77,7 @@ pub(super) struct Solids<'a> {
 impl<'a> Solids<'a> {
     /// # Errors
     /// Which of the models is not closed.
-    pub(super) fn new(
+    pub(in crate::engine) fn new(
         [a, b]: [&'a PreparedModel; 2],
         transform: RigidTransform,
     ) -> Result<Self, OverlapUnknown> {
@@ -97,7 +97,7 @@ impl<'a> Solids<'a> {
     ///
     /// # Errors
     /// Why it is not known.
-    pub(super) fn overlap(
+    pub(in crate::engine) fn overlap(
         &self,
         interval: Interval,
         goal: Goal,
