@@ -161,13 +161,14 @@ pub use brep::inflated;
 pub use bvh::Aabb;
 pub use engine::{
     Backend, BestFit, BestFitOptions, Beyond, Body, BodyInfo, BodyKind, BodyPair, Bounded, CertifiedOptions,
-    CertifiedStatistics, CheckOptions, CheckResult, CheckedBody, ClearanceOptions, ClearanceResult,
-    ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation, Counts, Details, DeviationField,
-    DiffOptions, DiffResult, DistanceOptions, DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo,
-    FaceState, FieldOptions, FitPose, FitStart, FreeEdge, GapOptions, GapsResult, Grid, GridOptions,
-    HierarchyOptions, IterationOptions, LeftOut, Measure, Method, MethodName, ModelInfo, NamedModel,
-    NamedOptions, Overlap, OverlapUnknown, PairState, Percentile, Precision, PreparedModel, Shell,
-    SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics, StatisticsOptions, Witness,
+    CertifiedStatistics, CheckOptions, CheckResult, CheckRules, CheckedBody, ClearanceOptions,
+    ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation, Counts, Details,
+    DeviationField, DiffOptions, DiffResult, DistanceOptions, DistanceResult, Engine, FaceDifference,
+    FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart, FreeEdge, GapOptions, GapsResult, Grid,
+    GridOptions, HierarchyOptions, IterationOptions, LeftOut, Measure, Method, MethodName, ModelInfo,
+    NamedModel, NamedOptions, NamesOfPair, Overlap, OverlapUnknown, PairState, Percentile, Precision,
+    PreparedModel, RequiredDistance, Rule, Shell, SignedDistanceOptions, SignedDistances, Signs, Solid,
+    Statistics, StatisticsOptions, UnkeptRule, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

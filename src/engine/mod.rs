@@ -25,7 +25,10 @@ mod statistics;
 
 pub use best_fit::{BestFit, BestFitOptions, FitPose, FitStart, LeftOut};
 pub use bodies::{Body, BodyKind};
-pub use check::{BodyPair, CheckOptions, CheckResult, CheckedBody, NamedModel, PairState};
+pub use check::{
+    BodyPair, CheckOptions, CheckResult, CheckRules, CheckedBody, NamedModel, NamesOfPair, PairState,
+    RequiredDistance, Rule, UnkeptRule,
+};
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
     OverlapUnknown,

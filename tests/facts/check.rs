@@ -2,8 +2,8 @@
 
 use crate::models::{box_of_faces, cuboid, faces, mesh, moved, of, placed_all, prepared, stretched};
 use nurbs_hausdorff::{
-    CheckOptions, CheckResult, DVec3, Engine, Model, ModelArrays, NamedModel, PairState, PreparedModel,
-    shapes,
+    CheckOptions, CheckResult, CheckRules, DQuat, DVec3, Engine, Error, Model, ModelArrays, NamedModel,
+    NamesOfPair, PairState, PreparedModel, RequiredDistance, Rule, SurfaceArrays, shapes,
 };
 
 fn check(model: &PreparedModel, options: &CheckOptions) -> CheckResult {
@@ -126,4 +126,144 @@ fn bodies_of_a_mesh_are_checked_too() {
     };
     assert_eq!(states(&check(&both([0.5, 0.25, 0.125]), &below(0.0))), [PairState::Clash]);
     assert_eq!(states(&check(&both([1.125, 0.25, 0.125]), &below(0.25))), [PairState::Near]);
+}
+
+/// The row-major matrix of a turn about an axis that is none of the coordinates', and a move.
+fn tilted() -> [f64; 12] {
+    let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 2.0) / 3.0, 0.7);
+    let [x, y, z] = DVec3::AXES.map(|axis| turn * axis);
+    [x.x, y.x, z.x, 3.0, x.y, y.y, z.y, -2.0, x.z, y.z, z.z, 0.5]
+}
+
+/// The control points of a circle about z: quarters of degree 2.
+fn circle(radius: f64, height: f64) -> Vec<[f64; 4]> {
+    let corners = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [1, 0]];
+    let weight = |index: usize| if index % 2 == 0 { 1.0 } else { 0.5_f64.sqrt() };
+    let point = |(index, [x, y]): (usize, [i32; 2])| {
+        [radius * f64::from(x), radius * f64::from(y), height, weight(index)]
+    };
+    corners.into_iter().enumerate().map(point).collect()
+}
+
+/// A tube about z from 0 to `length`, of four ruled faces.
+fn tube(inner: f64, outer: f64, length: f64) -> Model {
+    let knots = vec![0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 3.0, 3.0, 4.0, 4.0, 4.0];
+    let ruled = |from: Vec<[f64; 4]>, to: Vec<[f64; 4]>| SurfaceArrays {
+        degree: [1, 2],
+        knots: [vec![0.0, 0.0, 1.0, 1.0], knots.clone()],
+        counts: [2, 9],
+        control_points: from.into_iter().chain(to).collect(),
+    };
+    let faces = vec![
+        ruled(circle(inner, 0.0), circle(inner, length)),
+        ruled(circle(inner, length), circle(outer, length)),
+        ruled(circle(outer, length), circle(outer, 0.0)),
+        ruled(circle(outer, 0.0), circle(inner, 0.0)),
+    ];
+    Model::from_arrays(None, faces).unwrap()
+}
+
+/// A shaft of this radius through a bore of radius 1, both tilted.
+fn shaft_in_bore(radius: f64) -> PreparedModel {
+    let shaft = shapes::cylinder(radius, 4.0).unwrap();
+    let [housing, shaft] = [(&tube(1.0, 2.0, 1.0), [0.0; 3]), (&shaft, [0.0, 0.0, -1.5])]
+        .map(|(model, offset)| placed_all(&[(model, moved(offset))]));
+    prepared(&placed_all(&[(&housing, tilted()), (&shaft, tilted())]))
+}
+
+#[test]
+fn a_shaft_in_a_bore_is_near_by_its_clearance_and_clashes_where_it_is_thicker() {
+    let result = check(&shaft_in_bore(0.99), &below(0.05));
+    assert_eq!(states(&result), [PairState::Near], "{:?}", result.pairs);
+    let clearance = result.pairs[0].clearance;
+    assert!(clearance.lower <= 0.01 + 1e-12 && clearance.upper >= 0.01 - 1e-12, "{clearance:?}");
+    assert!(clearance.upper - clearance.lower < 1e-5, "{clearance:?}");
+    assert_eq!(states(&check(&shaft_in_bore(1.01), &below(0.05))), [PairState::Clash]);
+}
+
+/// A press fit of 1e-6 on a radius of 1 clashes wherever the tolerance is smaller.
+#[test]
+fn a_press_fit_clashes_where_the_tolerance_is_smaller_than_it() {
+    for tolerance in [1e-6, 1e-8] {
+        let options = CheckOptions { tolerance: Some(tolerance), ..CheckOptions::default() };
+        let result = check(&shaft_in_bore(1.0 + 2e-6), &options);
+        assert_eq!(states(&result), [PairState::Clash], "{:?}", result.pairs);
+        let [x, y, z] = result.pairs[0].point;
+        let from = DVec3::new(x - 3.0, y + 2.0, z - 0.5);
+        let axis = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 2.0) / 3.0, 0.7) * DVec3::Z;
+        let radius = from.reject_from_normalized(axis).length();
+        assert!((1.0 - 1e-12..=1.0 + 2e-6 + 1e-12).contains(&radius), "{radius}");
+    }
+}
+
+/// Boxes in each other by less than the tolerance are parted by a plane; by more, they clash.
+#[test]
+fn tilted_boxes_that_stand_flush_touch_within_the_tolerance() {
+    let unit = box_of_faces(DVec3::ZERO, DVec3::ONE);
+    for (height, expected) in
+        [(1.0, PairState::Touching), (1.0 - 1e-9, PairState::Touching), (0.999, PairState::Clash)]
+    {
+        let upper = placed_all(&[(&unit, moved([0.25, 0.25, height]))]);
+        let both = prepared(&placed_all(&[(&unit, tilted()), (&upper, tilted())]));
+        assert_eq!(states(&check(&both, &below(0.0))), [expected], "{height}");
+    }
+}
+
+/// Two planes back to back: sheets have no inside, and the plane between parts them.
+#[test]
+fn sheets_that_a_plane_parts_touch() {
+    let square = faces(&box_of_faces(DVec3::ZERO, DVec3::ONE)).remove(1);
+    let wall = faces(&box_of_faces(DVec3::new(0.25, 0.25, 1.0), DVec3::splat(2.0))).remove(2);
+    let result = check(&prepared(&of(vec![square, wall])), &below(0.0));
+    assert_eq!(states(&result), [PairState::Touching], "{:?}", result.pairs);
+}
+
+#[test]
+fn a_body_without_an_inside_is_degenerate() {
+    let (vertices, triangles) = cuboid(DVec3::ZERO, DVec3::new(1.0, 1.0, 1e-9));
+    assert!(check(&mesh(&vertices, &triangles), &below(0.0)).bodies[0].degenerate);
+    let (vertices, triangles) = cuboid(DVec3::ZERO, DVec3::new(1.0, 1.0, 1e-3));
+    let result = check(&mesh(&vertices, &triangles), &below(0.0));
+    assert!(!result.bodies[0].degenerate);
+    assert_eq!((result.is_clean(), result.pair_count), (Some(true), 0));
+}
+
+/// Three boxes in a row: the first two in each other, the third 0.25 away.
+#[test]
+fn rules_say_what_is_meant_and_what_must_be() {
+    let unit = prepared(&box_of_faces(DVec3::ZERO, DVec3::ONE));
+    let [second, third] =
+        [0.5, 1.75].map(|x| prepared(&box_of_faces(DVec3::new(x, 0.0, 0.0), DVec3::new(x + 1.0, 1.0, 1.0))));
+    let named = |name, model| NamedModel { name: Some(name), model };
+    let models = [named("pump / shaft", &unit), named("pump / hub", &second), named("cover", &third)];
+    let names = |a: &str, b: &str| NamesOfPair { a: a.to_owned(), b: b.to_owned() };
+    let apart = |distance| RequiredDistance { a: "cover/*".to_owned(), b: "pump*/**".to_owned(), distance };
+    let result = |rules: CheckRules| {
+        let options = CheckOptions { rules, ..CheckOptions::default() };
+        Engine::cpu().check(&models, &options).wait()
+    };
+    let clash = result(CheckRules::default()).unwrap();
+    assert_eq!((clash.is_clean(), states(&clash)), (Some(false), vec![PairState::Clash]));
+    // A slash in the name of a file is no level: that is written `pump // shaft`.
+    let intended = vec![names("* // shaft/*", "*hub/*")];
+    let rules = CheckRules { intended: intended.clone(), ..CheckRules::default() };
+    let fine = result(rules.clone()).unwrap();
+    assert_eq!((fine.is_clean(), fine.pairs[0].intended), (Some(true), true));
+    for (distance, clean) in
+        [(0.125, Some(true)), (0.24, Some(true)), (0.26, Some(false)), (2.0, Some(false))]
+    {
+        let found = result(CheckRules { at_least: vec![apart(distance)], ..rules.clone() }).unwrap();
+        assert_eq!(found.is_clean(), clean, "{distance}: {:?}", found.rules);
+        if distance == 0.26 {
+            let [unkept] = &found.rules[..] else { panic!("{:?}", found.rules) };
+            assert_eq!((unkept.rule, unkept.broken, unkept.distance), (Rule::AtLeast, true, Some(0.26)));
+            assert!(unkept.clearance.unwrap().contains(0.25));
+            assert!([&unkept.a, &unkept.b].contains(&&"cover / body 1".to_owned()));
+        }
+    }
+    let touch = |a: &str, b: &str| CheckRules { must_touch: vec![names(a, b)], ..rules.clone() };
+    assert_eq!(result(touch("*hub/*", "*shaft/*")).unwrap().is_clean(), Some(true));
+    let found = result(touch("cover/*", "pump*/*")).unwrap();
+    assert_eq!((found.is_clean(), found.rules[0].rule), (Some(false), Rule::MustTouch));
+    assert!(matches!(result(touch("lid/*", "pump*/*")), Err(Error::OptionInvalid { .. })));
 }

@@ -3,15 +3,19 @@
 mod duplicates;
 mod options;
 mod pair;
+mod parting;
+mod pattern;
+mod rules;
 mod sweep;
 
 pub use options::CheckOptions;
 pub use pair::{BodyPair, PairState};
+pub use rules::{CheckRules, NamesOfPair, RequiredDistance, Rule, UnkeptRule};
 
 use super::{BodyKind, Computation, Engine, PreparedModel, Seconds};
 use crate::bvh::Aabb;
 use crate::error::{Error, Result};
-use crate::facts::Orientation;
+use crate::facts::{Interval, Orientation};
 use crate::model::level;
 use crate::progress::{Monitor, Progress};
 use crate::threads::parallel::map;
@@ -48,6 +52,9 @@ pub struct CheckedBody {
     pub closed: bool,
     /// How its faces are oriented.
     pub orientation: Option<Orientation>,
+    /// Whether it closes and its volume is certainly less than that of a layer of the tolerance over half its area,
+    /// so that it has no inside to speak of.
+    pub degenerate: bool,
     /// The names of the bodies that certainly have its shape in its place, within the tolerance.
     pub duplicates: Vec<String>,
 }
@@ -68,6 +75,8 @@ pub struct CheckResult {
     pub bodies: Vec<CheckedBody>,
     /// The pairs whose boxes are near, clashes first.
     pub pairs: Vec<BodyPair>,
+    /// The rules that are not certainly kept.
+    pub rules: Vec<UnkeptRule>,
     /// The number of all pairs.
     pub pair_count: usize,
     /// The diagonal of the box of all bodies.
@@ -85,12 +94,32 @@ impl CheckResult {
     pub fn count(&self, state: PairState) -> usize {
         self.pairs.iter().filter(|pair| pair.state == state).count()
     }
+
+    /// Returns whether all is certainly clean: no pair clashes that is not intended to, and all rules are kept.
+    /// `Some(false)` is certain, too. Faults of single bodies are no part of it.
+    #[must_use]
+    pub fn is_clean(&self) -> Option<bool> {
+        let has = |state| self.pairs.iter().any(|pair| pair.state == state && !pair.intended);
+        if has(PairState::Clash) || self.rules.iter().any(|rule| rule.broken) {
+            return Some(false);
+        }
+        (!has(PairState::Undecided) && self.rules.is_empty()).then_some(true)
+    }
 }
 
 /// A body as a model, and the box that it is certainly in.
 struct Checked {
     model: PreparedModel,
     aabb: Aabb,
+    volume: Option<Interval>,
+    area: Option<Interval>,
+}
+
+impl Checked {
+    fn is_degenerate(&self, tolerance: f64) -> bool {
+        let layer = self.area.map(|area| 0.5 * tolerance * area.lower);
+        self.volume.zip(layer).is_some_and(|(volume, layer)| volume.upper < layer)
+    }
 }
 
 impl Engine {
@@ -123,21 +152,29 @@ impl Engine {
         let (mut bodies, checked) = all_bodies(models, options)?;
         let aabb = checked.iter().fold(Aabb::EMPTY, |aabb, body| aabb.union(body.aabb));
         let limits = options.limits(aabb.diagonal());
+        for (body, of) in bodies.iter_mut().zip(&checked) {
+            body.degenerate = of.is_degenerate(limits.tolerance);
+        }
+        let rules = options.rules.bound(&bodies)?;
         let boxes: Vec<Aabb> = checked.iter().map(|body| body.aabb).collect();
-        let near = sweep::pairs_within(&boxes, limits.reach());
+        let reach_of = |pair| larger(limits.reach(), rules.required(pair));
+        let mut near = sweep::pairs_within(&boxes, larger(limits.reach(), rules.largest()));
+        near.retain(|&[a, b]| sweep::are_within(&boxes[a], &boxes[b], reach_of([a, b])));
         let prepare = started.elapsed().as_secs_f64();
         let mut progress = Progress::new(monitor, false);
-        let mut pairs = Vec::with_capacity(near.len());
+        let mut judged = Vec::with_capacity(near.len());
         for chunk in near.chunks(PAIRS_AT_ONCE) {
-            pairs.extend(map(chunk.len(), |place| {
+            judged.extend(map(chunk.len(), |place| {
                 let of = chunk[place];
-                let judged = pair::judged(of.map(|index| &checked[index].model), &limits)?;
+                let judged = pair::judged(of.map(|index| &checked[index].model), &limits, reach_of(of))?;
                 let [a, b] = of.map(|index| bodies[index].name.clone());
-                Ok(BodyPair { a, b, ..judged })
+                Ok((of, BodyPair { a, b, intended: rules.is_intended(of), ..judged }))
             }));
-            progress.checkpoint(pairs.len() as f64 / near.len() as f64).await?;
+            progress.checkpoint(judged.len() as f64 / near.len() as f64).await?;
         }
-        let mut pairs = pairs.into_iter().collect::<Result<Vec<BodyPair>>>()?;
+        let judged = judged.into_iter().collect::<Result<Vec<([usize; 2], BodyPair)>>>()?;
+        let unkept = rules.unkept(&bodies, &judged);
+        let mut pairs: Vec<BodyPair> = judged.into_iter().map(|(_, pair)| pair).collect();
         for [a, b] in duplicates::candidates(&near, &boxes, limits.tolerance) {
             let models = [a, b].map(|index| &checked[index].model);
             if self.is_duplicate(models, limits.tolerance).await? {
@@ -155,6 +192,7 @@ impl Engine {
             pair_count: bodies.len() * bodies.len().saturating_sub(1) / 2,
             bodies,
             pairs,
+            rules: unkept,
             diagonal: aabb.diagonal(),
             unit: models.first().and_then(|first| first.model.unit()),
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
@@ -169,9 +207,9 @@ fn all_bodies(models: &[NamedModel<'_>], options: &CheckOptions) -> Result<(Vec<
     for (model, &NamedModel { name: above, model: prepared }) in models.iter().enumerate() {
         let scaled: Option<Arc<PreparedModel>> = prepared.in_unit_of(first, options.scale_units)?;
         let prepared = scaled.as_deref().unwrap_or(prepared);
-        for (index, (body, single)) in
-            prepared.bodies().into_iter().zip(prepared.single_bodies()?).enumerate()
-        {
+        let facts = prepared.body_facts().map(|facts| (facts.volume, facts.area));
+        let all = prepared.bodies().into_iter().zip(prepared.single_bodies()?).zip(facts);
+        for (index, ((body, single), (volume, area))) in all.enumerate() {
             let own = if body.path.is_empty() { vec![format!("body {}", index + 1)] } else { body.path };
             let levels: Vec<String> =
                 above.into_iter().map(level).chain(own.iter().map(|name| level(name))).collect();
@@ -180,13 +218,14 @@ fn all_bodies(models: &[NamedModel<'_>], options: &CheckOptions) -> Result<(Vec<
             // A box of zero width may round to itself when it grows.
             let aabb = single.control_box().grown(error);
             let aabb = Aabb { min: aabb.min.map(f64::next_down), max: aabb.max.map(f64::next_up) };
-            checked.push(Checked { model: single, aabb });
+            checked.push(Checked { model: single, aabb, volume, area });
             bodies.push(CheckedBody {
                 name,
                 model,
                 kind: body.kind,
                 closed: body.closed,
                 orientation: body.orientation,
+                degenerate: false,
                 duplicates: Vec::new(),
             });
         }
@@ -203,4 +242,9 @@ fn unique(name: String, taken: &mut HashSet<String>) -> String {
         candidate = format!("{name} ({number})");
     }
     candidate
+}
+
+/// Returns the larger of two numbers of at least 0.
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
 }

@@ -1,5 +1,6 @@
 //! The options of checks.
 
+use super::CheckRules;
 use crate::engine::options::at_least_zero;
 use crate::error::{Error, Result};
 use crate::tolerance::PermittedWidth;
@@ -26,6 +27,8 @@ pub struct CheckOptions {
     pub max_cells: usize,
     /// Whether models are scaled to the unit of the first where they state different ones; else they are an error.
     pub scale_units: bool,
+    /// What is meant, and what must be.
+    pub rules: CheckRules,
 }
 
 impl Default for CheckOptions {
@@ -36,6 +39,7 @@ impl Default for CheckOptions {
             relative_tolerance: None,
             max_cells: DEFAULT_MAX_CELLS,
             scale_units: false,
+            rules: CheckRules::default(),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! How two bodies lie to each other.
 
 use super::options::Limits;
+use super::parting::are_parted;
 use crate::bvh::Aabb;
 use crate::clearance::{Goal, Nearest, Search};
 use crate::engine::clearance::{Overlap, OverlapUnknown, Solids};
@@ -19,7 +20,9 @@ pub enum PairState {
     Clash,
     /// Neither is certain: [`BodyPair::why`] says why.
     Undecided,
-    /// Their boundaries are certainly within the tolerance of each other, and no point inside both was found.
+    /// They are certainly within the tolerance of each other, and either a motion by at most the tolerance certainly
+    /// leaves them without a common inside, or no point inside both was found: about the place where they are
+    /// nearest, in the box that both reach into, and behind some hundred patches of each.
     Touching,
     /// They are certainly nearer than `below`, and certainly have no common inside.
     Near,
@@ -45,6 +48,8 @@ pub struct BodyPair {
     pub volume: Option<Interval>,
     /// Of a clash, a point inside both; else the point of A that is nearest to B.
     pub point: [f64; 3],
+    /// Whether a rule says that what happens between them is meant, so that it is not judged.
+    pub intended: bool,
     /// Why their state is not decided.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<OverlapUnknown>,
@@ -61,33 +66,21 @@ struct Found {
 
 /// Returns the pair of these bodies, without names.
 ///
-/// A first search only decides whether they are as near as they must be to be judged; a second one, for those that
-/// are, measures the clearance.
-pub(super) fn judged([a, b]: [&PreparedModel; 2], limits: &Limits) -> Result<BodyPair> {
-    let solids = Solids::new([a, b], RigidTransform::IDENTITY);
+/// A first search only decides whether they are nearer than `reach`, which is at least that of the limits; a second
+/// one, for those that are, measures the clearance.
+pub(super) fn judged(models: [&PreparedModel; 2], limits: &Limits, reach: f64) -> Result<BodyPair> {
     let goal = |limit| Goal { tolerance: limits.tolerance, limit };
-    let mut found = searched([a, b], goal(Some(limits.reach())), limits.max_cells)?;
+    let mut found = searched(models, goal(Some(reach)), limits.max_cells)?;
     let is_far = found.at_least == Some(true);
     if !is_far {
-        found = searched([a, b], goal(None), limits.max_cells)?;
+        found = searched(models, goal(None), limits.max_cells)?;
     }
-    let Found { interval, nearest, stop, goal, .. } = found;
-    let overlap = solids.and_then(|solids| solids.overlap(interval, goal, stop, &nearest));
-    let may_nest = may_nest(&a.control_box(), &b.control_box());
-    let apart = by_clearance(interval, limits, is_far);
-    let (state, why) = match overlap {
-        Ok(overlap) if overlap.is_overlap() => (PairState::Clash, None),
-        Ok(Overlap::Touching) => (PairState::Touching, None),
-        Ok(_) => apart.map_or((PairState::Undecided, Some(OverlapUnknown::Budget)), |state| (state, None)),
-        // Without an inside of its own a body is inside the other one only if their boxes are, too.
-        Err(why) if is_of_sheets(why) && interval.lower > limits.tolerance && !may_nest => {
-            apart.map_or((PairState::Undecided, Some(why)), |state| (state, None))
-        }
-        Err(why) => (PairState::Undecided, Some(why)),
-    };
-    let inside_both = match overlap {
-        Ok(Overlap::Intersecting { inside_both } | Overlap::Contained { inside_both }) => Some(inside_both),
-        _ => None,
+    let Found { interval, nearest, .. } = found;
+    let meets = interval.upper <= limits.tolerance;
+    let (state, why, inside_both) = if meets && are_parted(models, &nearest, limits.tolerance) {
+        (PairState::Touching, None, None)
+    } else {
+        by_overlap(models, &found, limits, is_far)
     };
     let clearance = Interval { lower: interval.lower, upper: interval.upper };
     Ok(BodyPair {
@@ -97,8 +90,35 @@ pub(super) fn judged([a, b]: [&PreparedModel; 2], limits: &Limits) -> Result<Bod
         clearance: if inside_both.is_some() { Interval::exactly(0.0) } else { clearance },
         volume: None,
         point: inside_both.unwrap_or(nearest.points[0].to_array()),
+        intended: false,
         why,
     })
+}
+
+/// Returns the state of bodies that no plane parts, why there is none, and a point inside both.
+fn by_overlap(
+    models: [&PreparedModel; 2],
+    found: &Found,
+    limits: &Limits,
+    is_far: bool,
+) -> (PairState, Option<OverlapUnknown>, Option<[f64; 3]>) {
+    let &Found { interval, nearest, stop, goal, .. } = found;
+    let solids = Solids::new(models, RigidTransform::IDENTITY);
+    let overlap = solids.and_then(|solids| solids.overlap(interval, goal, stop, &nearest));
+    let may_nest = may_nest(&models[0].control_box(), &models[1].control_box());
+    let apart = by_clearance(interval, limits, is_far);
+    let or_undecided =
+        |why| apart.map_or((PairState::Undecided, Some(why), None), |state| (state, None, None));
+    match overlap {
+        Ok(Overlap::Intersecting { inside_both } | Overlap::Contained { inside_both }) => {
+            (PairState::Clash, None, Some(inside_both))
+        }
+        Ok(Overlap::Touching) => (PairState::Touching, None, None),
+        Ok(Overlap::None) => or_undecided(OverlapUnknown::Budget),
+        // Without an inside of its own a body is inside the other one only if their boxes are, too.
+        Err(why) if is_of_sheets(why) && interval.lower > limits.tolerance && !may_nest => or_undecided(why),
+        Err(why) => (PairState::Undecided, Some(why), None),
+    }
 }
 
 /// Returns the state of bodies that have no common inside; `None` where the interval decides none.

@@ -16,12 +16,7 @@ pub(super) fn pairs_within(boxes: &[Aabb], reach: f64) -> Vec<[usize; 2]> {
     let mut open: Vec<usize> = Vec::new();
     for index in order {
         open.retain(|&other| !is_beyond(&boxes[other], &boxes[index], axis, reach));
-        let is_near = |other: usize| {
-            (0..3).all(|axis| {
-                !is_beyond(&boxes[other], &boxes[index], axis, reach)
-                    && !is_beyond(&boxes[index], &boxes[other], axis, reach)
-            })
-        };
+        let is_near = |other: usize| are_within(&boxes[other], &boxes[index], reach);
         pairs.extend(
             open.iter()
                 .copied()
@@ -32,6 +27,11 @@ pub(super) fn pairs_within(boxes: &[Aabb], reach: f64) -> Vec<[usize; 2]> {
     }
     pairs.sort_unstable();
     pairs
+}
+
+/// Returns whether two boxes may be at most `reach` apart along every axis.
+pub(super) fn are_within(one: &Aabb, other: &Aabb, reach: f64) -> bool {
+    (0..3).all(|axis| !is_beyond(one, other, axis, reach) && !is_beyond(other, one, axis, reach))
 }
 
 /// Returns whether a box certainly begins more than `reach` behind the end of another one: the difference is rounded

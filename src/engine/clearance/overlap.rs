@@ -111,7 +111,7 @@ impl<'a> Solids<'a> {
         if strips_apart > self.error() {
             return self.of_disjoint().ok_or(OverlapUnknown::Side);
         }
-        match self.common_point(nearest) {
+        match self.common_point(nearest, goal.tolerance) {
             CommonPoint::Found(point) => return Ok(Overlap::Intersecting { inside_both: point.to_array() }),
             CommonPoint::NotFound if interval.upper <= goal.tolerance => return Ok(Overlap::Touching),
             CommonPoint::Undecided if interval.upper <= goal.tolerance => return Err(OverlapUnknown::Side),
