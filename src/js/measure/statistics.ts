@@ -57,6 +57,11 @@ export interface CertifiedStatistics {
   diagonal: number;
   /** Metres per unit of every length, if a model states its unit. */
   unit?: number;
+  /**
+   * What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+   * units have. Nothing was scaled for it.
+   */
+  hint?: string;
   /** Number of parts of A bounded. */
   cells: number;
   /** Where the time went. */
