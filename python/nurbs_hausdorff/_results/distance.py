@@ -66,6 +66,7 @@ class DistanceResult:
     seconds: Seconds
     patches: dict[str, int]
     unit: float | None = None
+    hint: str | None = None
     within: bool | None = None
     stop: Stop | None = None
     tolerance: float | None = None

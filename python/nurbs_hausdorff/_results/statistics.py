@@ -5,15 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from .._interval import Interval as Bounded
 from .common import Audit, Seconds, table
-
-
-@dataclass(frozen=True)
-class Bounded:
-    """Interval that contains a number."""
-
-    lower: float
-    upper: float
 
 
 @dataclass(frozen=True)
@@ -63,6 +56,7 @@ class CertifiedStatistics:
     beyond: Beyond | None = None
     unit: float | None = None
     notice: str | None = None
+    hint: str | None = None
 
     def _repr_html_(self) -> str:
         named = [("mean", self.mean), ("rms", self.rms)]

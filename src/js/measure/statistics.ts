@@ -60,6 +60,11 @@ export interface CertifiedStatistics {
   diagonal: number;
   /** Metres per unit of every length, if a model states its unit. */
   unit?: number;
+  /**
+   * What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+   * units have. Nothing was scaled for it.
+   */
+  hint?: string;
   /** Number of parts of A bounded. */
   cells: number;
   /** The parts whose bounds were compared with certified distances of their points. */
