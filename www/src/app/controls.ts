@@ -8,7 +8,7 @@ import * as sections from "../controls/section.ts";
 import { onSource } from "../controls/sources.ts";
 import { onExport } from "../export/exportPanel.ts";
 import { exportAs } from "../export/exports.ts";
-import { onUnit } from "../files/units.ts";
+import { onShownUnit, onUnit } from "../files/units.ts";
 import * as deviation from "../inspection/deviationPanel.ts";
 import { connectBar } from "../layout/bar.ts";
 import { connectSheet } from "../layout/sheet.ts";
@@ -88,6 +88,12 @@ function connectFiles(parts: Parts, measurement: Measurement, opening: Opening):
   const { view, views, faces, places, client } = parts;
   element("load-cancel").addEventListener("click", () => opening.stop());
   element("forget").addEventListener("click", () => opening.forget());
+  onShownUnit(() => {
+    parts.probing.clear();
+    parts.measuring.end();
+    faces.clear("idle", "");
+    measurement.measure();
+  });
   onUnit((side, unit) => opening.inUnit(side, unit));
   onSource((opened) => opening.take(opened));
   onExport((format) =>

@@ -2,6 +2,7 @@
 import type { DiffResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { duration, grouped } from "../common/numbers.ts";
+import { modelUnit } from "../files/units.ts";
 import { ownLimits } from "../results/ownLimits.ts";
 import { allowed, onLimit } from "../results/verdict.ts";
 import { type DiffReply, SIDES, type Side } from "../worker/protocol.ts";
@@ -161,7 +162,8 @@ export class FacesPanel {
       return `${counts}${ofSamePlace(result, side)}`;
     });
     const own = ownLimits().length > 0 ? ", or than is allowed of it alone" : "";
-    const limit = `${result.limit}${own}`;
+    const unit = modelUnit();
+    const limit = `${result.limit}${unit === undefined ? "" : ` ${unit}`}${own}`;
     const verdict = {
       unchanged: `No face differs by more than ${limit}.`,
       changed: `Faces differ by more than ${limit}:`,

@@ -4,7 +4,13 @@ import type { DistanceResult } from "nurbs-hausdorff";
 import { agrees, farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
 import { placeName } from "../common/names.ts";
-import { certifiedText, intervalText, twoDigits, upperText } from "../common/numbers.ts";
+import {
+  certifiedText,
+  intervalText,
+  shownLength,
+  twoDigits,
+  upperText,
+} from "../common/numbers.ts";
 import { skippedFaces } from "../files/fileNotes.ts";
 import { commonUnit } from "../files/units.ts";
 import { type Detail, detailsOf } from "./resultDetails.ts";
@@ -145,7 +151,7 @@ function doubtsText(result: DistanceResult): string {
 /** The gap of both files, with its unit and whether it is proven. */
 function gapText({ gap, gapProven }: DistanceResult): string {
   const known = commonUnit();
-  return `${upperText(gap)}${known === undefined ? "" : ` ${known}`}${gapProven ? "" : ", measured"}`;
+  return `${upperText(shownLength(gap))}${known === undefined ? "" : ` ${known}`}${gapProven ? "" : ", measured"}`;
 }
 
 function stateOf(last: boolean, pending: boolean): string {
@@ -202,7 +208,7 @@ export function hideError(): void {
 
 function showInterval(lower: number, upper: number, diagonal: number, note: string): void {
   interval.textContent = intervalText(lower, upper, diagonal);
-  width.textContent = `${note} · width ${twoDigits(upper - lower)}`;
+  width.textContent = `${note} · width ${twoDigits(shownLength(upper - lower))}`;
   // One direction's interval decides nothing about the larger of both.
   showVerdict(note === ONE_DIRECTION ? undefined : { interval: [lower, upper] });
 }
