@@ -101,7 +101,7 @@ test("the deviation of a plane below and above another is signed, coloured, and 
       "A: 99th percentile": "≈ 0.10000",
       "maximum of the map": "0.10000",
     });
-    assert.match(await page.locator("#estimates h2").textContent(), /estimates/);
+    assert.match(await page.locator("#estimates h3").textContent(), /estimates/);
     // The deviation has one sign, and so has the scale.
     assert.equal(await page.locator("#scale-low").textContent(), ends[0]);
     assert.equal(await page.locator("#scale-high").textContent(), ends[1]);

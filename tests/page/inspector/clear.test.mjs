@@ -106,9 +106,8 @@ test("Escape shows what was seen before places were shown from near", async () =
     await drawn(page);
     return page.locator("#axes").innerHTML();
   };
-  // The ring of the focus is in both pictures.
-  await page.locator("#canvas").focus();
   const before = [await seen(), await countPixels(page, COLOURED)];
+  await page.locator("#canvas").focus();
   await page.keyboard.press("n");
   await page.keyboard.press("n");
   assert.notDeepEqual([await seen(), await countPixels(page, COLOURED)], before);

@@ -118,10 +118,11 @@ test("two points that are clicked are measured, with the angle of their faces", 
     );
   const number = (of) => Number(of.replace("−", "-"));
   assert.ok(number(length) > 0.01, length);
-  // From above, along the x axis and in one plane.
-  assert.ok(Math.abs(Math.abs(number(across)) - number(length)) < 1e-3 * number(length), across);
-  assert.ok(Math.abs(number(along)) < 0.02 * number(length), along);
-  assert.deepEqual([Math.abs(number(up)), number(angle)], [0, 0]);
+  // From above, to the right, and in one plane.
+  const parts = [across, along, up].map(number);
+  assert.ok(Math.abs(Math.hypot(...parts) - number(length)) < 2e-5, `${parts}: ${length}`);
+  assert.ok(Math.abs(parts[0]) > 0.99 * number(length), `${parts}`);
+  assert.deepEqual([Math.abs(parts[2]), number(angle)], [0, 0]);
   assert.equal(await page.locator(".pin").count(), 0);
   await page.keyboard.press("Escape");
   assert.ok(await page.locator("#measure-text").isHidden());

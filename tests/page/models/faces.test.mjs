@@ -8,7 +8,7 @@ import { countPixels } from "../support/pixels.mjs";
 let opened;
 
 before(async () => {
-  opened = await open();
+  opened = await open({ size: { width: 1530, height: 848 } });
   await opened.page.locator('#result[data-state="done"]').waitFor();
 });
 

@@ -43,7 +43,6 @@ let look: () => void = () => {};
 /** Shows that a new measurement of the same models was requested. */
 export function showPending(): void {
   section.dataset.state = "working";
-  if (distance.textContent === NONE) stateText.textContent = CLEARED.working;
   progress.value = 0;
 }
 
@@ -73,6 +72,7 @@ export function showResult(
   { last, pending }: { last: boolean; pending: boolean },
 ): void {
   kind.textContent = kindOf(result);
+  section.classList.remove("undistanced");
   stateText.textContent = "";
   unit.textContent = commonUnit() ?? "model units";
   const ends = [result.lower, result.upper] as const;
@@ -186,6 +186,7 @@ export function clearResult(state: keyof typeof CLEARED): void {
     delete section.dataset[name];
   }
   section.dataset.state = state;
+  section.classList.toggle("undistanced", state !== "working");
 }
 
 /** Shows the interval that a cancelled measurement had reached. */

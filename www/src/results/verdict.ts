@@ -12,8 +12,6 @@ const inputBelow = element("limit-below", HTMLInputElement);
 const output = element("verdict");
 const badge = element("badge");
 const compared = element("compared");
-/** What is said of a distance while nothing is allowed. */
-const UNLIMITED = "No verdict: type what is allowed below.";
 let current: Judged | undefined;
 
 /** Calls back when the user changes what is allowed. */
@@ -83,7 +81,6 @@ function draw(): void {
     for (const node of [output, badge, compared]) node.textContent = "";
     for (const node of [output, badge]) delete node.dataset.verdict;
     output.dataset.doubt = "false";
-    if (current !== undefined) output.textContent = UNLIMITED;
     return;
   }
   const { verdict, text, isDoubtful = false } = judgement(current, limits);
