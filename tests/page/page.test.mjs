@@ -10,7 +10,8 @@ const numbers = (text) => text.split(" ").map(Number);
 let opened;
 
 before(async () => {
-  opened = await open();
+  // The view is about 910 × 800 pixels beside the panels.
+  opened = await open({ size: { width: 1530, height: 848 } });
   await opened.page.locator('#result[data-state="done"]').waitFor();
 });
 
