@@ -31,12 +31,12 @@ pub(crate) fn check_solid(seed: u64, shapes: &Shapes) -> Outcome {
     violations.extend(grid);
     violations.extend(sides::violations(rng, &prepared, &model));
     let mut outcome = Outcome::default();
-    if seed.is_multiple_of(STATISTICS_EVERY) {
-        if let Some((_, other)) = shapes.draw(rng) {
-            let (found, audited) = statistics::violations(rng, [&model, &other]);
-            violations.extend(found);
-            outcome.audited = audited;
-        }
+    if seed.is_multiple_of(STATISTICS_EVERY)
+        && let Some((_, other)) = shapes.draw(rng)
+    {
+        let (found, audited) = statistics::violations(rng, [&model, &other]);
+        violations.extend(found);
+        outcome.audited = audited;
     }
     Outcome {
         converged: true,
