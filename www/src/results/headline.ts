@@ -3,8 +3,10 @@ import { shownLength } from "../common/numbers.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
 import type { Verdict } from "./judgement.ts";
 
-/** Significant digits of a limit that is converted to another unit. */
-const DIGITS = 15;
+/** Decimals up to which a distance and what is allowed are compared digit by digit. */
+const MAX_DECIMALS = 15;
+/** The longest number that is typed: longer ones were converted. */
+const MAX_LENGTH = 14;
 
 /**
  * Returns what follows the distance on the card, such as `> 0.200 allowed`. `text` is the distance
@@ -24,8 +26,15 @@ export function comparedText(text: string, allowed: Allowed, verdict: Verdict | 
   return `, ${limit}`;
 }
 
-/** A number with so many decimals, unless it has more: what is allowed is never rounded. */
+/**
+ * A number with so many decimals, unless it has more: what is allowed is never rounded. One that
+ * was converted to another unit has no end; dots say that there is more.
+ */
 function inDigits(value: number, decimals: number): string {
-  const text = value.toFixed(Math.min(decimals, 15));
-  return Number(text) === value ? text : `${Number(value.toPrecision(DIGITS))}`;
+  const text = value.toFixed(Math.min(decimals, MAX_DECIMALS));
+  if (Number(text) === value) return text;
+  const own = `${value}`;
+  if (own.length <= MAX_LENGTH) return own;
+  const step = 10 ** (decimals + 1);
+  return `${(Math.floor(value * step) / step).toFixed(decimals + 1)}…`;
 }

@@ -1,10 +1,9 @@
 // The view of the models and a result. Without WebGL it draws nothing.
 import type { DiffResult, DistanceResult, Vector3 as Point } from "nurbs-hausdorff";
 import { Box3, Vector3 } from "three";
-import { agrees, farthestSide } from "../common/direction.ts";
+import { agrees } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
-import { placeName } from "../common/names.ts";
-import { certifiedText, heldText } from "../common/numbers.ts";
+import { heldText } from "../common/numbers.ts";
 import { type Change, classesOf, classOf } from "../faces/changes.ts";
 import { Pins } from "../inspection/pins/pins.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
@@ -21,6 +20,7 @@ import type { Visibility } from "./mesh.ts";
 import { Models } from "./models.ts";
 import { Arrow, type ArrowTexts } from "./overlays/arrow.ts";
 import { ProjectionLines } from "./overlays/projectionLines.ts";
+import { arrowOf } from "./overlays/resultArrow.ts";
 import type { Pose } from "./pose.ts";
 import type { Section } from "./section.ts";
 
@@ -390,16 +390,8 @@ export class View {
       this.#arrow.hide();
       return;
     }
-    const { witness, computed, lower, upper, diagonal } = this.#result;
-    const fromA = farthestSide(this.#result) === "a";
-    const [from, to] = fromA ? [witness.a, witness.b] : [witness.b, witness.a];
-    const [own, other] = fromA ? ["A", "B"] : ["B", "A"];
-    const texts = {
-      length: certifiedText(computed, [lower, upper], diagonal),
-      from: `${own}: ${placeName(from)}`,
-      to: `${other}: ${placeName(to)}`,
-    };
-    this.#arrow.show(from.point, to.point, texts, this.models.center);
+    const { from, to, texts } = arrowOf(this.#result);
+    this.#arrow.show(from, to, texts, this.models.center);
   }
 
   #hideMaps(): void {
