@@ -166,9 +166,9 @@ pub use engine::{
     DeviationField, DiffOptions, DiffResult, DistanceOptions, DistanceResult, Engine, FaceDifference,
     FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart, FreeEdge, GapOptions, GapsResult, Grid,
     GridOptions, HierarchyOptions, IterationOptions, LeftOut, Measure, Method, MethodName, ModelInfo,
-    NamedModel, NamedOptions, NamesOfPair, Overlap, OverlapUnknown, PairState, Percentile, Precision,
-    PreparedModel, RequiredDistance, Rule, Shell, SignedDistanceOptions, SignedDistances, Signs, Solid,
-    Statistics, StatisticsOptions, UnkeptRule, Witness,
+    NamedModel, NamedOptions, NamesOfPair, Overlap, OverlapUnknown, PairState, PartDifference, PartFaces,
+    PartMotion, PartState, Percentile, Precision, PreparedModel, RequiredDistance, Rule, Shell,
+    SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics, StatisticsOptions, UnkeptRule, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

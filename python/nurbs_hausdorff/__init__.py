@@ -17,7 +17,7 @@ from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell
 from ._results.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
 from ._results.closest import ClosestPoints
 from ._results.common import SurfacePoint, Witness
-from ._results.diff import DiffResult, FaceDifference
+from ._results.diff import DiffResult, FaceDifference, PartDifference, PartFaces, PartMotion
 from ._results.distance import DistanceResult
 from ._results.field import Field, FieldPart, Statistics
 from ._results.grid import SignedDistances
@@ -29,7 +29,8 @@ __all__ = [
     "BestFit", "Beyond", "Bounded", "CertifiedStatistics", "ClearanceResult", "ClosestPoints",
     "DiffResult", "DistanceResult", "FaceDifference", "FaceGap", "Field", "FieldPart", "FitPose",
     "FreeEdge", "GapsResult", "LeftOut", "Mesh", "MeshReport", "Model", "NurbsHausdorffError",
-    "Overlap", "ReadReport", "Remark", "Shell", "SignedDistances", "Solid", "Statistics",
-    "SurfacePoint", "Transform", "Witness", "best_fit", "clearance", "closest_points", "diff",
-    "distance", "field", "gaps", "model", "read", "signed_distances", "statistics", "testing",
+    "Overlap", "PartDifference", "PartFaces", "PartMotion", "ReadReport", "Remark", "Shell",
+    "SignedDistances", "Solid", "Statistics", "SurfacePoint", "Transform", "Witness", "best_fit",
+    "clearance", "closest_points", "diff", "distance", "field", "gaps", "model", "read",
+    "signed_distances", "statistics", "testing",
 ]  # fmt: skip

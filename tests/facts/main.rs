@@ -10,3 +10,4 @@ mod check;
 mod exact;
 mod formulas;
 mod models;
+mod revisions;
