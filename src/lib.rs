@@ -109,6 +109,7 @@ mod limits;
 mod mesh_files;
 mod model;
 mod one_line;
+mod overlap;
 mod param_box;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod pictures;
@@ -166,9 +167,10 @@ pub use engine::{
     DeviationField, DiffOptions, DiffResult, DistanceOptions, DistanceResult, Engine, FaceDifference,
     FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart, FreeEdge, GapOptions, GapsResult, Grid,
     GridOptions, HierarchyOptions, IterationOptions, LeftOut, Measure, Method, MethodName, ModelInfo,
-    NamedModel, NamedOptions, NamesOfPair, Overlap, OverlapUnknown, PairState, PartDifference, PartFaces,
-    PartMotion, PartState, Percentile, Precision, PreparedModel, RequiredDistance, Rule, Shell,
-    SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics, StatisticsOptions, UnkeptRule, Witness,
+    NamedModel, NamedOptions, NamesOfPair, Overlap, OverlapOptions, OverlapResult, OverlapUnknown,
+    OverlapVolumes, PairState, PartDifference, PartFaces, PartMotion, PartState, Percentile, Precision,
+    PreparedModel, RequiredDistance, Rule, Shell, SignedDistanceOptions, SignedDistances, Signs, Solid,
+    Statistics, StatisticsOptions, UnkeptRule, VolumesUnknown, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

@@ -13,9 +13,11 @@ mod dispatch;
 mod facets;
 mod field;
 mod hierarchy;
+mod hint;
 mod info;
 mod iteration;
 mod options;
+mod overlap;
 mod points;
 mod prepared;
 mod result;
@@ -44,6 +46,7 @@ pub use options::{
     Backend, CertifiedOptions, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
     NamedOptions,
 };
+pub use overlap::{OverlapOptions, OverlapResult, OverlapVolumes, VolumesUnknown};
 pub use points::{
     ClosestPointOptions, ClosestPoints, Grid, GridOptions, Precision, SignedDistanceOptions, SignedDistances,
 };

@@ -9,5 +9,7 @@ mod bodies;
 mod check;
 mod exact;
 mod formulas;
+mod hints;
 mod models;
+mod overlap;
 mod revisions;

@@ -130,6 +130,7 @@ class DiffResult:
     gap: float
     unit: float | None = None
     parts: tuple[PartDifference, ...] = ()
+    hint: str | None = None
 
     @property
     def changed(self) -> tuple[tuple[FaceDifference, ...], tuple[FaceDifference, ...]]:

@@ -28,8 +28,8 @@ use grid::GridArguments;
 use motion::{Rotation, Translation};
 use nurbs_hausdorff::options::{Audit, Culling, Flatness, Projection, SamplingRule};
 use nurbs_hausdorff::{
-    Backend, ClearanceOptions, DiffOptions, DistanceOptions, MethodName, NamedOptions, Precision, Result,
-    RigidTransform, StatisticsOptions,
+    Backend, ClearanceOptions, DiffOptions, DistanceOptions, MethodName, NamedOptions, OverlapOptions,
+    Precision, Result, RigidTransform, StatisticsOptions,
 };
 use std::path::PathBuf;
 
@@ -61,6 +61,11 @@ pub(crate) enum Command {
     /// is less or solids overlap, 2 for bad input, 3 if --limit was not decided or
     /// faces were left out.
     Clearance(ClearanceArguments),
+    /// Computes the volumes that two solids have in common and apart, each as an interval.
+    ///
+    /// Exit status: 0 if they were computed, 2 for bad input, 3 if a model has no volume or faces were
+    /// left out.
+    Overlap(OverlapArguments),
     /// Compares all pairs of bodies of a model, or of several: which clash, touch or come near.
     ///
     /// Exit status: 0 if no pair clashes and all rules are kept, 1 if a pair clashes or a rule is broken,
@@ -326,6 +331,47 @@ impl ClearanceArguments {
             tolerance: self.tolerance,
             relative_tolerance: self.relative_tolerance,
             limit: self.limit,
+            max_seconds: self.max_seconds,
+            max_cells: self.max_cells,
+            scale_units: self.placement.scale_units,
+            transform: self.placement.transform()?,
+        })
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct OverlapArguments {
+    /// The one model; - is standard input.
+    pub(crate) a: PathBuf,
+    /// The other model; - is standard input.
+    pub(crate) b: PathBuf,
+    /// Permitted width of the common volume, as a fraction of the union's; 1e-3 if not given.
+    #[arg(long, value_name = "FRACTION")]
+    tolerance: Option<f64>,
+    /// Takes the faces that were read where others were left out; else the exit status is 3.
+    #[arg(long)]
+    pub(crate) allow_skipped: bool,
+    /// Seconds after which the intervals reached are the result.
+    #[arg(long, value_name = "SECONDS")]
+    max_seconds: Option<f64>,
+    /// Pieces of faces after which the intervals reached are the result; 400,000 if not given.
+    #[arg(long, hide_short_help = true, value_name = "CELLS")]
+    max_cells: Option<usize>,
+    #[command(flatten)]
+    placement: Placement,
+    /// Prints the result as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+impl OverlapArguments {
+    /// The library's options.
+    ///
+    /// # Errors
+    /// As [`RigidTransform::new`]; the library checks the ranges.
+    pub(crate) fn options(&self) -> Result<OverlapOptions> {
+        Ok(OverlapOptions {
+            tolerance: self.tolerance,
             max_seconds: self.max_seconds,
             max_cells: self.max_cells,
             scale_units: self.placement.scale_units,

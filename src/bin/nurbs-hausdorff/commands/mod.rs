@@ -9,4 +9,5 @@ pub(crate) mod diff;
 pub(crate) mod distance;
 pub(crate) mod grid;
 pub(crate) mod info;
+pub(crate) mod overlap;
 pub(crate) mod statistics;
