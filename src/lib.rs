@@ -168,9 +168,9 @@ pub use engine::{
     FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart, FreeEdge, GapOptions, GapsResult, Grid,
     GridOptions, HierarchyOptions, IterationOptions, LeftOut, Measure, Method, MethodName, ModelInfo,
     NamedModel, NamedOptions, NamesOfPair, Overlap, OverlapOptions, OverlapResult, OverlapUnknown,
-    OverlapVolumes, PairState, Percentile, Precision, PreparedModel, RequiredDistance, Rule, Shell,
-    SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics, StatisticsOptions, UnkeptRule,
-    VolumesUnknown, Witness,
+    OverlapVolumes, PairState, PartDifference, PartFaces, PartMotion, PartState, Percentile, Precision,
+    PreparedModel, RequiredDistance, Rule, Shell, SignedDistanceOptions, SignedDistances, Signs, Solid,
+    Statistics, StatisticsOptions, UnkeptRule, VolumesUnknown, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

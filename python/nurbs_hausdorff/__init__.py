@@ -20,7 +20,7 @@ from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell
 from ._results.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
 from ._results.closest import ClosestPoints
 from ._results.common import SurfacePoint, Witness
-from ._results.diff import DiffResult, FaceDifference
+from ._results.diff import DiffResult, FaceDifference, PartDifference, PartFaces, PartMotion
 from ._results.distance import DistanceResult
 from ._results.facts import Body, Facts
 from ._results.field import Field, FieldPart, Statistics
@@ -34,10 +34,12 @@ from ._transform import Transform
 __version__ = _version("nurbs-hausdorff")
 
 __all__ = [
-    "BestFit", "Beyond", "Body", "Bounded", "CertifiedStatistics", "ClearanceResult", "ClosestPoints",
-    "DiffResult", "DistanceResult", "FaceDifference", "Facts", "FaceGap", "Field", "FieldPart", "FitPose",
-    "FreeEdge", "GapsResult", "Interval", "LeftOut", "Mesh", "MeshReport", "Model", "NurbsHausdorffError",
-    "Overlap", "OverlapResult", "OverlapVolumes", "ReadReport", "Remark", "Shell", "SignedDistances", "Solid", "Statistics",
-    "SurfacePoint", "Transform", "Witness", "best_fit", "clearance", "closest_points", "diff",
-    "distance", "field", "gaps", "model", "overlap", "read", "signed_distances", "statistics", "testing",
+    "BestFit", "Beyond", "Body", "Bounded", "CertifiedStatistics", "ClearanceResult",
+    "ClosestPoints", "DiffResult", "DistanceResult", "FaceDifference", "FaceGap", "Facts", "Field",
+    "FieldPart", "FitPose", "FreeEdge", "GapsResult", "Interval", "LeftOut", "Mesh", "MeshReport",
+    "Model", "NurbsHausdorffError", "Overlap", "OverlapResult", "OverlapVolumes", "PartDifference",
+    "PartFaces", "PartMotion", "ReadReport", "Remark", "Shell", "SignedDistances", "Solid",
+    "Statistics", "SurfacePoint", "Transform", "Witness", "best_fit", "clearance", "closest_points",
+    "diff", "distance", "field", "gaps", "model", "overlap", "read", "signed_distances",
+    "statistics", "testing",
 ]  # fmt: skip

@@ -36,7 +36,9 @@ pub use clearance::{
     OverlapUnknown,
 };
 pub use computation::Computation;
-pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
+pub use diff::{
+    DiffOptions, DiffResult, FaceDifference, FaceState, PartDifference, PartFaces, PartMotion, PartState,
+};
 pub use dispatch::Engine;
 pub use field::{DeviationField, FaceDeviations, FieldOptions, Statistics};
 pub use info::{BodyInfo, Counts, FaceInfo, ModelInfo};

@@ -4,6 +4,7 @@ mod bodies;
 mod facts;
 mod kept;
 mod measured;
+mod mirrored;
 mod points;
 mod shells;
 mod single;
