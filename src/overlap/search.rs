@@ -9,7 +9,7 @@ use crate::bvh::Aabb;
 use crate::facts::Interval;
 use crate::rounding::{gamma, upper_max};
 use crate::solid::{Enclosing, Side};
-use crate::threads::parallel::map_short;
+use crate::threads::parallel::map;
 use glam::DVec3;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -187,7 +187,7 @@ impl<'a> Search<'a> {
             batch.extend(self.queue.pop());
         }
         self.pieces += batch.len();
-        let found = map_short(batch.len(), |index| self.look_at(&batch[index]));
+        let found = map(batch.len(), |index| self.look_at(&batch[index]));
         for (before, found) in batch.iter().zip(found) {
             self.waiting -= before.bound;
             match found {
@@ -273,7 +273,7 @@ impl<'a> Search<'a> {
     /// Returns an interval that contains the volume.
     pub(crate) fn volume(&self) -> Interval {
         let undecided: Vec<&Undecided<'_>> = self.queue.iter().chain(&self.stuck).collect();
-        let volumes = map_short(undecided.len(), |index| self.any_part(undecided[index]));
+        let volumes = map(undecided.len(), |index| self.any_part(undecided[index]));
         let sum = volumes.into_iter().fold(self.decided, |sum, volume| sum + volume);
         let [a, b] = self.solids.map(|solid| solid.volume.upper);
         let most = if a < b { a } else { b };

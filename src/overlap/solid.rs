@@ -7,6 +7,7 @@ use crate::facts::Interval;
 use crate::model::RigidTransform;
 use crate::rounding::{VANISHING_LENGTH, gamma};
 use crate::solid::{Enclosing, Side};
+use crate::threads::MaybeSync;
 use glam::DVec3;
 
 /// The largest number of halvings of a piece.
@@ -27,7 +28,7 @@ pub(crate) enum BoundarySide {
 }
 
 /// The sides of points.
-pub(crate) trait Sides: Sync {
+pub(crate) trait Sides: MaybeSync {
     /// Returns the shells of the first or the second solid about a point in the common frame, and its side, which may
     /// be found from another point about which the shells are known.
     fn side(
