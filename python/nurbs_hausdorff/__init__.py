@@ -7,6 +7,8 @@
 
 from __future__ import annotations
 
+from importlib.metadata import version as _version
+
 from . import testing
 from ._errors import NurbsHausdorffError
 from ._fit import BestFit, FitPose, LeftOut, best_fit
@@ -27,6 +29,9 @@ from ._results.overlap import OverlapResult, OverlapVolumes
 from ._results.statistics import Beyond, Bounded, CertifiedStatistics
 from ._sources import model, read
 from ._transform import Transform
+
+#: The version of the package.
+__version__ = _version("nurbs-hausdorff")
 
 __all__ = [
     "BestFit", "Beyond", "Body", "Bounded", "CertifiedStatistics", "ClearanceResult", "ClosestPoints",

@@ -255,6 +255,7 @@ def statistics(
     relative_tolerance: float | None = None,
     max_seconds: float | None = None,
     max_cells: int | None = None,
+    audit: Literal["share", "all"] | None = None,
     scale_units: bool = False,
     transform: Transform | ArrayLike | None = None,
     progress: ProgressBar | bool | None = None,
@@ -277,6 +278,8 @@ def statistics(
         diagonal; 1e-4 of it if neither is given.
     max_seconds, max_cells : optional
         Budgets, after which the intervals reached are returned.
+    audit : {"share", "all"}, optional
+        Parts whose bounds are compared with certified distances of their points at the end.
     scale_units : bool
         Scales B to the unit of A where both state different ones; else that is an error.
     transform : Transform or array of shape (4, 4), optional
@@ -294,7 +297,7 @@ def statistics(
         percentiles=None if percentiles is None else [float(part) for part in percentiles],
         limit=limit, part_tolerance=part_tolerance,
         tolerance=tolerance, relative_tolerance=relative_tolerance,
-        max_seconds=max_seconds, max_cells=max_cells, scale_units=scale_units,
+        max_seconds=max_seconds, max_cells=max_cells, audit=audit, scale_units=scale_units,
     )  # fmt: skip
     data = _native.statistics(
         model(a)._native, model(b)._native, options,

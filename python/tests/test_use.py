@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
+from importlib.metadata import version
 
 import numpy as np
 import pytest
@@ -120,6 +121,19 @@ def test_cancelling_raises_with_the_interval():
     assert raised.value.code == "CANCELLED"
     lower, upper = raised.value.interval
     assert 0 <= lower < upper
+
+
+@pytest.mark.parametrize("measure", [nh.distance, nh.statistics, nh.clearance, nh.diff, nh.field])
+def test_what_is_cancelled_before_does_not_begin(measure):
+    event = threading.Event()
+    event.set()
+    with pytest.raises(nh.NurbsHausdorffError) as raised:
+        measure(sheet(), sheet(height=1.0), cancel=event)
+    assert raised.value.code == "CANCELLED"
+
+
+def test_the_version_is_that_of_the_package():
+    assert nh.__version__ == version("nurbs-hausdorff")
 
 
 def test_progress_is_that_of_tqdm():

@@ -4,6 +4,7 @@
 mod best_fit;
 mod bodies;
 mod certified;
+mod check;
 mod clearance;
 mod computation;
 mod diff;
@@ -26,6 +27,10 @@ mod statistics;
 
 pub use best_fit::{BestFit, BestFitOptions, FitPose, FitStart, LeftOut};
 pub use bodies::{Body, BodyKind};
+pub use check::{
+    BodyPair, CheckOptions, CheckResult, CheckRules, CheckedBody, NamedModel, NamesOfPair, PairState,
+    RequiredDistance, Rule, UnkeptRule,
+};
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
     OverlapUnknown,

@@ -6,6 +6,7 @@
 mod support;
 
 mod bodies;
+mod check;
 mod exact;
 mod formulas;
 mod hints;

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from .._interval import Interval as Bounded
-from .common import Seconds, table
+from .common import Audit, Seconds, table
 
 
 @dataclass(frozen=True)
@@ -36,6 +36,10 @@ class CertifiedStatistics:
     converged : bool
         Whether all intervals are as narrow as requested. A percentile at which distances jump stays
         as wide as the jump.
+    audit : Audit
+        Parts whose bounds were compared with certified distances of their points.
+    notice : str or None
+        A bound that the audit refuted: a fault of the library. The intervals are valid.
     """
 
     over: Literal["count", "area"]
@@ -47,9 +51,11 @@ class CertifiedStatistics:
     tolerance: float
     diagonal: float
     cells: int
+    audit: Audit
     seconds: Seconds
     beyond: Beyond | None = None
     unit: float | None = None
+    notice: str | None = None
     hint: str | None = None
 
     def _repr_html_(self) -> str:
@@ -68,6 +74,7 @@ def statistics_result(data: dict[str, Any]) -> CertifiedStatistics:
         found["part"]: Bounded(**found["distance"]) for found in data["percentiles"]
     }
     beyond = data.pop("beyond", None)
+    data["audit"] = Audit(**data["audit"])
     data["seconds"] = Seconds(**data["seconds"])
     if beyond is not None:
         beyond = Beyond(limit=beyond["limit"], part=Bounded(**beyond["part"]))

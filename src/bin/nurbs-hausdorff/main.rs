@@ -14,7 +14,9 @@ mod reports;
 
 fn main() -> std::process::ExitCode {
     use arguments::Command;
-    use commands::{align, clearance, completions, convert, diff, distance, grid, info, overlap, statistics};
+    use commands::{
+        align, check, clearance, completions, convert, diff, distance, grid, info, overlap, statistics,
+    };
     let arguments = match arguments::usage::arguments() {
         Ok(arguments) => arguments,
         Err(status) => return status,
@@ -25,6 +27,7 @@ fn main() -> std::process::ExitCode {
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Clearance(arguments) => clearance::run(&arguments),
         Command::Overlap(arguments) => overlap::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
         Command::Statistics(arguments) => statistics::run(&arguments).map(|()| 0),
         Command::Align(arguments) => align::run(&arguments),
         Command::Grid(arguments) => grid::run(&arguments).map(|()| 0),

@@ -8,7 +8,7 @@ mod with_gaps;
 
 pub use gaps::{FaceGap, GapsResult};
 pub use options::{ClearanceOptions, GapOptions};
-use overlap::Solids;
+pub(in crate::engine) use overlap::Solids;
 pub use overlap::{Overlap, OverlapUnknown};
 pub use with_gaps::ClearanceWithGaps;
 
@@ -199,7 +199,7 @@ fn witness(models: [&PreparedModel; 2], targets: [&PreparedTarget; 2], nearest: 
 
 impl PreparedTarget {
     /// Returns the patches, which must have been cut from those of `model`, for a clearance.
-    pub(super) fn body<'a>(&'a self, model: &'a PreparedModel) -> Body<'a> {
+    pub(in crate::engine) fn body<'a>(&'a self, model: &'a PreparedModel) -> Body<'a> {
         Body { target: &self.target, control_box: model.control_box(), point_error: self.point_error(model) }
     }
 }

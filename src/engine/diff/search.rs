@@ -136,12 +136,13 @@ impl<'a> Side<'a> {
             let first = found.len();
             let count = FACES_AT_ONCE.min(self.faces.len() - first);
             let limits: Vec<Limit> = (first..first + count).map(|face| self.limit(face, options)).collect();
-            let (faces, transform) = (&self.faces, self.transform);
+            let (faces, transform, budget) = (&self.faces, self.transform, self.budget);
             let searches = map(count, |index| {
                 let limit = limits[index];
                 let tolerance = DECISION_PART * limit.at;
                 let mut search = faces.search(first + index, transform, tolerance, Some(limit));
-                search.advance(FIRST_CELLS);
+                // Each face has an interval, however late it is.
+                search.advance(if budget.is_over() { 1 } else { FIRST_CELLS });
                 search
             });
             for search in searches {

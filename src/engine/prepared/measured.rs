@@ -258,7 +258,12 @@ impl PreparedModel {
     }
 
     /// Returns the largest n·(x − origin) of a body, or of the model.
-    fn largest(&self, parts: Option<&BodyParts>, direction: DVec3, origin: DVec3) -> Interval {
+    pub(in crate::engine) fn largest(
+        &self,
+        parts: Option<&BodyParts>,
+        direction: DVec3,
+        origin: DVec3,
+    ) -> Interval {
         let surfaces = || {
             parts.into_iter().flat_map(|parts| &parts.shells).flat_map(|shell| shell.surfaces.iter().copied())
         };

@@ -14,12 +14,14 @@ macro_rules! named {
 }
 
 pub(crate) mod align;
+pub(crate) mod check;
 pub(crate) mod grid;
 pub(crate) mod motion;
 pub(crate) mod usage;
 
 use crate::reports::Format;
 use align::AlignArguments;
+use check::CheckArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use grid::GridArguments;
@@ -64,6 +66,11 @@ pub(crate) enum Command {
     /// Exit status: 0 if they were computed, 2 for bad input, 3 if a model has no volume or faces were
     /// left out.
     Overlap(OverlapArguments),
+    /// Compares all pairs of bodies of a model, or of several: which clash, touch or come near.
+    ///
+    /// Exit status: 0 if no pair clashes and all rules are kept, 1 if a pair clashes or a rule is broken,
+    /// 2 for bad input, 3 if that could not be decided or faces were left out.
+    Check(CheckArguments),
     /// Computes statistics of the distances from A to B, each as an interval that holds it.
     ///
     /// Of a cloud of points they are over its points, else over the area of A: the mean, the root

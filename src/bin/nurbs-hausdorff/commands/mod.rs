@@ -1,6 +1,7 @@
 //! The commands.
 
 pub(crate) mod align;
+pub(crate) mod check;
 pub(crate) mod clearance;
 pub(crate) mod completions;
 pub(crate) mod convert;

@@ -45,6 +45,9 @@ fn lines(out: &mut String, result: &CertifiedStatistics) -> Result {
     if let Some(beyond) = result.beyond {
         writeln!(out, "beyond     {:?}: a part {}", beyond.limit, between(beyond.part))?;
     }
+    if let Some(notice) = &result.notice {
+        writeln!(out, "notice     {notice}")?;
+    }
     hint(out, result.hint.as_deref())?;
     let stop = if result.converged { "converged" } else { "not converged" };
     writeln!(out, "search     {stop}, {} parts", result.cells)?;
