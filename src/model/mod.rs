@@ -151,6 +151,17 @@ impl Model {
         self.unit
     }
 
+    /// Returns the model with coordinates in units of this many metres, whatever it stated. Nothing is scaled.
+    ///
+    /// # Errors
+    /// [`Error::UnitInvalid`].
+    pub fn with_unit(self, metres: f64) -> Result<Self> {
+        if !is_unit(metres) {
+            return Err(Error::UnitInvalid { found: metres });
+        }
+        Ok(Self { unit: Some(metres), ..self })
+    }
+
     /// Returns the surfaces, at least one, each whole; [`Model::faces`] have their trims.
     #[must_use]
     pub fn surfaces(&self) -> &[NurbsSurface] {

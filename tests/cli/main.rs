@@ -15,6 +15,7 @@ mod gaps;
 mod grid;
 mod mesh_files;
 mod meshes;
+mod overlap;
 mod pairs;
 mod pictures;
 mod readme;

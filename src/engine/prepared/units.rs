@@ -3,6 +3,7 @@
 use super::PreparedModel;
 use crate::error::{Error, Result};
 use crate::limits::is_in_range;
+use crate::model::{Model, is_unit};
 use crate::rounding::gamma;
 use crate::threads::locked;
 use std::sync::Arc;
@@ -15,6 +16,20 @@ impl PreparedModel {
     #[must_use]
     pub fn unit(&self) -> Option<f64> {
         self.unit
+    }
+
+    /// Returns the model with coordinates in units of this many metres, whatever it stated. Nothing is scaled. `source`
+    /// is the model that it was prepared from, and none of a mesh or of points.
+    ///
+    /// # Errors
+    /// [`Error::UnitInvalid`].
+    pub fn with_unit(self, metres: f64, source: Option<&Model>) -> Result<Self> {
+        if !is_unit(metres) {
+            return Err(Error::UnitInvalid { found: metres });
+        }
+        let source = source.map(|model| model.clone().with_unit(metres)).transpose()?;
+        *locked(&self.kept.scaled) = None;
+        Ok(Self { unit: Some(metres), source, ..self })
     }
 
     /// Returns this model in the unit of `other` if both state different units, else
