@@ -160,14 +160,15 @@ pub use brep::FileKind;
 pub use brep::inflated;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, BestFit, BestFitOptions, Beyond, Body, BodyInfo, BodyKind, Bounded, CertifiedOptions,
-    CertifiedStatistics, ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions,
-    ClosestPoints, Computation, Counts, Details, DeviationField, DiffOptions, DiffResult, DistanceOptions,
-    DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart,
-    FreeEdge, GapOptions, GapsResult, Grid, GridOptions, HierarchyOptions, IterationOptions, LeftOut,
-    Measure, Method, MethodName, ModelInfo, NamedOptions, Overlap, OverlapUnknown, Percentile, Precision,
-    PreparedModel, Shell, SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics,
-    StatisticsOptions, Witness,
+    AtThreshold, Backend, BestFit, BestFitOptions, Beyond, Body, BodyInfo, BodyKind, Bounded,
+    CertifiedOptions, CertifiedStatistics, ClearanceOptions, ClearanceResult, ClearanceWithGaps,
+    ClosestPointOptions, ClosestPoints, Computation, Counts, Details, DeviationField, DiffOptions,
+    DiffResult, Difference, DistanceOptions, DistanceResult, Engine, FaceCounts, FaceDifference, FaceGap,
+    FaceInfo, FaceState, FieldOptions, FitPose, FitStart, FreeEdge, GapOptions, GapsResult, Grid,
+    GridOptions, HausdorffScore, HierarchyOptions, IterationOptions, LeftOut, Measure, Method, MethodName,
+    ModelInfo, NamedOptions, Overlap, OverlapUnknown, Percentile, Placement, Precision, PreparedModel,
+    Requirement, Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, Shell, SignedDistanceOptions,
+    SignedDistances, Signs, Solid, Statistics, StatisticsOptions, SurfaceScore, Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

@@ -14,7 +14,9 @@ mod reports;
 
 fn main() -> std::process::ExitCode {
     use arguments::Command;
-    use commands::{align, clearance, completions, convert, diff, distance, grid, info, statistics};
+    use commands::{
+        align, clearance, completions, convert, diff, distance, grid, info, score, statistics, summary,
+    };
     let arguments = match arguments::usage::arguments() {
         Ok(arguments) => arguments,
         Err(status) => return status,
@@ -25,6 +27,8 @@ fn main() -> std::process::ExitCode {
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Clearance(arguments) => clearance::run(&arguments),
         Command::Statistics(arguments) => statistics::run(&arguments).map(|()| 0),
+        Command::Score(arguments) => score::run(&arguments),
+        Command::Summary(arguments) => summary::run(&arguments).map(|()| 0),
         Command::Align(arguments) => align::run(&arguments),
         Command::Grid(arguments) => grid::run(&arguments).map(|()| 0),
         Command::Batch(arguments) => batch::run(&arguments),

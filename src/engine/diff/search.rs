@@ -54,7 +54,7 @@ impl Engine {
         })
     }
 
-    async fn diff_of(
+    pub(in crate::engine) async fn diff_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,

@@ -65,17 +65,24 @@ impl Engine {
         options: &'a StatisticsOptions,
     ) -> Computation<'a, CertifiedStatistics> {
         Computation::new(move |mut watched| {
-            Box::pin(async move { self.statistics_of(a, b, options, watched.monitor()).await })
+            Box::pin(async move {
+                let limits: Vec<f64> = options.limit.into_iter().collect();
+                let asked = Asked { options, limits: &limits, is_enough: &|_| false };
+                let (found, beyond) = self.statistics_of(a, b, asked, watched.monitor()).await?;
+                Ok(CertifiedStatistics { beyond: beyond.first().copied(), ..found })
+            })
         })
     }
 
-    async fn statistics_of(
+    /// As [`Engine::statistics`], with the parts beyond each of the limits asked for.
+    pub(in crate::engine) async fn statistics_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,
-        options: &StatisticsOptions,
+        asked: Asked<'_>,
         monitor: &mut dyn Monitor,
-    ) -> Result<CertifiedStatistics> {
+    ) -> Result<(CertifiedStatistics, Vec<Beyond>)> {
+        let options = asked.options;
         options.validate()?;
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
@@ -85,7 +92,7 @@ impl Engine {
         let diagonal = direction.diagonal();
         let tolerance = options.width(diagonal);
         let over = if a.is_cloud() { Measure::Count } else { Measure::Area };
-        let search = Search { over, tolerance, options, started };
+        let search = Search { over, tolerance, asked, started };
         let prepare = || started.elapsed().as_secs_f64();
         let (prepare, (sums, converged, cells)) = if over == Measure::Area && b.facets().is_none() {
             let (from, to) = (a.certified_target(), b.certified_target());
@@ -113,31 +120,46 @@ impl Engine {
             )
         };
         progress.finish();
-        Ok(CertifiedStatistics {
+        let found = CertifiedStatistics {
             over,
             total: Bounded { lower: sums.total.lower, upper: sums.total.upper },
             mean: sums.mean,
             rms: sums.rms,
             percentiles: sums.percentiles,
-            beyond: sums.beyond,
+            beyond: None,
             converged,
             tolerance,
             diagonal,
             unit: direction.unit(),
             cells,
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
-        })
+        };
+        Ok((found, sums.beyond))
     }
+}
+
+/// A question about several limits.
+#[derive(Clone, Copy)]
+pub(in crate::engine) struct Asked<'a> {
+    /// The options, whose limit is not read.
+    pub(in crate::engine) options: &'a StatisticsOptions,
+    pub(in crate::engine) limits: &'a [f64],
+    /// Whether intervals suffice that are wider than requested.
+    pub(in crate::engine) is_enough: &'a (dyn Fn(&Sums) -> bool + Sync),
 }
 
 struct Search<'a> {
     over: Measure,
     tolerance: f64,
-    options: &'a StatisticsOptions,
+    asked: Asked<'a>,
     started: Instant,
 }
 
 impl Search<'_> {
+    fn sums<T: Weighted>(&self, parts: &[T], known: Area) -> Sums {
+        Sums::of(parts, (self.asked.limits, &self.asked.options.percentiles), self.over, known)
+    }
+
     /// Returns the intervals of a cloud, whether they are narrow enough, and the number of points.
     async fn count(&self, parts: &Parts<'_>, progress: &mut Progress<'_>) -> Result<(Sums, bool, usize)> {
         let gap = POINT_PART * self.tolerance;
@@ -152,7 +174,7 @@ impl Search<'_> {
         });
         let points = points.await?;
         let known = Area { lower: 0.0, upper: f64::INFINITY };
-        let sums = Sums::of(&points, self.options, self.over, known);
+        let sums = self.sums(&points, known);
         let is_narrow = self.is_narrow(&sums);
         Ok((sums, is_narrow, points.len()))
     }
@@ -163,7 +185,7 @@ impl Search<'_> {
         let mut parts = bounded(cover.len(), progress, |range| cover.first(range)).await?;
         let mut cells = parts.len();
         loop {
-            let sums = Sums::of(&parts, self.options, self.over, known);
+            let sums = self.sums(&parts, known);
             known = sums.total;
             if !(known.lower > 0.0) {
                 return Err(Error::NoArea);
@@ -171,13 +193,19 @@ impl Search<'_> {
             if self.is_narrow(&sums) {
                 return Ok((sums, true, cells));
             }
+            if (self.asked.is_enough)(&sums) {
+                return Ok((sums, false, cells));
+            }
             let mut halved = self.halved(&parts, cover.rounding(), &sums, LEVEL_PART);
             if halved.is_empty() {
                 halved = self.halved(&parts, cover.rounding(), &sums, 0.0);
             }
-            halved.truncate(self.options.max_cells.saturating_sub(cells) / 2);
-            let is_late =
-                self.options.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most);
+            halved.truncate(self.asked.options.max_cells.saturating_sub(cells) / 2);
+            let is_late = self
+                .asked
+                .options
+                .max_seconds
+                .is_some_and(|most| self.started.elapsed().as_secs_f64() >= most);
             if is_late || self.halve(cover, &mut parts, &halved, &mut cells, progress).await? == 0 {
                 return Ok((sums, false, cells));
             }
@@ -204,7 +232,7 @@ impl Search<'_> {
                 parts.push(other);
                 count += 1;
             }
-            let spent = (*cells + 2 * count) as f64 / self.options.max_cells as f64;
+            let spent = (*cells + 2 * count) as f64 / self.asked.options.max_cells as f64;
             progress.checkpoint(spent.min(1.0)).await?;
         }
         *cells += 2 * count;
@@ -216,9 +244,12 @@ impl Search<'_> {
         is_narrow(&sums.mean)
             && is_narrow(&sums.rms)
             && sums.percentiles.iter().all(|percentile| is_narrow(&percentile.distance))
-            && sums
-                .beyond
-                .is_none_or(|beyond| beyond.part.upper - beyond.part.lower <= self.options.part_tolerance)
+            && sums.beyond.iter().all(|beyond| !self.is_open(beyond))
+    }
+
+    /// Whether the part beyond a limit is wider than requested.
+    fn is_open(&self, beyond: &Beyond) -> bool {
+        beyond.part.upper - beyond.part.lower > self.asked.options.part_tolerance
     }
 
     /// Returns the parts that widen the intervals which are too wide, those that widen them most first. Any
@@ -245,16 +276,14 @@ impl Search<'_> {
             };
             take_widest(parts, width, kept, &mut urgency);
         }
-        if let Some(Beyond { limit, part }) = sums.beyond
-            && part.upper - part.lower > self.options.part_tolerance
-        {
+        for &Beyond { limit, .. } in sums.beyond.iter().filter(|beyond| self.is_open(beyond)) {
             let width = |part: &T| {
                 let Spread { lower, upper, .. } = part.spread();
                 // Halves of a part that is as narrow as its rounding are as open.
                 let is_open = lower <= limit && limit < upper;
                 if is_open && upper - lower > OPEN_ROUNDINGS * rounding { share(part) } else { 0.0 }
             };
-            take_widest(parts, width, KEPT_PART * self.options.part_tolerance, &mut urgency);
+            take_widest(parts, width, KEPT_PART * self.asked.options.part_tolerance, &mut urgency);
         }
         for Percentile { distance, .. } in sums.percentiles.iter().filter(|of| wide(&of.distance)) {
             let width = |part: &T| {
@@ -268,7 +297,7 @@ impl Search<'_> {
                 .min(0.5 * widest)
                 .max(LEAST_PERCENTILE_PART * self.tolerance);
             let open = |part: &T| if width(part) > kept { share(part) } else { 0.0 };
-            take_widest(parts, open, level * self.options.part_tolerance, &mut urgency);
+            take_widest(parts, open, level * self.asked.options.part_tolerance, &mut urgency);
         }
         let mut halved: Vec<(f64, usize)> =
             urgency.into_iter().zip(0..).filter(|(urgency, _)| *urgency > 0.0).collect();

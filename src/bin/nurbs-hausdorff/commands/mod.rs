@@ -8,4 +8,6 @@ pub(crate) mod diff;
 pub(crate) mod distance;
 pub(crate) mod grid;
 pub(crate) mod info;
+pub(crate) mod score;
 pub(crate) mod statistics;
+pub(crate) mod summary;
