@@ -83,6 +83,28 @@ impl FacePieces {
         Self { origins: Arc::new([]), faces, face_names, reversed, face_colors, deviation: 0.0 }
     }
 
+    /// Returns some of the pieces, which are those of these faces; both are in order, and numbered anew.
+    pub(crate) fn some(&self, pieces: &[u32], faces: &[usize]) -> Self {
+        let mut origins: Vec<(usize, ParameterMap)> = Vec::with_capacity(pieces.len());
+        let mut ranges = Vec::with_capacity(faces.len());
+        let mut rest = pieces.iter().map(|&piece| &self.origins[piece as usize]).peekable();
+        for (face, &whole) in faces.iter().enumerate() {
+            let first = origins.len();
+            while let Some((_, map)) = rest.next_if(|(of, _)| *of == whole) {
+                origins.push((face, map.clone()));
+            }
+            ranges.push(first..origins.len());
+        }
+        Self {
+            origins: origins.into(),
+            faces: ranges,
+            face_names: faces.iter().map(|&face| self.face_names[face].clone()).collect(),
+            reversed: faces.iter().map(|&face| self.reversed[face]).collect(),
+            face_colors: faces.iter().map(|&face| self.face_color(face)).collect(),
+            deviation: self.deviation,
+        }
+    }
+
     /// As [`FacePieces::new`] for the model without its faces that cannot be cut; with that
     /// model, and the errors of those faces by their index in `model`. Calls the listener with each cut.
     ///

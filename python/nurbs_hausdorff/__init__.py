@@ -7,11 +7,14 @@
 
 from __future__ import annotations
 
+from importlib.metadata import version as _version
+
 from . import testing
 from ._errors import NurbsHausdorffError
 from ._fit import BestFit, FitPose, LeftOut, best_fit
+from ._interval import Interval
 from ._measure import (
-    clearance, closest_points, diff, distance, field, gaps, signed_distances, statistics,
+    clearance, closest_points, diff, distance, field, gaps, overlap, signed_distances, statistics,
 )  # fmt: skip
 from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell, Solid
 from ._results.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
@@ -19,17 +22,22 @@ from ._results.closest import ClosestPoints
 from ._results.common import SurfacePoint, Witness
 from ._results.diff import DiffResult, FaceDifference
 from ._results.distance import DistanceResult
+from ._results.facts import Body, Facts
 from ._results.field import Field, FieldPart, Statistics
 from ._results.grid import SignedDistances
+from ._results.overlap import OverlapResult, OverlapVolumes
 from ._results.statistics import Beyond, Bounded, CertifiedStatistics
 from ._sources import model, read
 from ._transform import Transform
 
+#: The version of the package.
+__version__ = _version("nurbs-hausdorff")
+
 __all__ = [
-    "BestFit", "Beyond", "Bounded", "CertifiedStatistics", "ClearanceResult", "ClosestPoints",
-    "DiffResult", "DistanceResult", "FaceDifference", "FaceGap", "Field", "FieldPart", "FitPose",
-    "FreeEdge", "GapsResult", "LeftOut", "Mesh", "MeshReport", "Model", "NurbsHausdorffError",
-    "Overlap", "ReadReport", "Remark", "Shell", "SignedDistances", "Solid", "Statistics",
+    "BestFit", "Beyond", "Body", "Bounded", "CertifiedStatistics", "ClearanceResult", "ClosestPoints",
+    "DiffResult", "DistanceResult", "FaceDifference", "Facts", "FaceGap", "Field", "FieldPart", "FitPose",
+    "FreeEdge", "GapsResult", "Interval", "LeftOut", "Mesh", "MeshReport", "Model", "NurbsHausdorffError",
+    "Overlap", "OverlapResult", "OverlapVolumes", "ReadReport", "Remark", "Shell", "SignedDistances", "Solid", "Statistics",
     "SurfacePoint", "Transform", "Witness", "best_fit", "clearance", "closest_points", "diff",
-    "distance", "field", "gaps", "model", "read", "signed_distances", "statistics", "testing",
+    "distance", "field", "gaps", "model", "overlap", "read", "signed_distances", "statistics", "testing",
 ]  # fmt: skip

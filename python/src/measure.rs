@@ -8,8 +8,8 @@ use numpy::PyReadonlyArray1;
 use nurbs_hausdorff::result::Stop;
 use nurbs_hausdorff::{
     Backend, BestFitOptions, ClearanceOptions, ClosestPointOptions, DiffOptions, DistanceOptions,
-    DistanceResult, Engine, FieldOptions, GapOptions, MethodName, NamedOptions, SignedDistanceOptions,
-    StatisticsOptions,
+    DistanceResult, Engine, FieldOptions, GapOptions, MethodName, NamedOptions, OverlapOptions,
+    SignedDistanceOptions, StatisticsOptions,
 };
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -101,6 +101,23 @@ pub(crate) fn clearance<'py>(
     let engine = cpu(py);
     let compute =
         |caller: &mut Caller| engine.clearance(a.prepared(), b.prepared(), &options).monitored(caller).wait();
+    to_dict(py, &run(py, report, compute, |result| result.stop == Stop::Cancelled)?)
+}
+
+#[pyfunction]
+pub(crate) fn overlap<'py>(
+    py: Python<'py>,
+    a: &Model,
+    b: &Model,
+    options: &Bound<'py, PyDict>,
+    motion: Motion,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let mut options: OverlapOptions = convert::options(options)?;
+    options.transform = convert::transform(py, motion)?;
+    let engine = cpu(py);
+    let compute =
+        |caller: &mut Caller| engine.overlap(a.prepared(), b.prepared(), &options).monitored(caller).wait();
     to_dict(py, &run(py, report, compute, |result| result.stop == Stop::Cancelled)?)
 }
 

@@ -4,6 +4,7 @@
 mod best_fit;
 mod bodies;
 mod certified;
+mod check;
 mod clearance;
 mod computation;
 mod diff;
@@ -12,9 +13,11 @@ mod dispatch;
 mod facets;
 mod field;
 mod hierarchy;
+mod hint;
 mod info;
 mod iteration;
 mod options;
+mod overlap;
 mod points;
 mod prepared;
 mod result;
@@ -25,6 +28,10 @@ mod statistics;
 
 pub use best_fit::{BestFit, BestFitOptions, FitPose, FitStart, LeftOut};
 pub use bodies::{Body, BodyKind};
+pub use check::{
+    BodyPair, CheckOptions, CheckResult, CheckRules, CheckedBody, NamedModel, NamesOfPair, PairState,
+    RequiredDistance, Rule, UnkeptRule,
+};
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
     OverlapUnknown,
@@ -38,6 +45,7 @@ pub use options::{
     Backend, CertifiedOptions, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
     NamedOptions,
 };
+pub use overlap::{OverlapOptions, OverlapResult, OverlapVolumes, VolumesUnknown};
 pub use points::{
     ClosestPointOptions, ClosestPoints, Grid, GridOptions, Precision, SignedDistanceOptions, SignedDistances,
 };

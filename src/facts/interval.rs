@@ -139,6 +139,20 @@ impl Interval {
         }
     }
 
+    /// Returns the numbers of the interval from `least` to `most`, of which there must be one.
+    pub(crate) fn clamped(self, least: f64, most: f64) -> Self {
+        let within = |bound: f64| {
+            if bound < least {
+                least
+            } else if bound > most {
+                most
+            } else {
+                bound
+            }
+        };
+        Self { lower: within(self.lower), upper: within(self.upper) }
+    }
+
     /// Returns the numbers of the interval that are not negative, of which there must be one.
     pub(crate) fn not_negative(self) -> Self {
         let raised = |bound: f64| if bound < 0.0 { 0.0 } else { bound };

@@ -19,6 +19,7 @@ import type { DistanceEngine } from "./measure/engine.js";
 import type { DeviationField, FieldOptions } from "./measure/field.js";
 import type { BestFit, BestFitOptions } from "./measure/fit.js";
 import { type Backend, type DistanceOptions, split } from "./measure/options.js";
+import type { OverlapOptions, OverlapResult } from "./measure/overlap.js";
 import type { Results } from "./measure/result.js";
 import type {
   Precision,
@@ -220,6 +221,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   ): Promise<ClearanceResult> {
     const models = [prepared(a, "a"), prepared(b, "b")] as const;
     return this.#inTurn(options, (engine, call) => engine.clearance(...models, call));
+  }
+
+  async overlap(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: OverlapOptions = {},
+  ): Promise<OverlapResult> {
+    const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    return this.#inTurn(options, (engine, call) => engine.overlap(...models, call));
   }
 
   async gaps(a: NurbsModel, b: NurbsModel, options: GapOptions = {}): Promise<GapsResult> {

@@ -32,6 +32,7 @@ export type {
   Transform,
   Vector3,
 } from "./measure/options.js";
+export type { OverlapOptions, OverlapResult, VolumesUnknown } from "./measure/overlap.js";
 export type { OnProgress } from "./measure/progress.js";
 export type {
   AuditReport,
@@ -58,6 +59,7 @@ export type {
 } from "./measure/statistics.js";
 export type { Area, ModelArea } from "./model/area.js";
 export { facePath } from "./model/face-path.js";
+export type { Body, Facts, Interval, Orientation, VolumeUnknown } from "./model/facts.js";
 export type { MeshArrays, MeshGroup } from "./model/mesh.js";
 export type { UpdateOptions } from "./model/model.js";
 export type { FreeEdge, Solid } from "./model/solid.js";

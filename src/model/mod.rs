@@ -16,9 +16,8 @@ pub mod trim;
 pub use arrays::{IDENTITY, InstanceArrays, ModelArrays};
 pub use face::Face;
 pub use face_path::face_path;
-#[cfg(feature = "cad")]
 pub(crate) use face_path::level;
-pub(crate) use knots::{Span, blossom, breaks, multiplicities, spans};
+pub(crate) use knots::{Span, blossom, blossom_coefficients, breaks, multiplicities, spans};
 pub use rigid_transform::RigidTransform;
 pub use surface::{NurbsSurface, SurfaceArrays};
 

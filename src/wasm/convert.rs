@@ -3,8 +3,8 @@
 use super::failure::to_object;
 use crate::engine::{
     BestFitOptions, ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions,
-    DistanceOptions, DistanceResult, FaceDeviations, FieldOptions, GapOptions, Grid, NamedOptions, Precision,
-    SignedDistanceOptions, SignedDistances, Signs, Statistics, StatisticsOptions,
+    DistanceOptions, DistanceResult, FaceDeviations, FieldOptions, GapOptions, Grid, NamedOptions,
+    OverlapOptions, Precision, SignedDistanceOptions, SignedDistances, Signs, Statistics, StatisticsOptions,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -47,6 +47,16 @@ pub(super) fn clearance_options(options: &JsValue, transform: &JsValue) -> Resul
     let transform = rigid_transform(transform)?;
     let options: ClearanceOptions = properties(options).map_err(invalid)?;
     Ok(ClearanceOptions { transform, ..options })
+}
+
+/// The options of an overlap, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn overlap_options(options: &JsValue, transform: &JsValue) -> Result<OverlapOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: OverlapOptions = properties(options).map_err(invalid)?;
+    Ok(OverlapOptions { transform, ..options })
 }
 
 /// The options of statistics, as [`options`].

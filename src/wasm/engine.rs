@@ -92,6 +92,13 @@ impl Engine {
         })
     }
 
+    /// The volumes that two solids have in common and apart.
+    pub fn overlap(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
+        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
+        let options = call.options(convert::overlap_options);
+        call.run(async move |monitor| to_object(&engine.overlap(&a, &b, &options?).monitored(monitor).await?))
+    }
+
     /// The pairs of faces of two models that come near each other.
     pub fn gaps(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());

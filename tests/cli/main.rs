@@ -8,6 +8,7 @@ mod support;
 mod align;
 mod archives;
 mod batch;
+mod check;
 mod commands;
 mod edge_cases;
 mod gaps;

@@ -42,6 +42,8 @@ for (const { name, size, schemes } of screens) {
       }
       await page.locator("#limit").fill("0.1");
       await until("done", () => page.locator("#deviation").check());
+      // On a narrow screen the parts and faces are folded away at first.
+      if (name === "narrow") await page.locator("#side-toggle").click();
       await page.locator("#compare").click();
       await page.locator('#faces[data-state="done"]').waitFor();
       await page.selectOption("#section-axis", "0");

@@ -52,6 +52,11 @@ fn a_missed_requirement_ends_the_work() {
     assert!(by_surfaces.reverse.is_none(), "{by_surfaces:?}");
     let f1 = by_surfaces.requirements[0];
     assert!(f1.met == Some(false) && f1.found.upper < 0.99, "{f1:?}");
+    let balls = [1.5, 1.0].map(|radius| {
+        models::prepared(&nurbs_hausdorff::shapes::sphere(nurbs_hausdorff::DVec3::ZERO, radius).unwrap())
+    });
+    let by_iou = score(&balls[0], &balls[1], &with(ScoreNumber::Iou, 0.5));
+    assert!(by_iou.iou.is_some() && by_iou.forward.is_none() && by_iou.met == Some(false), "{by_iou:?}");
     // One that only asks for the distance has it first.
     let most = ScoreOptions { at_most: least(ScoreNumber::Hausdorff, 0.1), ..with_thresholds(&[0.2]) };
     let by_distance = score(&deep, &truth(), &most);

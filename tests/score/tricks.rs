@@ -26,6 +26,7 @@ fn the_truth_itself_has_the_best_score() {
         holds(ratio, 1.0, 1e-5);
     }
     holds(found.centroid_distance.unwrap(), 0.0, 1e-9);
+    holds(found.iou.unwrap(), 1.0, 1e-3);
     holds(found.candidate.volume.unwrap(), 24.0, 1e-9);
     let at = found.thresholds[1];
     for part in [at.precision, at.recall, at.f1] {
@@ -51,6 +52,8 @@ fn a_deeper_box_has_the_distances_of_the_formula() {
     holds(found.thresholds[1].f1, 1.0, 2e-3);
     holds(found.volume.unwrap().ratio, 4.0 / (4.0 + h), 1e-9);
     holds(found.volume.unwrap().difference, 6.0 * h, 1e-8);
+    // Sides lie on sides of other patches.
+    holds(found.iou.unwrap(), 4.0 / (4.0 + h), 1.0);
     holds(found.area.unwrap().ratio, AREA / (AREA + 10.0 * h), 1e-5);
     holds(found.centroid_distance.unwrap(), h / 2.0, 1e-8);
     for (difference, expected) in found.extent_differences.into_iter().zip([0.0, 0.0, h]) {
@@ -65,6 +68,7 @@ fn balls_about_one_middle_have_one_distance() {
     let found = score(&one, &other, &with_thresholds(&[0.25, 0.75]));
     are(&found, [0.5, 0.25, 0.5], [0.5, 0.25, 0.5]);
     holds(found.volume.unwrap().ratio, 1.5_f64.powi(-3), 1e-4);
+    holds(found.iou.unwrap(), 1.5_f64.powi(-3), 2e-3);
     holds(found.area.unwrap().ratio, 1.5_f64.powi(-2), 1e-4);
     // Nothing is within the first threshold, and all within the second.
     for (at, expected) in found.thresholds.iter().zip([0.0, 1.0]) {
@@ -97,6 +101,7 @@ fn a_speck_outside_and_a_mirrored_part_have_the_distances_of_the_formula() {
     let found = score(&mirrored, &candidate, &with_thresholds(&[0.1]));
     are(&found, speck(s, g), speck(s, g));
     is_valid(&found, 1.0);
+    holds(found.iou.unwrap(), 24.0 / (volume + s.powi(3)), 1e-2);
     let apart = 2.0 * (SIZE[0] / 2.0 + g + s / 2.0);
     holds(found.centroid_distance.unwrap(), apart * s.powi(3) / volume, 1e-8);
     holds(found.thresholds[0].f1, AREA / area, 2e-3);

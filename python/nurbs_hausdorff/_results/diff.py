@@ -65,6 +65,7 @@ class DiffResult:
     diagonal: float
     gap: float
     unit: float | None = None
+    hint: str | None = None
 
     @property
     def changed(self) -> tuple[tuple[FaceDifference, ...], tuple[FaceDifference, ...]]:

@@ -5,15 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from .common import Seconds, table
-
-
-@dataclass(frozen=True)
-class Bounded:
-    """Interval that contains a number."""
-
-    lower: float
-    upper: float
+from .._interval import Interval as Bounded
+from .common import Audit, Seconds, table
 
 
 @dataclass(frozen=True)
@@ -43,6 +36,10 @@ class CertifiedStatistics:
     converged : bool
         Whether all intervals are as narrow as requested. A percentile at which distances jump stays
         as wide as the jump.
+    audit : Audit
+        Parts whose bounds were compared with certified distances of their points.
+    notice : str or None
+        A bound that the audit refuted: a fault of the library. The intervals are valid.
     """
 
     over: Literal["count", "area"]
@@ -54,9 +51,12 @@ class CertifiedStatistics:
     tolerance: float
     diagonal: float
     cells: int
+    audit: Audit
     seconds: Seconds
     beyond: Beyond | None = None
     unit: float | None = None
+    notice: str | None = None
+    hint: str | None = None
 
     def _repr_html_(self) -> str:
         named = [("mean", self.mean), ("rms", self.rms)]
@@ -74,6 +74,7 @@ def statistics_result(data: dict[str, Any]) -> CertifiedStatistics:
         found["part"]: Bounded(**found["distance"]) for found in data["percentiles"]
     }
     beyond = data.pop("beyond", None)
+    data["audit"] = Audit(**data["audit"])
     data["seconds"] = Seconds(**data["seconds"])
     if beyond is not None:
         beyond = Beyond(limit=beyond["limit"], part=Bounded(**beyond["part"]))

@@ -15,7 +15,8 @@ mod reports;
 fn main() -> std::process::ExitCode {
     use arguments::Command;
     use commands::{
-        align, clearance, completions, convert, diff, distance, grid, info, score, statistics, summary,
+        align, check, clearance, completions, convert, diff, distance, grid, info, overlap, score,
+        statistics, summary,
     };
     let arguments = match arguments::usage::arguments() {
         Ok(arguments) => arguments,
@@ -26,6 +27,8 @@ fn main() -> std::process::ExitCode {
         Command::Convert(arguments) => convert::run(&arguments).map(|()| 0),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Clearance(arguments) => clearance::run(&arguments),
+        Command::Overlap(arguments) => overlap::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
         Command::Statistics(arguments) => statistics::run(&arguments).map(|()| 0),
         Command::Score(arguments) => score::run(&arguments),
         Command::Summary(arguments) => summary::run(&arguments).map(|()| 0),

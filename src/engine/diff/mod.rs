@@ -126,6 +126,10 @@ pub struct DiffResult {
     /// Metres per unit of every length here, if A or B states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
+    /// What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+    /// units have. Nothing was scaled for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
     /// The sum of both models' gaps, as in [`super::DistanceResult::gap`].
     pub gap: f64,
     /// Whether the gaps are upper bounds, as far as both models' readers know.

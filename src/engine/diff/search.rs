@@ -5,6 +5,7 @@ use super::pair::PairParts;
 use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::certified::{Interval, Limit};
 use crate::engine::certified::deadline;
+use crate::engine::hint::hint;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -62,6 +63,7 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<DiffResult> {
         options.validate()?;
+        let hint = hint(a, b);
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
         let mut progress = Progress::new(monitor, true);
@@ -92,6 +94,7 @@ impl Engine {
             with_gaps: largest(|face| face.with_gaps),
             limit: options.limit,
             unit: a.unit().or(b.unit()),
+            hint,
             gap: a.gap() + b.gap(),
             gap_proven: a.is_gap_proven() && b.is_gap_proven(),
             diagonal: a.bounding_box().diagonal().max(b.bounding_box().diagonal()),
@@ -133,12 +136,13 @@ impl<'a> Side<'a> {
             let first = found.len();
             let count = FACES_AT_ONCE.min(self.faces.len() - first);
             let limits: Vec<Limit> = (first..first + count).map(|face| self.limit(face, options)).collect();
-            let (faces, transform) = (&self.faces, self.transform);
+            let (faces, transform, budget) = (&self.faces, self.transform, self.budget);
             let searches = map(count, |index| {
                 let limit = limits[index];
                 let tolerance = DECISION_PART * limit.at;
                 let mut search = faces.search(first + index, transform, tolerance, Some(limit));
-                search.advance(FIRST_CELLS);
+                // Each face has an interval, however late it is.
+                search.advance(if budget.is_over() { 1 } else { FIRST_CELLS });
                 search
             });
             for search in searches {

@@ -6,6 +6,7 @@ mod kept;
 mod measured;
 mod points;
 mod shells;
+mod single;
 mod units;
 
 use crate::bezier::{BezierModel, PatchSet, PointError, extract, without_removable_knots};

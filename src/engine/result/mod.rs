@@ -55,6 +55,10 @@ pub struct DistanceResult {
     /// Metres per unit of every length here, if A or B states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
+    /// What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+    /// units have. Nothing was scaled for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
     /// The sum of both models' gaps: how far the sources may be from what was measured, by
     /// what they state and by ends of trimming curves that were moved together. It is not
     /// part of the interval, which is that of the models as they are.

@@ -32,11 +32,13 @@ pub enum ScoreNumber {
     ChamferSquared,
     /// The Hausdorff distance, that of the farther direction.
     Hausdorff,
+    /// The volume of the intersection over that of the union.
+    Iou,
 }
 
 impl ScoreNumber {
     /// All numbers, in the order of the work.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Valid,
         Self::VolumeRatio,
         Self::AreaRatio,
@@ -48,6 +50,7 @@ impl ScoreNumber {
         Self::Chamfer,
         Self::ChamferSquared,
         Self::Hausdorff,
+        Self::Iou,
     ];
 
     /// Returns the name, in camelCase.
@@ -65,6 +68,7 @@ impl ScoreNumber {
             Self::Chamfer => "chamfer",
             Self::ChamferSquared => "chamferSquared",
             Self::Hausdorff => "hausdorff",
+            Self::Iou => "iou",
         }
     }
 
@@ -74,13 +78,14 @@ impl ScoreNumber {
     pub fn is_part(self) -> bool {
         matches!(
             self,
-            Self::Valid | Self::VolumeRatio | Self::AreaRatio | Self::Precision | Self::Recall | Self::F1
+            Self::Valid
+                | Self::VolumeRatio
+                | Self::AreaRatio
+                | Self::Precision
+                | Self::Recall
+                | Self::F1
+                | Self::Iou
         )
-    }
-
-    /// Whether the number follows from statistics of both surfaces.
-    fn is_of_surfaces(self) -> bool {
-        matches!(self, Self::Precision | Self::Recall | Self::F1 | Self::Chamfer | Self::ChamferSquared)
     }
 }
 
@@ -131,11 +136,6 @@ impl Known {
         let f1 = f1(self.of(ScoreNumber::Precision), self.of(ScoreNumber::Recall));
         self.narrow(ScoreNumber::F1, Some(f1));
     }
-}
-
-/// Whether any of these numbers follows from statistics.
-pub(super) fn any_of_surfaces<'a>(numbers: impl IntoIterator<Item = &'a ScoreNumber>) -> bool {
-    numbers.into_iter().any(|number| number.is_of_surfaces())
 }
 
 /// Returns the interval of 2 p r / (p + r), 0 for p = r = 0, which rises with both.

@@ -54,6 +54,9 @@ pub struct Score {
     /// The Hausdorff distance.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hausdorff: Option<HausdorffScore>,
+    /// The volume of the intersection over that of the union, if both models close. It has a budget of its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub iou: Option<Interval>,
     /// The faces compared one by one, if the options have a limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub faces: Option<FaceCounts>,
@@ -64,7 +67,7 @@ pub struct Score {
     pub met: Option<bool>,
     /// Whether a missed requirement ended the work before all numbers were there.
     pub ended_early: bool,
-    /// Whether all intervals are as narrow as requested.
+    /// Whether all intervals of lengths and of parts of areas are as narrow as requested.
     pub converged: bool,
     /// The requested width of lengths, in model units.
     pub tolerance: f64,

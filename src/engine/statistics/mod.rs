@@ -1,10 +1,12 @@
 //! Statistics of the distances of a model's points from another one, as intervals that hold them.
 
+mod audited;
 mod cover;
 mod search;
 mod sums;
 
 use super::Seconds;
+use crate::certified::{Audit, AuditReport};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::tolerance::{PermittedWidth, positive};
@@ -43,11 +45,14 @@ pub struct StatisticsOptions {
     /// The parts of A after which the intervals reached are returned, 1 or more. All facets or
     /// patches of A are bounded at least once.
     pub max_cells: usize,
-    /// Seconds after which the intervals reached are returned, positive.
+    /// Seconds after which the intervals reached are returned, positive. Facets and patches that were not looked at
+    /// then have the bounds of the models' boxes.
     pub max_seconds: Option<f64>,
     /// Whether B is scaled to the unit of A where both state different ones; else they are
     /// an error.
     pub scale_units: bool,
+    /// The parts whose bounds are audited at the end: a share of them, or all.
+    pub audit: Audit,
     /// Moves A before it is measured. It is not deserialized, because only
     /// [`RigidTransform::new`] makes one.
     #[serde(skip)]
@@ -65,6 +70,7 @@ impl Default for StatisticsOptions {
             max_cells: DEFAULT_MAX_CELLS,
             max_seconds: None,
             scale_units: false,
+            audit: Audit::default(),
             transform: RigidTransform::IDENTITY,
         }
     }
@@ -173,8 +179,17 @@ pub struct CertifiedStatistics {
     /// Metres per unit of every length here, if A or B states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
+    /// What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+    /// units have. Nothing was scaled for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
     /// The number of parts bounded.
     pub cells: usize,
+    /// The parts whose bounds were compared with certified distances of their points.
+    pub audit: AuditReport,
+    /// What is to be known of the computation: a bound that its audit refuted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub notice: Option<String>,
     /// Where the time went.
     pub seconds: Seconds,
 }

@@ -1,11 +1,13 @@
 //! The refinement of parts until the intervals are as narrow as requested.
 
+use super::audited::audit;
 use super::cover::{Cells, Cover};
 use super::sums::Sums;
 use super::{Beyond, Bounded, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
 use crate::area::Area;
-use crate::certified::Pair;
+use crate::certified::{AuditReport, Pair};
 use crate::engine::direction::Direction;
+use crate::engine::hint::hint;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds};
 use crate::error::{Error, Result};
 use crate::facets::{Parts, PreparedFacets, Source, Spread, Start, Weighted};
@@ -45,8 +47,9 @@ const OPEN_ROUNDINGS: f64 = 2.5;
 /// the search then ends without convergence.
 const LEAST_ROOM: f64 = 0.125;
 
-/// The number of parts between two checkpoints.
+/// The number of parts between two checkpoints, and where there is a limit of time, which each of them looks at.
 const PARTS_AT_ONCE: usize = 4096;
+const TIMED_PARTS_AT_ONCE: usize = 256;
 
 impl Engine {
     /// Returns statistics of the distances from the points of A, moved by the options' transform, to
@@ -84,6 +87,7 @@ impl Engine {
     ) -> Result<(CertifiedStatistics, Vec<Beyond>)> {
         let options = asked.options;
         options.validate()?;
+        let hint = hint(a, b);
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
         let mut progress = Progress::new(monitor, false);
@@ -94,12 +98,12 @@ impl Engine {
         let over = if a.is_cloud() { Measure::Count } else { Measure::Area };
         let search = Search { over, tolerance, asked, started };
         let prepare = || started.elapsed().as_secs_f64();
-        let (prepare, (sums, converged, cells)) = if over == Measure::Area && b.facets().is_none() {
+        let (prepare, found) = if over == Measure::Area && b.facets().is_none() {
             let (from, to) = (a.certified_target(), b.certified_target());
             let pair = Pair { a: from.operand(a), b: to.operand(b), transform: options.transform };
             let triangles = a.facets().map(|facets| &facets.target);
-            let cover = Cells::new(pair, triangles, WHOLE_PART * tolerance);
-            (prepare(), search.run(&cover, &mut progress).await?)
+            let mut cover = Cells::new(pair, triangles, WHOLE_PART * tolerance);
+            (prepare(), search.audited(&mut cover, &mut progress).await?)
         } else {
             let patches = b.facets().is_none().then(|| b.certified_target());
             let measured = b.measured(patches.as_deref()).ok_or(Error::EmptyModel)?;
@@ -109,17 +113,18 @@ impl Engine {
                 }
                 None => a.patches_as_source(&a.bezier().patches),
             };
-            let parts = Parts::new(source, measured, options.transform);
+            let mut parts = Parts::new(source, measured, options.transform);
             let prepare = prepare();
             (
                 prepare,
                 match over {
                     Measure::Count => search.count(&parts, &mut progress).await?,
-                    Measure::Area => search.run(&parts, &mut progress).await?,
+                    Measure::Area => search.audited(&mut parts, &mut progress).await?,
                 },
             )
         };
         progress.finish();
+        let Found { sums, converged, cells, audit, notice } = found;
         let found = CertifiedStatistics {
             over,
             total: Bounded { lower: sums.total.lower, upper: sums.total.upper },
@@ -131,7 +136,10 @@ impl Engine {
             tolerance,
             diagonal,
             unit: direction.unit(),
+            hint,
             cells,
+            audit,
+            notice,
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         };
         Ok((found, sums.beyond))
@@ -155,16 +163,29 @@ struct Search<'a> {
     started: Instant,
 }
 
+/// Intervals, whether they are narrow enough, the number of parts, and what their audit found.
+struct Found {
+    sums: Sums,
+    converged: bool,
+    cells: usize,
+    audit: AuditReport,
+    notice: Option<String>,
+}
+
 impl Search<'_> {
     fn sums<T: Weighted>(&self, parts: &[T], known: Area) -> Sums {
         Sums::of(parts, (self.asked.limits, &self.asked.options.percentiles), self.over, known)
     }
 
-    /// Returns the intervals of a cloud, whether they are narrow enough, and the number of points.
-    async fn count(&self, parts: &Parts<'_>, progress: &mut Progress<'_>) -> Result<(Sums, bool, usize)> {
+    /// Returns the intervals of a cloud. Points have certified distances of their own, which nothing is to be
+    /// compared with.
+    async fn count(&self, parts: &Parts<'_>, progress: &mut Progress<'_>) -> Result<Found> {
         let gap = POINT_PART * self.tolerance;
-        let points = bounded(parts.len(), progress, |range| {
+        let points = bounded(parts.len(), self.at_once(), progress, |range| {
             let mut start = Start::default();
+            if self.is_late() {
+                return Some(range.map(|_| parts.unmeasured_point()).collect());
+            }
             let next = |index: usize| {
                 let (point, found) = parts.point(index as u32, start, gap)?;
                 start = found;
@@ -175,14 +196,40 @@ impl Search<'_> {
         let points = points.await?;
         let known = Area { lower: 0.0, upper: f64::INFINITY };
         let sums = self.sums(&points, known);
-        let is_narrow = self.is_narrow(&sums);
-        Ok((sums, is_narrow, points.len()))
+        let converged = self.is_narrow(&sums);
+        let (cells, audit) = (points.len(), AuditReport::default());
+        Ok(Found { sums, converged, cells, audit, notice: None })
     }
 
-    /// Returns the intervals, whether they are narrow enough, and the number of parts bounded.
-    async fn run<C: Cover>(&self, cover: &C, progress: &mut Progress<'_>) -> Result<(Sums, bool, usize)> {
+    /// Returns the intervals, whose parts are audited: where one is refuted, those without the lemma.
+    async fn audited<C: Cover>(&self, cover: &mut C, progress: &mut Progress<'_>) -> Result<Found> {
+        let mut report = AuditReport::default();
+        let (parts, (sums, converged, cells)) = self.run(cover, progress).await?;
+        let notice = audit(cover, &parts, self.asked.options.audit, &mut report);
+        if notice.is_none() {
+            return Ok(Found { sums, converged, cells, audit: report, notice });
+        }
+        cover.strike();
+        let (_, (sums, converged, cells)) = self.run(cover, progress).await?;
+        Ok(Found { sums, converged, cells, audit: report, notice })
+    }
+
+    /// Returns the parts that the intervals rest on, the intervals, whether they are narrow enough, and the number
+    /// of parts bounded.
+    async fn run<C: Cover>(
+        &self,
+        cover: &C,
+        progress: &mut Progress<'_>,
+    ) -> Result<(Vec<C::Part>, (Sums, bool, usize))> {
         let mut known = Area { lower: 0.0, upper: f64::INFINITY };
-        let mut parts = bounded(cover.len(), progress, |range| cover.first(range)).await?;
+        let first = |range: Range<usize>| {
+            if self.is_late() {
+                Some(range.map(|index| cover.unmeasured(index)).collect())
+            } else {
+                cover.first(range)
+            }
+        };
+        let mut parts = bounded(cover.len(), self.at_once(), progress, first).await?;
         let mut cells = parts.len();
         loop {
             let sums = self.sums(&parts, known);
@@ -191,28 +238,32 @@ impl Search<'_> {
                 return Err(Error::NoArea);
             }
             if self.is_narrow(&sums) {
-                return Ok((sums, true, cells));
+                return Ok((parts, (sums, true, cells)));
             }
             if (self.asked.is_enough)(&sums) {
-                return Ok((sums, false, cells));
+                return Ok((parts, (sums, false, cells)));
             }
             let mut halved = self.halved(&parts, cover.rounding(), &sums, LEVEL_PART);
             if halved.is_empty() {
                 halved = self.halved(&parts, cover.rounding(), &sums, 0.0);
             }
             halved.truncate(self.asked.options.max_cells.saturating_sub(cells) / 2);
-            let is_late = self
-                .asked
-                .options
-                .max_seconds
-                .is_some_and(|most| self.started.elapsed().as_secs_f64() >= most);
-            if is_late || self.halve(cover, &mut parts, &halved, &mut cells, progress).await? == 0 {
-                return Ok((sums, false, cells));
+            if self.is_late() || self.halve(cover, &mut parts, &halved, &mut cells, progress).await? == 0 {
+                return Ok((parts, (sums, false, cells)));
             }
         }
     }
 
-    /// Halves the parts of these indices, and returns how many could be.
+    /// The number of parts between two looks at the time.
+    fn at_once(&self) -> usize {
+        if self.asked.options.max_seconds.is_some() { TIMED_PARTS_AT_ONCE } else { PARTS_AT_ONCE }
+    }
+
+    fn is_late(&self) -> bool {
+        self.asked.options.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most)
+    }
+
+    /// Halves the parts of these indices until the time is spent, and returns how many could be.
     async fn halve<C: Cover>(
         &self,
         cover: &C,
@@ -222,7 +273,10 @@ impl Search<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<usize> {
         let mut count = 0;
-        for page in indices.chunks(PARTS_AT_ONCE) {
+        for page in indices.chunks(self.at_once()) {
+            if self.is_late() {
+                break;
+            }
             let found = map_ranges(page.len(), |range: Range<usize>| {
                 page[range].iter().map(|&index| cover.halves(&parts[index])).collect::<Vec<_>>()
             });
@@ -314,15 +368,15 @@ impl Search<'_> {
 /// Returns the bounds of all points, facets or patches.
 async fn bounded<T: Send>(
     count: usize,
+    at_once: usize,
     progress: &mut Progress<'_>,
     bound: impl Fn(Range<usize>) -> Option<Vec<T>> + Sync,
 ) -> Result<Vec<T>> {
     let mut bounded = Vec::with_capacity(count);
     while bounded.len() < count {
         let first = bounded.len();
-        let found = map_ranges(PARTS_AT_ONCE.min(count - first), |range| {
-            bound(first + range.start..first + range.end)
-        });
+        let found =
+            map_ranges(at_once.min(count - first), |range| bound(first + range.start..first + range.end));
         for found in found {
             bounded.append(&mut found.ok_or(Error::EmptyModel)?);
         }

@@ -56,6 +56,11 @@ export interface DiffResult {
   diagonal: number;
   /** Metres per unit of every length, if a model states its unit. */
   unit?: number;
+  /**
+   * What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+   * units have. Nothing was scaled for it.
+   */
+  hint?: string;
   /** The sum of both models' gaps, as in a distance. */
   gap: number;
   /** Whether the gaps are upper bounds, as far as both models' readers know. */

@@ -7,6 +7,7 @@ import type { DiffOptions, DiffResult } from "./diff.js";
 import type { DeviationField, FieldOptions } from "./field.js";
 import type { BestFit, BestFitOptions } from "./fit.js";
 import type { DistanceOptions } from "./options.js";
+import type { OverlapOptions, OverlapResult } from "./overlap.js";
 import type { Results } from "./result.js";
 import type { Precision, SignedDistanceOptions, SignedDistances } from "./signed-distances.js";
 import type { CertifiedStatistics, StatisticsOptions } from "./statistics.js";
@@ -75,6 +76,14 @@ export interface DistanceEngine<Model> {
    * `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`, `UNITS_DIFFER`.
    */
   clearance(a: Model, b: Model, options?: ClearanceOptions): Promise<ClearanceResult>;
+
+  /**
+   * The volumes that the solids `a`, moved by `transform`, and `b` have in common and apart, and their ratio, each an
+   * interval that holds it. Where a model has no volume, `volumesUnknown` says why.
+   *
+   * @throws {HausdorffError} as `clearance`.
+   */
+  overlap(a: Model, b: Model, options?: OverlapOptions): Promise<OverlapResult>;
 
   /**
    * The pairs of faces of `a`, moved by `transform`, and of `b` that come nearer to each other than

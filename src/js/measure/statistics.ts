@@ -1,5 +1,6 @@
 import type { Transform } from "./options.js";
 import type { OnProgress } from "./progress.js";
+import type { AuditReport } from "./result.js";
 
 /** Options of `Hausdorff.statistics`. */
 export interface StatisticsOptions {
@@ -17,6 +18,8 @@ export interface StatisticsOptions {
   maxCells?: number;
   /** Seconds after which the intervals reached are the result. */
   maxSeconds?: number;
+  /** The parts whose bounds are compared with certified distances of their points at the end: a share if not given. */
+  audit?: "share" | "all";
   /** Whether B is scaled to A's unit where both state different ones; else that is an error. */
   scaleUnits?: boolean;
   /** Moves A before it is measured. */
@@ -57,8 +60,17 @@ export interface CertifiedStatistics {
   diagonal: number;
   /** Metres per unit of every length, if a model states its unit. */
   unit?: number;
+  /**
+   * What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+   * units have. Nothing was scaled for it.
+   */
+  hint?: string;
   /** Number of parts of A bounded. */
   cells: number;
+  /** The parts whose bounds were compared with certified distances of their points. */
+  audit: AuditReport;
+  /** A bound that the audit refuted: a fault of the library, without whose lemma the intervals were computed. */
+  notice?: string;
   /** Where the time went. */
   seconds: { prepare: number; compile: number; solve: number };
 }

@@ -19,6 +19,7 @@ import type { DistanceEngine } from "../measure/engine.js";
 import type { DeviationField, FieldOptions } from "../measure/field.js";
 import type { BestFit, BestFitOptions } from "../measure/fit.js";
 import { type DistanceOptions, split } from "../measure/options.js";
+import type { OverlapOptions, OverlapResult } from "../measure/overlap.js";
 import type { Results } from "../measure/result.js";
 import type {
   Precision,
@@ -218,6 +219,14 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#measure("clearance", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
 
+  async overlap(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: OverlapOptions = {},
+  ): Promise<OverlapResult> {
+    return this.#measure("overlap", [this.#id(a, "a"), this.#id(b, "b")], options);
+  }
+
   async gaps(a: NurbsModel, b: NurbsModel, options: GapOptions = {}): Promise<GapsResult> {
     return this.#measure("gaps", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
@@ -286,6 +295,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
       | DiffOptions
       | ClearanceOptions
       | GapOptions
+      | OverlapOptions
       | ClosestPointOptions
       | SignedDistanceOptions
       | BestFitOptions,

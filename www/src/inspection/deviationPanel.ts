@@ -23,7 +23,7 @@ import { hideLegend, type Legend, showLegend } from "./legend.ts";
 /** The deviation that the map resolves, in diagonals: its vertices are in float32. */
 const POINT_ACCURACY = 5e-7;
 
-const section = element("estimates", HTMLDetailsElement);
+const section = element("estimates");
 const map = element("scale-map", HTMLSelectElement);
 const kind = element("scale-kind", HTMLSelectElement);
 const range = element("scale-range", HTMLInputElement);
@@ -70,11 +70,6 @@ export function onScale(callback: (painting: Painting) => void): void {
     control.addEventListener("input", () => setFocus(undefined));
   }
   unfocus.addEventListener("click", () => setFocus(undefined));
-  element("legend-controls").addEventListener("click", () => {
-    section.open = true;
-    map.scrollIntoView({ block: "center" });
-    map.focus();
-  });
 }
 
 /** Draws with the options as they are now. */

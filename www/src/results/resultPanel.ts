@@ -10,6 +10,8 @@ import { commonUnit } from "../files/units.ts";
 import { type Detail, detailsOf } from "./resultDetails.ts";
 import { showVerdict } from "./verdict.ts";
 
+/** What stands for a distance that is not known. */
+const NONE = "–";
 /** The meaning of the interval shown. */
 const SO_FAR = "certified so far";
 const STALLED = " · narrows slowly, may take long";
@@ -28,10 +30,14 @@ const width = element("width");
 const progress = element("progress", HTMLProgressElement);
 const error = element("error");
 const details = element("facts");
+const where = element("where");
+const stateText = element("state-text");
+let look: () => void = () => {};
 
 /** Shows that a new measurement of the same models was requested. */
 export function showPending(): void {
   section.dataset.state = "working";
+  if (distance.textContent === NONE) stateText.textContent = CLEARED.working;
   progress.value = 0;
 }
 
@@ -61,6 +67,7 @@ export function showResult(
   { last, pending }: { last: boolean; pending: boolean },
 ): void {
   kind.textContent = kindOf(result);
+  stateText.textContent = "";
   unit.textContent = commonUnit() ?? "model units";
   const ends = [result.lower, result.upper] as const;
   distance.textContent = certifiedText(result.computed, ends, result.diagonal);
@@ -73,8 +80,7 @@ export function showResult(
   });
   showDetails(details, detailsOf(result));
   const { a, b } = result.witness;
-  element("where").textContent = whereText(result);
-  element("where").title = whereText(result);
+  showWhere(result);
   element("doubts").textContent = doubtsText(result);
   Object.assign(section.dataset, {
     method: result.method,
@@ -87,6 +93,27 @@ export function showResult(
     from: farthestSide(result),
     state: stateOf(last, pending),
   });
+}
+
+/** Shows where the distance is attained: a link to the place, where there is one. */
+function showWhere(result: DistanceResult): void {
+  const text = whereText(result);
+  where.title = text;
+  if (agrees(result)) {
+    where.textContent = text;
+    return;
+  }
+  const link = document.createElement("button");
+  link.type = "button";
+  link.className = "link";
+  link.textContent = text;
+  link.addEventListener("click", () => look());
+  where.replaceChildren(link);
+}
+
+/** Calls back when the user follows the link to the farthest place. */
+export function onWhere(callback: () => void): void {
+  look = callback;
 }
 
 /** Where the distance is attained. */
@@ -133,7 +160,7 @@ const CLEARED = {
   failed: "failed",
   lone: "one file is open: drop the one to compare it with",
   paused: "not measured while clearance and clash are",
-  working: "computing",
+  working: "measuring",
 };
 
 /**
@@ -142,12 +169,13 @@ const CLEARED = {
  */
 export function clearResult(state: keyof typeof CLEARED): void {
   kind.textContent = "Distance";
-  distance.textContent = "–";
+  distance.textContent = NONE;
   interval.textContent = CLEARED[state];
+  stateText.textContent = CLEARED[state];
   width.textContent = "";
   showVerdict();
   details.replaceChildren();
-  for (const id of ["where", "doubts"]) element(id).textContent = "";
+  for (const node of [where, element("doubts")]) node.textContent = "";
   for (const name of ["method", "computed", "lower", "upper", "converged", "a", "b", "from"]) {
     delete section.dataset[name];
   }
@@ -157,6 +185,7 @@ export function clearResult(state: keyof typeof CLEARED): void {
 /** Shows the interval that a cancelled measurement had reached. */
 export function showReached([lower, upper]: readonly [number, number], diagonal: number): void {
   showInterval(lower, upper, diagonal, REACHED);
+  stateText.textContent = `${REACHED}: in ${intervalText(lower, upper, diagonal)}`;
   Object.assign(section.dataset, { lower, upper });
 }
 

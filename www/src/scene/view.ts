@@ -5,7 +5,7 @@ import { agrees, farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
 import { placeName } from "../common/names.ts";
 import { certifiedText, heldText } from "../common/numbers.ts";
-import { type Change, classesOf } from "../faces/changes.ts";
+import { type Change, classesOf, classOf } from "../faces/changes.ts";
 import { Pins } from "../inspection/pins/pins.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
 import { type DisplayModel, type Draft, SIDES, type Side, type Sides } from "../worker/protocol.ts";
@@ -106,7 +106,7 @@ export class View {
       this.#lines.b.lines,
     );
     this.#viewport = viewport;
-    viewport.keepClear(...["legend", "tools", "cut", "foot"].map((id) => element(id)));
+    viewport.keepClear(...["legend", "context", "cut", "foot"].map((id) => element(id)));
     this.#gizmo = new Gizmo(viewport, canvas, onGizmo);
     const cube = new ViewCube(element("axes", SVGSVGElement), (view) => this.look(view));
     viewport.onDraw = () => {
@@ -343,7 +343,7 @@ export class View {
     this.#diffSide = side;
     this.models.alone = diff === undefined ? undefined : side;
     this.models.classify(
-      diff === undefined ? {} : { a: classesOf(diff.facesOfA), b: classesOf(diff.facesOfB) },
+      diff === undefined ? {} : { a: classesOf(diff, "a"), b: classesOf(diff, "b") },
     );
     if (diff === undefined) this.#showArrow();
     else this.#arrow.hide();
@@ -364,11 +364,11 @@ export class View {
       this.showFaces(diff, this.#diffSide);
       return;
     }
-    const { side, difference } = change;
+    const { side, difference, kind } = change;
     this.models.alone = side;
     const { a, b } = difference.witness;
     const plain: Sides<FaceClass[]> = { a: [], b: [] };
-    this.models.classify({ ...plain, [side]: only(difference.face, classesOf([difference])) });
+    this.models.classify({ ...plain, [side]: only(difference.face, classOf(kind)) });
     const [from, to] = side === "a" ? [a.point, b.point] : [b.point, a.point];
     const { lower, upper } = difference;
     const texts = { length: heldText([lower, upper], diff.diagonal), from: "", to: "" };
@@ -409,7 +409,7 @@ export class View {
 }
 
 /** The classes of a model of whose faces only one has a class of its own. */
-function only(face: number, [own = "plain"]: FaceClass[]): FaceClass[] {
+function only(face: number, own: FaceClass): FaceClass[] {
   const classes: FaceClass[] = [];
   classes[face] = own;
   return classes;

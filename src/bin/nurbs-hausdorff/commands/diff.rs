@@ -134,7 +134,7 @@ fn summary(result: &DiffResult, a: &Input, b: &Input) -> String {
 
 /// A line for each face that is not unchanged, those that changed first.
 fn findings(result: &DiffResult) -> Vec<String> {
-    let mut findings = Vec::new();
+    let mut findings: Vec<String> = result.hint.iter().map(|hint| format!("hint: {hint}")).collect();
     for state in [FaceState::Changed, FaceState::Undecided] {
         for (index, name) in ["A", "B"].into_iter().enumerate() {
             let faces = &result.faces_in(state)[index];

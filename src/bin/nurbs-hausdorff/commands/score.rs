@@ -104,6 +104,7 @@ fn lines(out: &mut String, score: &Score) -> Result {
         line(&format!("f1 {within}"), Some(&at.f1))?;
     }
     line("hausdorff", score.hausdorff.as_ref().map(|of| &of.distance))?;
+    line("iou", score.iou.as_ref())?;
     if let Some(faces) = score.faces {
         let of = |[changed, all]: [usize; 2]| format!("{changed} of {all}");
         let (one, other) = (of(faces.changed_of_candidate), of(faces.changed_of_truth));

@@ -6,6 +6,7 @@ use crate::input::read;
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
+use crate::output::report::hint;
 use nurbs_hausdorff::{Bounded, CertifiedStatistics, Engine, Measure};
 use std::fmt::{Result, Write};
 
@@ -44,6 +45,10 @@ fn lines(out: &mut String, result: &CertifiedStatistics) -> Result {
     if let Some(beyond) = result.beyond {
         writeln!(out, "beyond     {:?}: a part {}", beyond.limit, between(beyond.part))?;
     }
+    if let Some(notice) = &result.notice {
+        writeln!(out, "notice     {notice}")?;
+    }
+    hint(out, result.hint.as_deref())?;
     let stop = if result.converged { "converged" } else { "not converged" };
     writeln!(out, "search     {stop}, {} parts", result.cells)?;
     writeln!(out, "seconds    {:.3} prepare, {:.3} solve", result.seconds.prepare, result.seconds.solve)

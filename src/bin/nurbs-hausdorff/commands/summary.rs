@@ -29,6 +29,7 @@ struct Answer {
     chamfer: Option<Ends>,
     chamfer_squared: Option<Ends>,
     hausdorff: Option<Hausdorff>,
+    iou: Option<Ends>,
 }
 
 #[derive(Deserialize)]
@@ -82,6 +83,7 @@ impl Answer {
             ScoreNumber::Chamfer => self.chamfer?,
             ScoreNumber::ChamferSquared => self.chamfer_squared?,
             ScoreNumber::Hausdorff => self.hausdorff.as_ref()?.distance,
+            ScoreNumber::Iou => self.iou?,
             _ => return None,
         };
         Some(found.into())

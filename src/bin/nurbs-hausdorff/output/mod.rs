@@ -1,5 +1,6 @@
 //! Writes the result.
 
+pub(crate) mod checked;
 pub(crate) mod digits;
 pub(crate) mod grid;
 pub(crate) mod headline;
