@@ -19,5 +19,6 @@ mod pairs;
 mod pictures;
 mod readme;
 mod rhino;
+mod score;
 mod trimmed;
 mod verdicts;
