@@ -38,9 +38,9 @@ export interface ScoreOptions {
   /** Compares faces one by one: those within this distance of the other model are unchanged. */
   limit?: number;
   /** Numbers that have to be at least so large. Work ends where one is certainly missed. */
-  atLeast?: { [number in ScoreNumber]?: number };
+  atLeast?: Partial<Record<ScoreNumber, number>>;
   /** Numbers that have to be at most so large. */
-  atMost?: { [number in ScoreNumber]?: number };
+  atMost?: Partial<Record<ScoreNumber, number>>;
   /** Parts of a model after which the intervals reached are the result; 300,000 if not given. */
   maxCells?: number;
   /** Seconds after which the intervals reached are the result. */
