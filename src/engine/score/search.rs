@@ -27,7 +27,7 @@ const HAUSDORFF_PART: [f64; 2] = [0.8, 0.1];
 const OVERLAP_PART: [f64; 2] = [0.9, 0.05];
 const FACES_PART: [f64; 2] = [0.95, 0.05];
 
-/// The pieces of patches after which the volume in common is left as it is known: half a second. Boundaries that lie
+/// The pieces of patches after which the volume in common is left as it is known, after some seconds. Boundaries that lie
 /// on each other without sharing their patches are never decided.
 const OVERLAP_CELLS: usize = 40_000;
 
