@@ -55,6 +55,19 @@ export type {
   WithGaps,
 } from "./measure/result.js";
 export type {
+  AtThreshold,
+  Difference,
+  FaceCounts,
+  HausdorffScore,
+  Placement,
+  Requirement,
+  Score,
+  ScoredModel,
+  ScoreNumber,
+  ScoreOptions,
+  SurfaceScore,
+} from "./measure/score.js";
+export type {
   Precision,
   SignedDistanceOptions,
   SignedDistances,

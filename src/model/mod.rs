@@ -210,9 +210,17 @@ impl Model {
         if !UNITS.contains(&unit) {
             return Err(Error::UnitInvalid { found: unit });
         }
-        let map = AffineMap::scaling(own / unit);
+        self.scaled(own / unit, Some(unit))
+    }
+
+    /// Returns the model with all coordinates times a positive factor, in this unit.
+    ///
+    /// # Errors
+    /// [`Error::NumberTooLarge`] for scaled coordinates.
+    pub(crate) fn scaled(&self, factor: f64, unit: Option<f64>) -> Result<Self> {
+        let map = AffineMap::scaling(factor);
         let images = self.surfaces.iter().enumerate().map(|(index, surface)| map.apply(index, surface));
-        Ok(self.with_images(images.collect::<Result<_>>()?, map.stretch(), Some(unit)))
+        Ok(self.with_images(images.collect::<Result<_>>()?, map.stretch(), unit))
     }
 
     /// Returns the box of all control points, which contains the model. O(control points).

@@ -20,5 +20,6 @@ mod pairs;
 mod pictures;
 mod readme;
 mod rhino;
+mod score;
 mod trimmed;
 mod verdicts;

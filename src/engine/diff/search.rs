@@ -55,7 +55,7 @@ impl Engine {
         })
     }
 
-    async fn diff_of(
+    pub(in crate::engine) async fn diff_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,
