@@ -24,7 +24,7 @@ const RIM_STEPS: u32 = 8;
 ///
 /// An untrimmed face is one piece, itself. Later stages see the pieces as the surfaces of
 /// an untrimmed model, and results are converted by [`FacePieces::surface_point`].
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct FacePieces {
     /// The face of each piece, with the map to its parameters.
     origins: Arc<[(usize, ParameterMap)]>,

@@ -151,11 +151,15 @@ def area(model: dict) -> float:
     return (model["area"]["lower"] + model["area"]["upper"]) / 2
 
 
+def remarks(model: dict) -> set[str]:
+    """What is left out of a model and what is noted, each in its words."""
+    return {json.dumps(remark, sort_keys=True) for name in ("skipped", "notes") for remark in model.get(name, ())}
+
+
 def kind_of_model(whole: dict, model: dict) -> str:
     """Says how the model of a damaged file differs from that of the whole one, and whether `info` says so."""
     wider = WIDER_GAP * whole["diagonal"] + 2 * whole["gap"]
-    more = any(len(model.get(name, ())) > len(whole.get(name, ())) for name in ("skipped", "notes"))
-    is_said = more or model["gap"] > wider or [n["code"] for n in model["notes"]] != [n["code"] for n in whole["notes"]]
+    is_said = bool(remarks(model) - remarks(whole)) or model["gap"] > wider
     if parts(model) < parts(whole):
         return "loss that is said" if is_said else "silent loss"
     if parts(model) > parts(whole):

@@ -20,13 +20,18 @@ from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell
 from ._results.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
 from ._results.closest import ClosestPoints
 from ._results.common import SurfacePoint, Witness
-from ._results.diff import DiffResult, FaceDifference
+from ._results.diff import DiffResult, FaceDifference, PartDifference, PartFaces, PartMotion
 from ._results.distance import DistanceResult
 from ._results.facts import Body, Facts
 from ._results.field import Field, FieldPart, Statistics
 from ._results.grid import SignedDistances
 from ._results.overlap import OverlapResult, OverlapVolumes
+from ._results.score import (
+    AtThreshold, Difference, FaceCounts, HausdorffScore, Placement, Requirement, Score, ScoredModel,
+    SurfaceScore,
+)  # fmt: skip
 from ._results.statistics import Beyond, Bounded, CertifiedStatistics
+from ._score import score
 from ._sources import model, read
 from ._transform import Transform
 
@@ -34,10 +39,14 @@ from ._transform import Transform
 __version__ = _version("nurbs-hausdorff")
 
 __all__ = [
-    "BestFit", "Beyond", "Body", "Bounded", "CertifiedStatistics", "ClearanceResult", "ClosestPoints",
-    "DiffResult", "DistanceResult", "FaceDifference", "Facts", "FaceGap", "Field", "FieldPart", "FitPose",
-    "FreeEdge", "GapsResult", "Interval", "LeftOut", "Mesh", "MeshReport", "Model", "NurbsHausdorffError",
-    "Overlap", "OverlapResult", "OverlapVolumes", "ReadReport", "Remark", "Shell", "SignedDistances", "Solid", "Statistics",
-    "SurfacePoint", "Transform", "Witness", "best_fit", "clearance", "closest_points", "diff",
-    "distance", "field", "gaps", "model", "overlap", "read", "signed_distances", "statistics", "testing",
+    "AtThreshold", "BestFit", "Beyond", "Body", "Bounded", "CertifiedStatistics", "ClearanceResult",
+    "ClosestPoints", "DiffResult", "Difference", "DistanceResult", "FaceCounts", "FaceDifference",
+    "FaceGap", "Facts", "Field", "FieldPart", "FitPose", "FreeEdge", "GapsResult", "HausdorffScore",
+    "Interval", "LeftOut", "Mesh", "MeshReport", "Model", "NurbsHausdorffError", "Overlap",
+    "OverlapResult", "OverlapVolumes", "PartDifference", "PartFaces", "PartMotion", "Placement",
+    "ReadReport", "Remark", "Requirement", "Score", "ScoredModel", "Shell", "SignedDistances",
+    "Solid", "Statistics", "SurfacePoint", "SurfaceScore", "Transform", "Witness", "best_fit",
+    "clearance", "closest_points", "diff", "distance", "field", "gaps", "model", "overlap", "read",
+    "score", "signed_distances",
+    "statistics", "testing",
 ]  # fmt: skip

@@ -113,7 +113,7 @@ impl Engine {
         })
     }
 
-    async fn distance_of(
+    pub(super) async fn distance_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,

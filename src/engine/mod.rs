@@ -21,6 +21,7 @@ mod overlap;
 mod points;
 mod prepared;
 mod result;
+mod score;
 mod signs;
 mod solid;
 mod statistics;
@@ -36,7 +37,9 @@ pub use clearance::{
     OverlapUnknown,
 };
 pub use computation::Computation;
-pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
+pub use diff::{
+    DiffOptions, DiffResult, FaceDifference, FaceState, PartDifference, PartFaces, PartMotion, PartState,
+};
 pub use dispatch::Engine;
 pub use field::{DeviationField, FaceDeviations, FieldOptions, Statistics};
 pub use info::{BodyInfo, Counts, FaceInfo, ModelInfo};
@@ -52,6 +55,10 @@ pub use prepared::PreparedModel;
 pub use result::{
     AuditReport, Bounds, CertifiedDetails, Details, DistanceResult, HierarchyDetails, IterationDetails,
     Lemma, Lemmas, PatchCounts, Processor, Seconds, Stop, WithGaps, Witness,
+};
+pub use score::{
+    AtThreshold, Difference, FaceCounts, HausdorffScore, Placement, Requirement, Score, ScoreAlignment,
+    ScoreNumber, ScoreOptions, ScoredModel, SurfaceScore,
 };
 pub use signs::Signs;
 pub use solid::{FreeEdge, Shell, Solid};

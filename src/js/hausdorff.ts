@@ -21,6 +21,7 @@ import type { BestFit, BestFitOptions } from "./measure/fit.js";
 import { type Backend, type DistanceOptions, split } from "./measure/options.js";
 import type { OverlapOptions, OverlapResult } from "./measure/overlap.js";
 import type { Results } from "./measure/result.js";
+import type { Score, ScoreOptions } from "./measure/score.js";
 import type {
   Precision,
   SignedDistanceOptions,
@@ -212,6 +213,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   ): Promise<CertifiedStatistics> {
     const models = [prepared(a, "a"), prepared(b, "b")] as const;
     return this.#inTurn(options, (engine, call) => engine.statistics(...models, call));
+  }
+
+  async score(
+    candidate: NurbsModel,
+    truth: NurbsModel,
+    options: ScoreOptions = {},
+  ): Promise<Score> {
+    const models = [prepared(candidate, "candidate"), prepared(truth, "truth")] as const;
+    return this.#inTurn(options, (engine, call) => engine.score(...models, call));
   }
 
   async clearance(

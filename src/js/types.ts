@@ -17,7 +17,14 @@ export type {
   OverlapUnknown,
 } from "./measure/clearance.js";
 export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
-export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./measure/diff.js";
+export type {
+  DiffOptions,
+  DiffResult,
+  FaceDifference,
+  FaceState,
+  PartDifference,
+  PartState,
+} from "./measure/diff.js";
 export type { DistanceEngine } from "./measure/engine.js";
 export type { DeviationField, FieldOptions } from "./measure/field.js";
 export type { BestFit, BestFitOptions, FitPose, Rigid } from "./measure/fit.js";
@@ -47,6 +54,19 @@ export type {
   SurfacePoint,
   WithGaps,
 } from "./measure/result.js";
+export type {
+  AtThreshold,
+  Difference,
+  FaceCounts,
+  HausdorffScore,
+  Placement,
+  Requirement,
+  Score,
+  ScoredModel,
+  ScoreNumber,
+  ScoreOptions,
+  SurfaceScore,
+} from "./measure/score.js";
 export type {
   Precision,
   SignedDistanceOptions,

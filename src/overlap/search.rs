@@ -1,5 +1,6 @@
 //! The search: pieces that may meet the other boundary are halved, those of the largest bounds first.
 
+use super::flush::{RELATIVE_FLATNESS, Slabs, height};
 use super::piece::{Piece, Whole, bounds};
 use super::separation::may_meet;
 use super::shared::{RELATIVE_REACH, shared};
@@ -9,7 +10,7 @@ use crate::bvh::Aabb;
 use crate::facts::Interval;
 use crate::rounding::{gamma, upper_max};
 use crate::solid::{Enclosing, Side};
-use crate::threads::parallel::map_short;
+use crate::threads::parallel::map;
 use glam::DVec3;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -26,6 +27,13 @@ const REST: f64 = 0.25;
 
 /// The largest ratio of the size of a piece of the other boundary to that of the piece that it is compared with.
 const SIZE_RATIO: f64 = 1.0;
+
+/// The number of pieces from which on a search is given up whose width no longer falls.
+const MIN_PIECES: usize = 8192;
+
+/// The part of its width that a search is to have left when it has looked at twice as many pieces: where boundaries
+/// cross this is a half, where they lie on each other 1.
+const MAX_REMAINDER: f64 = 0.9;
 
 /// The roundings of a sum of bounds, relative to it.
 const SUM_ROUNDINGS: f64 = 16.0;
@@ -78,6 +86,7 @@ pub(crate) struct Search<'a> {
     solids: [&'a PlacedSolid; 2],
     sides: &'a dyn Sides,
     origin: DVec3,
+    slabs: Slabs<'a>,
     /// The distances within which pieces of each solid may meet the other's boundary.
     margins: [f64; 2],
     queue: BinaryHeap<Undecided<'a>>,
@@ -88,6 +97,9 @@ pub(crate) struct Search<'a> {
     /// The volume of the cones over what is known to be on the boundary of both, with what closes them.
     decided: Interval,
     pieces: usize,
+    /// The number of pieces at which the width is looked at next, and the last width.
+    next: usize,
+    last: f64,
 }
 
 impl<'a> Search<'a> {
@@ -100,10 +112,16 @@ impl<'a> Search<'a> {
         let reach = RELATIVE_REACH * diagonal;
         // Moved patches are within the reach of their partners.
         let margins = [b.margin(a) + 2.0 * reach, a.margin(b) + 2.0 * reach];
+        let flatness = RELATIVE_FLATNESS * diagonal;
+        let height = height(flatness, margins, reach);
+        let slabs = Slabs { solids, sides, flatness, height, origin };
+        // Of a piece within a slab the other boundary is within two heights.
+        let margins = margins.map(|margin| margin + 2.0 * height);
         let mut search = Self {
             solids,
             sides,
             origin,
+            slabs,
             margins,
             queue: BinaryHeap::new(),
             stuck: Vec::new(),
@@ -111,6 +129,8 @@ impl<'a> Search<'a> {
             held: 0.0,
             decided: Interval::exactly(0.0),
             pieces: 0,
+            next: MIN_PIECES,
+            last: f64::INFINITY,
         };
         for solid in solids {
             search.include_cracks(solid);
@@ -133,7 +153,7 @@ impl<'a> Search<'a> {
     fn include(&mut self, solid: usize, partners: &[Option<f64>]) {
         let other = self.solids[1 - solid];
         let patches = &self.solids[solid].patches;
-        let bounds = bounds(patches, self.origin, self.solids[solid].error(0));
+        let bounds = bounds(patches, self.origin, self.solids[solid].moved(0));
         for ((whole, &bound), partner) in patches.wholes.iter().zip(&bounds).zip(partners) {
             let piece = &whole.root;
             if let (Some(distance), true) = (partner, whole.side != BoundarySide::Unknown) {
@@ -149,7 +169,7 @@ impl<'a> Search<'a> {
 
     /// Returns half of the volume of the cone over a patch, with what moving it by `distance` onto its partner changes.
     fn half(&self, solid: usize, whole: &Whole, distance: f64) -> Interval {
-        let moved = self.solids[solid].error(0) + distance;
+        let moved = self.solids[solid].moved(0) + distance;
         let patches = &self.solids[solid].patches;
         let volume = patches.moments(whole, &whole.root, self.origin, moved).volume() * 0.5;
         if whole.side == BoundarySide::Outward { volume } else { -volume }
@@ -175,7 +195,7 @@ impl<'a> Search<'a> {
         let fixed = self.held + self.decided.width();
         let goal = upper_max(width - fixed, REST * fixed);
         let Some(largest) = self.queue.peek().map(|first| first.bound) else { return false };
-        if self.waiting <= goal {
+        if self.waiting <= goal || self.has_stalled() {
             return false;
         }
         let mut batch = Vec::new();
@@ -187,7 +207,7 @@ impl<'a> Search<'a> {
             batch.extend(self.queue.pop());
         }
         self.pieces += batch.len();
-        let found = map_short(batch.len(), |index| self.look_at(&batch[index]));
+        let found = map(batch.len(), |index| self.look_at(&batch[index]));
         for (before, found) in batch.iter().zip(found) {
             self.waiting -= before.bound;
             match found {
@@ -201,6 +221,17 @@ impl<'a> Search<'a> {
             }
         }
         true
+    }
+
+    /// Returns whether the width has hardly fallen since half as many pieces.
+    fn has_stalled(&mut self) -> bool {
+        if self.pieces < self.next {
+            return false;
+        }
+        let width = self.width();
+        let has_stalled = width > MAX_REMAINDER * self.last;
+        (self.next, self.last) = (2 * self.pieces, width);
+        has_stalled
     }
 
     /// Compares a piece with the other boundary.
@@ -217,6 +248,12 @@ impl<'a> Search<'a> {
                 _ => Found::Stuck(same(near)),
             };
         }
+        if whole.side != BoundarySide::Unknown
+            && let Some(flush) = self.slabs.flush((whole, piece), &near, bound)
+        {
+            let cone = self.cone(solid, whole, piece);
+            return Found::Inside(cone * flush.part + Interval::about(0.0, flush.error));
+        }
         let Some(halves) = whole.halves(piece) else { return Found::Stuck(same(near)) };
         let reference = reference.clone().or_else(|| {
             let point = piece.points[0];
@@ -225,7 +262,7 @@ impl<'a> Search<'a> {
         });
         let patches = &self.solids[solid].patches;
         Found::Halved(halves.map(|piece| {
-            let moved = self.solids[solid].error(piece.depth);
+            let moved = self.solids[solid].moved(piece.depth);
             let bound = patches.bound(whole, piece, self.origin, moved);
             Undecided { solid, whole, piece, bound, near: near.clone(), reference: reference.clone() }
         }))
@@ -265,7 +302,7 @@ impl<'a> Search<'a> {
     /// Returns the volume of the cone over a piece, positive where its normals are outward and it faces away.
     fn cone(&self, solid: usize, whole: &Whole, piece: &Piece) -> Interval {
         let placed = self.solids[solid];
-        let moved = placed.error(piece.depth);
+        let moved = placed.moved(piece.depth);
         let volume = placed.patches.moments(whole, piece, self.origin, moved).volume();
         if whole.side == BoundarySide::Outward { volume } else { -volume }
     }
@@ -273,7 +310,7 @@ impl<'a> Search<'a> {
     /// Returns an interval that contains the volume.
     pub(crate) fn volume(&self) -> Interval {
         let undecided: Vec<&Undecided<'_>> = self.queue.iter().chain(&self.stuck).collect();
-        let volumes = map_short(undecided.len(), |index| self.any_part(undecided[index]));
+        let volumes = map(undecided.len(), |index| self.any_part(undecided[index]));
         let sum = volumes.into_iter().fold(self.decided, |sum, volume| sum + volume);
         let [a, b] = self.solids.map(|solid| solid.volume.upper);
         let most = if a < b { a } else { b };
@@ -288,9 +325,10 @@ impl<'a> Search<'a> {
         }
         // Those of the parts where x·n is positive, and of those where it is negative, are at most half of the sum of
         // the bound and the whole, and of their difference.
-        let half = (Interval::about(0.0, bound) + self.cone(solid, whole, piece)) * 0.5;
-        let other = (Interval::about(0.0, bound) - self.cone(solid, whole, piece)) * 0.5;
-        Interval { lower: -other.upper, upper: half.upper }
+        let cone = self.cone(solid, whole, piece);
+        let bound = Interval::about(0.0, bound);
+        let (most, least) = ((bound + cone) * 0.5, (bound - cone) * 0.5);
+        Interval { lower: -least.upper, upper: most.upper }
     }
 }
 

@@ -4,7 +4,8 @@ use super::failure::to_object;
 use crate::engine::{
     BestFitOptions, ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions,
     DistanceOptions, DistanceResult, FaceDeviations, FieldOptions, GapOptions, Grid, NamedOptions,
-    OverlapOptions, Precision, SignedDistanceOptions, SignedDistances, Signs, Statistics, StatisticsOptions,
+    OverlapOptions, Precision, ScoreOptions, SignedDistanceOptions, SignedDistances, Signs, Statistics,
+    StatisticsOptions,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -67,6 +68,16 @@ pub(super) fn statistics_options(options: &JsValue, transform: &JsValue) -> Resu
     let transform = rigid_transform(transform)?;
     let options: StatisticsOptions = properties(options).map_err(invalid)?;
     Ok(StatisticsOptions { transform, ..options })
+}
+
+/// The options of a score, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn score_options(options: &JsValue, transform: &JsValue) -> Result<ScoreOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: ScoreOptions = properties(options).map_err(invalid)?;
+    Ok(ScoreOptions { transform, ..options })
 }
 
 /// The options of gaps, as [`options`].

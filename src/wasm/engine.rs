@@ -83,6 +83,13 @@ impl Engine {
         })
     }
 
+    /// The score of `a` against the truth `b`.
+    pub fn score(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
+        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
+        let options = call.options(convert::score_options);
+        call.run(async move |monitor| to_object(&engine.score(&a, &b, &options?).monitored(monitor).await?))
+    }
+
     /// The least distance of two models, and whether solids overlap.
     pub fn clearance(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());

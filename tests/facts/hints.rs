@@ -61,7 +61,8 @@ fn extents_are_those_of_the_faces() {
     let torus = shapes::torus(4.0, 1.0).unwrap();
     let inches = prepared(&placed(&torus, stretched([1.0 / 25.4; 3])));
     let corners = [DVec3::new(-5.0, -5.0, -1.0), DVec3::new(5.0, 5.0, 1.0)];
-    let cloud = PreparedModel::of_facets(&Facets::Cloud(PointCloud::new(corners.to_vec()).unwrap()), None).unwrap();
+    let cloud =
+        PreparedModel::of_facets(&Facets::Cloud(PointCloud::new(corners.to_vec()).unwrap()), None).unwrap();
     let options = StatisticsOptions::default();
     let found = Engine::cpu().statistics(&cloud, &inches, &options).wait().unwrap().hint.unwrap();
     assert!(found.starts_with("the extents of A are 25.4000 times those of B"), "{found}");

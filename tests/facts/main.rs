@@ -12,3 +12,4 @@ mod formulas;
 mod hints;
 mod models;
 mod overlap;
+mod revisions;

@@ -15,8 +15,14 @@ fn overlap(a: &PreparedModel, b: &PreparedModel, tolerance: f64) -> OverlapResul
     Engine::cpu().overlap(a, b, &options).wait().unwrap()
 }
 
-fn moved_by(a: &PreparedModel, b: &PreparedModel, transform: RigidTransform) -> OverlapResult {
-    Engine::cpu().overlap(a, b, &OverlapOptions { transform, ..OverlapOptions::default() }).wait().unwrap()
+fn moved_by(
+    a: &PreparedModel,
+    b: &PreparedModel,
+    transform: RigidTransform,
+    tolerance: f64,
+) -> OverlapResult {
+    let options = OverlapOptions { transform, tolerance: Some(tolerance), ..OverlapOptions::default() };
+    Engine::cpu().overlap(a, b, &options).wait().unwrap()
 }
 
 /// Asserts that the intervals contain the volumes of A, B and their intersection, and returns the width of the latter,
@@ -75,8 +81,8 @@ fn two_balls_have_a_lens_in_common() {
         // The same by a motion of A, turned.
         let turn = DQuat::from_axis_angle(DVec3::new(0.6, 0.0, 0.8), 1.1);
         let still = prepared(&ball(radii[1], [0.0; 3]));
-        let found = moved_by(&a, &still, RigidTransform::new(turn, -along).unwrap());
-        assert_holds(&found, expected, 1e-3);
+        let found = moved_by(&a, &still, RigidTransform::new(turn, -along).unwrap(), 1e-2);
+        assert_holds(&found, expected, 1e-2);
     }
 }
 
@@ -128,8 +134,8 @@ fn cylinders_cross_in_a_solid_of_steinmetz() {
     let cylinder = prepared(&shapes::cylinder(radius, height).unwrap());
     let turn = DQuat::from_axis_angle(DVec3::X, 0.5 * PI);
     let volume = PI * radius * radius * height;
-    let found = moved_by(&cylinder, &cylinder, RigidTransform::new(turn, DVec3::ZERO).unwrap());
-    assert_holds(&found, [volume, volume, 16.0 / 3.0], 1e-3);
+    let found = moved_by(&cylinder, &cylinder, RigidTransform::new(turn, DVec3::ZERO).unwrap(), 1e-2);
+    assert_holds(&found, [volume, volume, 16.0 / 3.0], 1e-2);
     // Half of a ball that lies about the middle of an end.
     let ball = prepared(&ball(0.5, [0.0, 0.0, 0.5 * height]));
     let whole = ball_volume(0.5);
@@ -168,9 +174,9 @@ fn a_model_of_two_bodies_overlaps_a_third_one() {
 fn the_common_volume_falls_as_bodies_part() {
     let a = prepared(&ball(1.0, [0.0; 3]));
     let mut last = f64::INFINITY;
-    for step in 0..8 {
+    for step in 0..7 {
         let shift = DVec3::new(0.2 + 0.25 * f64::from(step), 0.05, -0.1);
-        let found = moved_by(&a, &a, RigidTransform::translation(shift).unwrap());
+        let found = moved_by(&a, &a, RigidTransform::translation(shift).unwrap(), 1e-2);
         let common = found.volumes.unwrap().intersection;
         assert!(common.upper < last, "{step}: {common:?} after {last}");
         last = common.lower;
@@ -211,4 +217,37 @@ fn budgets_and_options() {
         let refused = Engine::cpu().overlap(&a, &b, &options).wait();
         assert_eq!(refused.map_err(|error| error.code()).err(), Some("OPTION_OUT_OF_RANGE"));
     }
+}
+
+/// Bodies that lie on each other in plane faces that are divided in different ways.
+#[test]
+fn faces_that_are_flush_are_decided() {
+    let solid = |min: [f64; 3], max: [f64; 3]| {
+        prepared(&box_of_faces(DVec3::from_array(min), DVec3::from_array(max)))
+    };
+    let unit = solid([0.0; 3], [1.0; 3]);
+    // Beside each other, on a part of a face.
+    let beside = solid([1.0, 0.25, 0.125], [2.0, 0.75, 1.5]);
+    assert_holds(&overlap(&unit, &beside, 5e-3), [1.0, 0.5 * 1.375, 0.0], 5e-3);
+    // Within each other, on parts of three faces.
+    let within = solid([0.0; 3], [0.5, 0.75, 0.25]);
+    assert_holds(&overlap(&unit, &within, 2e-2), [1.0, 0.09375, 0.09375], 2e-2);
+    // Crossing, with two planes in common.
+    let across = solid([0.25, -0.5, 0.0], [0.75, 0.5, 1.0]);
+    assert_holds(&overlap(&unit, &across, 2e-2), [1.0, 0.5, 0.25], 2e-2);
+    // A body and its triangles.
+    let (vertices, triangles) = cuboid(DVec3::ZERO, DVec3::ONE);
+    let found = overlap(&unit, &mesh(&vertices, &triangles), 5e-2);
+    assert_holds(&found, [1.0; 3], 5e-2);
+    assert!(found.ratio.unwrap().lower > 0.9 && found.ratio.unwrap().upper == 1.0);
+}
+
+/// Curved faces on each other that are divided in different ways: the interval is wide, and the search ends.
+#[test]
+fn curved_faces_on_each_other_end_the_search() {
+    let long = prepared(&shapes::cylinder(1.0, 4.0).unwrap());
+    let short = prepared(&shapes::cylinder(1.0, 2.0).unwrap());
+    let found = overlap(&long, &short, 1e-3);
+    assert_sound(&found, [4.0 * PI, 2.0 * PI, 2.0 * PI]);
+    assert!(found.cells < 100_000, "{}", found.cells);
 }

@@ -116,7 +116,7 @@ fn meshes_and_points_have_no_false_interval() {
 const CLEARANCES: u64 = 96;
 
 /// Solids whose facts, sides, grids and statistics are checked.
-const SOLIDS: u64 = 48;
+const SOLIDS: u64 = 12;
 
 #[test]
 fn facts_sides_grids_and_statistics_are_those_of_second_ways() {

@@ -15,7 +15,8 @@ mod reports;
 fn main() -> std::process::ExitCode {
     use arguments::Command;
     use commands::{
-        align, check, clearance, completions, convert, diff, distance, grid, info, overlap, statistics,
+        align, check, clearance, completions, convert, diff, distance, grid, info, overlap, score,
+        statistics, summary,
     };
     let arguments = match arguments::usage::arguments() {
         Ok(arguments) => arguments,
@@ -29,6 +30,8 @@ fn main() -> std::process::ExitCode {
         Command::Overlap(arguments) => overlap::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Statistics(arguments) => statistics::run(&arguments).map(|()| 0),
+        Command::Score(arguments) => score::run(&arguments),
+        Command::Summary(arguments) => summary::run(&arguments).map(|()| 0),
         Command::Align(arguments) => align::run(&arguments),
         Command::Grid(arguments) => grid::run(&arguments).map(|()| 0),
         Command::Batch(arguments) => batch::run(&arguments),

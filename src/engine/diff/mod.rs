@@ -3,7 +3,10 @@
 mod face;
 mod face_search;
 mod pair;
+mod parts;
 mod search;
+
+pub use parts::{PartDifference, PartFaces, PartMotion, PartState};
 
 use super::{PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
@@ -140,6 +143,9 @@ pub struct DiffResult {
     pub faces_of_a: Vec<FaceDifference>,
     /// Every face of B, in order, compared with A.
     pub faces_of_b: Vec<FaceDifference>,
+    /// The parts of both: what moved, changed, was added or removed. None of clouds, and of models of more than
+    /// 2,000 bodies.
+    pub parts: Vec<PartDifference>,
     /// Where the time went.
     pub seconds: Seconds,
 }

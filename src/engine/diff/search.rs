@@ -55,7 +55,7 @@ impl Engine {
         })
     }
 
-    async fn diff_of(
+    pub(in crate::engine) async fn diff_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,
@@ -66,6 +66,20 @@ impl Engine {
         let hint = hint(a, b);
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
+        let mut result = self.diff_of_faces(a, b, options, monitor).await?;
+        result.hint = hint;
+        result.parts = self.parts([a, b], options, &result).await?;
+        Ok(result)
+    }
+
+    /// Compares the faces of models of one unit, without their parts and hints.
+    pub(super) async fn diff_of_faces(
+        &self,
+        a: &PreparedModel,
+        b: &PreparedModel,
+        options: &DiffOptions,
+        monitor: &mut dyn Monitor,
+    ) -> Result<DiffResult> {
         let mut progress = Progress::new(monitor, true);
         let started = Instant::now();
         let of_pair = PairParts::new([a, b]);
@@ -94,12 +108,13 @@ impl Engine {
             with_gaps: largest(|face| face.with_gaps),
             limit: options.limit,
             unit: a.unit().or(b.unit()),
-            hint,
+            hint: None,
             gap: a.gap() + b.gap(),
             gap_proven: a.is_gap_proven() && b.is_gap_proven(),
             diagonal: a.bounding_box().diagonal().max(b.bounding_box().diagonal()),
             faces_of_a: of_a,
             faces_of_b: of_b,
+            parts: Vec::new(),
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         })
     }

@@ -86,7 +86,7 @@ impl Engine {
         })
     }
 
-    async fn overlap_of(
+    pub(super) async fn overlap_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,

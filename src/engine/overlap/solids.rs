@@ -86,6 +86,7 @@ impl<'a> Solids<'a> {
             volume: model.facts().volume.unwrap_or_default(),
             cracks: joined.of_shell.iter().map(|shell| shell.cracks).sum(),
             point_error: model.bezier().point_error,
+            deviation: model.deviation(),
             clearance: -boundary.clear_radius(0.0),
         };
         PlacedSolid::new(&model.bezier().patches, moves.then_some(&self.transform), side, known)

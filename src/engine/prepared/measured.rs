@@ -10,9 +10,10 @@ use crate::facts::{
     Facts, Interval, IntervalMoments, Mass, Moments, Orientation, VolumeUnknown, area_of_triangle, largest,
     largest_of_points, of_patch, of_triangle, shifted,
 };
+use crate::model::RigidTransform;
 use crate::threads::computed;
 use crate::threads::parallel::{map, map_ranges};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 /// The width of a coordinate's largest value, relative to the diagonal.
 const RELATIVE_WIDTH: f64 = 1e-10;
@@ -57,6 +58,20 @@ impl PreparedModel {
                 return Facts::within(min, max, VolumeUnknown::Points);
             }
             self.facts_of_all(self.measured_bodies())
+        })
+    }
+
+    /// Returns the lengths along x, y and z of the model moved by a transform.
+    pub(in crate::engine) fn moved_extents(&self, transform: &RigidTransform) -> [Interval; 3] {
+        let rotation = transform.rotation();
+        if rotation == DQuat::IDENTITY {
+            return self.facts().extents;
+        }
+        let turned = RigidTransform::about(rotation, DVec3::ZERO, DVec3::ZERO);
+        // Each end is off by the rounding of the direction, times the distance from the middle.
+        let rounding = 2.0 * turned.rounding(self.control_box.diagonal());
+        DVec3::AXES.map(|axis| {
+            self.extent(None, rotation.inverse() * axis) + Interval { lower: -rounding, upper: rounding }
         })
     }
 

@@ -4,6 +4,7 @@ mod bodies;
 mod facts;
 mod kept;
 mod measured;
+mod mirrored;
 mod points;
 mod shells;
 mod single;
@@ -34,7 +35,7 @@ use std::sync::Arc;
 pub struct PreparedModel {
     name: Option<String>,
     unit: Option<f64>,
-    /// The model itself, kept if it states its unit, to be scaled to another.
+    /// The model itself, to be scaled, and to count copies of faces; none of a mesh or a cloud.
     source: Option<Model>,
     gap: f64,
     face_gaps: Vec<f64>,
@@ -149,7 +150,7 @@ impl PreparedModel {
         Self {
             name: model.name().map(str::to_owned),
             unit: model.unit(),
-            source: model.unit().map(|_| model.clone()),
+            source: Some(model.clone()),
             gap: model.gap(),
             face_gaps: model.faces().map(|face| face.gap()).collect(),
             is_gap_proven: model.is_gap_proven(),

@@ -10,7 +10,9 @@ use crate::certified::{Audit, AuditReport};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::tolerance::{PermittedWidth, positive};
+pub(in crate::engine) use search::Asked;
 use serde::{Deserialize, Serialize};
+pub(in crate::engine) use sums::Sums;
 
 /// The default width of the intervals of lengths, as a fraction of the diagonal.
 const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-4;

@@ -68,17 +68,24 @@ impl Engine {
         options: &'a StatisticsOptions,
     ) -> Computation<'a, CertifiedStatistics> {
         Computation::new(move |mut watched| {
-            Box::pin(async move { self.statistics_of(a, b, options, watched.monitor()).await })
+            Box::pin(async move {
+                let limits: Vec<f64> = options.limit.into_iter().collect();
+                let asked = Asked { options, limits: &limits, is_enough: &|_| false };
+                let (found, beyond) = self.statistics_of(a, b, asked, watched.monitor()).await?;
+                Ok(CertifiedStatistics { beyond: beyond.first().copied(), ..found })
+            })
         })
     }
 
-    async fn statistics_of(
+    /// As [`Engine::statistics`], with the parts beyond each of the limits asked for.
+    pub(in crate::engine) async fn statistics_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,
-        options: &StatisticsOptions,
+        asked: Asked<'_>,
         monitor: &mut dyn Monitor,
-    ) -> Result<CertifiedStatistics> {
+    ) -> Result<(CertifiedStatistics, Vec<Beyond>)> {
+        let options = asked.options;
         options.validate()?;
         let hint = hint(a, b);
         let scaled = b.in_unit_of(a, options.scale_units)?;
@@ -89,7 +96,7 @@ impl Engine {
         let diagonal = direction.diagonal();
         let tolerance = options.width(diagonal);
         let over = if a.is_cloud() { Measure::Count } else { Measure::Area };
-        let search = Search { over, tolerance, options, started };
+        let search = Search { over, tolerance, asked, started };
         let prepare = || started.elapsed().as_secs_f64();
         let (prepare, found) = if over == Measure::Area && b.facets().is_none() {
             let (from, to) = (a.certified_target(), b.certified_target());
@@ -118,13 +125,13 @@ impl Engine {
         };
         progress.finish();
         let Found { sums, converged, cells, audit, notice } = found;
-        Ok(CertifiedStatistics {
+        let found = CertifiedStatistics {
             over,
             total: Bounded { lower: sums.total.lower, upper: sums.total.upper },
             mean: sums.mean,
             rms: sums.rms,
             percentiles: sums.percentiles,
-            beyond: sums.beyond,
+            beyond: None,
             converged,
             tolerance,
             diagonal,
@@ -134,14 +141,25 @@ impl Engine {
             audit,
             notice,
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
-        })
+        };
+        Ok((found, sums.beyond))
     }
+}
+
+/// A question about several limits.
+#[derive(Clone, Copy)]
+pub(in crate::engine) struct Asked<'a> {
+    /// The options, whose limit is not read.
+    pub(in crate::engine) options: &'a StatisticsOptions,
+    pub(in crate::engine) limits: &'a [f64],
+    /// Whether intervals suffice that are wider than requested.
+    pub(in crate::engine) is_enough: &'a (dyn Fn(&Sums) -> bool + Sync),
 }
 
 struct Search<'a> {
     over: Measure,
     tolerance: f64,
-    options: &'a StatisticsOptions,
+    asked: Asked<'a>,
     started: Instant,
 }
 
@@ -155,6 +173,10 @@ struct Found {
 }
 
 impl Search<'_> {
+    fn sums<T: Weighted>(&self, parts: &[T], known: Area) -> Sums {
+        Sums::of(parts, (self.asked.limits, &self.asked.options.percentiles), self.over, known)
+    }
+
     /// Returns the intervals of a cloud. Points have certified distances of their own, which nothing is to be
     /// compared with.
     async fn count(&self, parts: &Parts<'_>, progress: &mut Progress<'_>) -> Result<Found> {
@@ -173,7 +195,7 @@ impl Search<'_> {
         });
         let points = points.await?;
         let known = Area { lower: 0.0, upper: f64::INFINITY };
-        let sums = Sums::of(&points, self.options, self.over, known);
+        let sums = self.sums(&points, known);
         let converged = self.is_narrow(&sums);
         let (cells, audit) = (points.len(), AuditReport::default());
         Ok(Found { sums, converged, cells, audit, notice: None })
@@ -183,7 +205,7 @@ impl Search<'_> {
     async fn audited<C: Cover>(&self, cover: &mut C, progress: &mut Progress<'_>) -> Result<Found> {
         let mut report = AuditReport::default();
         let (parts, (sums, converged, cells)) = self.run(cover, progress).await?;
-        let notice = audit(cover, &parts, self.options.audit, &mut report);
+        let notice = audit(cover, &parts, self.asked.options.audit, &mut report);
         if notice.is_none() {
             return Ok(Found { sums, converged, cells, audit: report, notice });
         }
@@ -210,7 +232,7 @@ impl Search<'_> {
         let mut parts = bounded(cover.len(), self.at_once(), progress, first).await?;
         let mut cells = parts.len();
         loop {
-            let sums = Sums::of(&parts, self.options, self.over, known);
+            let sums = self.sums(&parts, known);
             known = sums.total;
             if !(known.lower > 0.0) {
                 return Err(Error::NoArea);
@@ -218,11 +240,14 @@ impl Search<'_> {
             if self.is_narrow(&sums) {
                 return Ok((parts, (sums, true, cells)));
             }
+            if (self.asked.is_enough)(&sums) {
+                return Ok((parts, (sums, false, cells)));
+            }
             let mut halved = self.halved(&parts, cover.rounding(), &sums, LEVEL_PART);
             if halved.is_empty() {
                 halved = self.halved(&parts, cover.rounding(), &sums, 0.0);
             }
-            halved.truncate(self.options.max_cells.saturating_sub(cells) / 2);
+            halved.truncate(self.asked.options.max_cells.saturating_sub(cells) / 2);
             if self.is_late() || self.halve(cover, &mut parts, &halved, &mut cells, progress).await? == 0 {
                 return Ok((parts, (sums, false, cells)));
             }
@@ -231,11 +256,11 @@ impl Search<'_> {
 
     /// The number of parts between two looks at the time.
     fn at_once(&self) -> usize {
-        if self.options.max_seconds.is_some() { TIMED_PARTS_AT_ONCE } else { PARTS_AT_ONCE }
+        if self.asked.options.max_seconds.is_some() { TIMED_PARTS_AT_ONCE } else { PARTS_AT_ONCE }
     }
 
     fn is_late(&self) -> bool {
-        self.options.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most)
+        self.asked.options.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most)
     }
 
     /// Halves the parts of these indices until the time is spent, and returns how many could be.
@@ -261,7 +286,7 @@ impl Search<'_> {
                 parts.push(other);
                 count += 1;
             }
-            let spent = (*cells + 2 * count) as f64 / self.options.max_cells as f64;
+            let spent = (*cells + 2 * count) as f64 / self.asked.options.max_cells as f64;
             progress.checkpoint(spent.min(1.0)).await?;
         }
         *cells += 2 * count;
@@ -273,9 +298,12 @@ impl Search<'_> {
         is_narrow(&sums.mean)
             && is_narrow(&sums.rms)
             && sums.percentiles.iter().all(|percentile| is_narrow(&percentile.distance))
-            && sums
-                .beyond
-                .is_none_or(|beyond| beyond.part.upper - beyond.part.lower <= self.options.part_tolerance)
+            && sums.beyond.iter().all(|beyond| !self.is_open(beyond))
+    }
+
+    /// Whether the part beyond a limit is wider than requested.
+    fn is_open(&self, beyond: &Beyond) -> bool {
+        beyond.part.upper - beyond.part.lower > self.asked.options.part_tolerance
     }
 
     /// Returns the parts that widen the intervals which are too wide, those that widen them most first. Any
@@ -302,16 +330,14 @@ impl Search<'_> {
             };
             take_widest(parts, width, kept, &mut urgency);
         }
-        if let Some(Beyond { limit, part }) = sums.beyond
-            && part.upper - part.lower > self.options.part_tolerance
-        {
+        for &Beyond { limit, .. } in sums.beyond.iter().filter(|beyond| self.is_open(beyond)) {
             let width = |part: &T| {
                 let Spread { lower, upper, .. } = part.spread();
                 // Halves of a part that is as narrow as its rounding are as open.
                 let is_open = lower <= limit && limit < upper;
                 if is_open && upper - lower > OPEN_ROUNDINGS * rounding { share(part) } else { 0.0 }
             };
-            take_widest(parts, width, KEPT_PART * self.options.part_tolerance, &mut urgency);
+            take_widest(parts, width, KEPT_PART * self.asked.options.part_tolerance, &mut urgency);
         }
         for Percentile { distance, .. } in sums.percentiles.iter().filter(|of| wide(&of.distance)) {
             let width = |part: &T| {
@@ -325,7 +351,7 @@ impl Search<'_> {
                 .min(0.5 * widest)
                 .max(LEAST_PERCENTILE_PART * self.tolerance);
             let open = |part: &T| if width(part) > kept { share(part) } else { 0.0 };
-            take_widest(parts, open, level * self.options.part_tolerance, &mut urgency);
+            take_widest(parts, open, level * self.asked.options.part_tolerance, &mut urgency);
         }
         let mut halved: Vec<(f64, usize)> =
             urgency.into_iter().zip(0..).filter(|(urgency, _)| *urgency > 0.0).collect();

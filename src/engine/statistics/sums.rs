@@ -1,6 +1,6 @@
 //! The intervals of statistics, of parts with bounds (lemma F9 of docs/meshes.md).
 
-use super::{Beyond, Bounded, Measure, Percentile, StatisticsOptions};
+use super::{Beyond, Bounded, Measure, Percentile};
 use crate::area::Area;
 use crate::facets::{Spread, Weighted};
 use crate::rounding::{UNIT_ROUNDOFF, upper_max, upper_min};
@@ -10,12 +10,13 @@ use crate::sorting::sort_pairs;
 const QUOTIENT_ROUNDINGS: f64 = 4.0;
 
 /// All intervals at one time.
-pub(super) struct Sums {
+pub(in crate::engine) struct Sums {
     pub(super) total: Area,
-    pub(super) mean: Bounded,
-    pub(super) rms: Bounded,
+    pub(in crate::engine) mean: Bounded,
+    pub(in crate::engine) rms: Bounded,
     pub(super) percentiles: Vec<Percentile>,
-    pub(super) beyond: Option<Beyond>,
+    /// The parts beyond the limits, in their order.
+    pub(in crate::engine) beyond: Vec<Beyond>,
 }
 
 /// A sum of numbers that are not negative, with bounds on its rounding.
@@ -44,7 +45,7 @@ impl Sums {
     /// parts.
     pub(super) fn of<T: Weighted>(
         parts: &[T],
-        options: &StatisticsOptions,
+        (limits, percentiles_of): (&[f64], &[f64]),
         over: Measure,
         known: Area,
     ) -> Self {
@@ -70,7 +71,7 @@ impl Sums {
             lower: upper_max(root(square.lower, -1.0), mean.lower),
             upper: root(square.upper, 1.0),
         };
-        let beyond = options.limit.map(|limit| {
+        let beyond = limits.iter().map(|&limit| {
             let weight = |is_beyond: bool, weight: f64| if is_beyond { weight } else { 0.0 };
             let lower = sum(&|part| weight(part.spread().lower > limit, part.weight().lower)).lower();
             // Not "at most the limit", so that NaN counts as beyond.
@@ -78,7 +79,8 @@ impl Sums {
             let Bounded { lower, upper } = quotients(lower, upper, total);
             Beyond { limit, part: Bounded { lower, upper: upper_min(1.0, upper) } }
         });
-        let percentiles = percentiles(parts, &options.percentiles, total, over);
+        let beyond = beyond.collect();
+        let percentiles = percentiles(parts, percentiles_of, total, over);
         Self { total, mean, rms, percentiles, beyond }
     }
 }
@@ -178,9 +180,7 @@ mod tests {
     }
 
     fn sums(parts: &[Part], over: Measure, known: Area, limit: f64, percentiles: &[f64]) -> Sums {
-        let percentiles = percentiles.to_vec();
-        let options = StatisticsOptions { limit: Some(limit), percentiles, ..StatisticsOptions::default() };
-        Sums::of(parts, &options, over, known)
+        Sums::of(parts, (&[limit], percentiles), over, known)
     }
 
     const UNKNOWN: Area = Area { lower: 0.0, upper: f64::INFINITY };
@@ -215,12 +215,12 @@ mod tests {
         is_about(rms, [(76.0_f64 / 6.0).sqrt(), 76.0_f64.sqrt()]);
         // Parts are at most 1, though 6 / 3 may be beyond 0.5, and 4 / 3 beyond 5.
         for (limit, expected) in [(0.5, [0.5, 1.0]), (2.0, [1.0 / 3.0, 1.0]), (5.0, [0.0, 1.0])] {
-            is_about(found(limit).beyond.unwrap().part, expected);
+            is_about(found(limit).beyond[0].part, expected);
         }
         let narrow = [part([1.0, 1.5], [1.0, 4.0], [2.0; 2], [4.0; 2]), at(2.0, 8.0)];
         let narrow = |limit: f64| sums(&narrow, Measure::Area, UNKNOWN, limit, &[0.25, 0.75]);
-        is_about(narrow(2.0).beyond.unwrap().part, [2.0 / 3.5, 1.0]);
-        is_about(narrow(4.0).beyond.unwrap().part, [2.0 / 3.5, 2.0 / 3.0]);
+        is_about(narrow(2.0).beyond[0].part, [2.0 / 3.5, 1.0]);
+        is_about(narrow(4.0).beyond[0].part, [2.0 / 3.5, 2.0 / 3.0]);
         // Within 1 there may be 2, which is 0.5 · 3 and more; then all.
         for (of, lower) in percentiles.iter().zip([1.0, 1.0, 3.0]) {
             // The second part may weigh 4, and 3 (1 − 0.125) is less than that.
@@ -235,10 +235,10 @@ mod tests {
     /// A part whose least distance is the limit may have no point beyond it.
     #[test]
     fn a_part_at_the_limit_is_not_beyond_it() {
-        let beyond = sums(&[at(1.0, 2.0)], Measure::Area, UNKNOWN, 2.0, &[]).beyond.unwrap().part;
+        let beyond = sums(&[at(1.0, 2.0)], Measure::Area, UNKNOWN, 2.0, &[]).beyond[0].part;
         assert_eq!((beyond.lower, beyond.upper), (0.0, 0.0));
         let nan = part([1.0; 2], [0.0, f64::NAN], [0.0; 2], [0.0; 2]);
-        assert_eq!(sums(&[nan], Measure::Area, UNKNOWN, 2.0, &[]).beyond.unwrap().part.upper, 1.0);
+        assert_eq!(sums(&[nan], Measure::Area, UNKNOWN, 2.0, &[]).beyond[0].part.upper, 1.0);
     }
 
     /// To 1, terms below half of the spacing of numbers add nothing, and those above it a whole one.

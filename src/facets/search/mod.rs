@@ -11,6 +11,7 @@ mod explore;
 mod node;
 mod part;
 mod patch_cell;
+mod sampled;
 mod source;
 mod spread;
 #[cfg(all(test, not(target_arch = "wasm32")))]

@@ -3,9 +3,9 @@
 use super::super::FacetTarget;
 use super::super::rounding::sag_rounding;
 use super::Goal;
-use super::audit;
 use super::part::{MAX_LEVELS, TrianglePart};
 use super::patch_cell::{MIN_LENGTH, PatchCell};
+use super::sampled;
 use super::source::{Measured, Source, Start};
 use crate::area::{Area, area_of_part};
 use crate::bezier::PatchSet;
@@ -240,14 +240,14 @@ impl<'a> Parts<'a> {
             let is_apart = found[1] < stated[0] || stated[1] < found[0];
             is_apart.then(|| format!("{stated:?} at the {what} {point}, found {found:?}"))
         };
-        let of_points = audit::places(further).find_map(|weights| {
+        let of_points = sampled::places(further).find_map(|weights| {
             let point = self.point_of(part, weights);
             refuted("point", point, [lower, upper], self.distance(point, part.start)?)
         });
         let of_mean = || {
-            let [fine, coarse] = audit::RULES.map(|count| self.mean_by_rule(part, count));
+            let [fine, coarse] = sampled::RULES.map(|count| self.mean_by_rule(part, count));
             let (fine, coarse) = (fine?, coarse?);
-            let error = audit::rule_error(fine, coarse, upper - lower) + self.rounding;
+            let error = sampled::rule_error(fine, coarse, upper - lower) + self.rounding;
             refuted("mean about", self.point_of(part, [1.0 / 3.0; 3]), stated, [fine - error, fine + error])
         };
         of_points.or_else(|| if mean { of_mean() } else { None })
@@ -281,7 +281,7 @@ impl<'a> Parts<'a> {
             return None;
         }
         let (mut sum, mut points) = (0.0, 0.0);
-        for weights in audit::middles(count) {
+        for weights in sampled::middles(count) {
             let [lower, upper] = self.distance(self.point_of(part, weights), part.start)?;
             sum += 0.5 * (lower + upper);
             points += 1.0;

@@ -46,6 +46,42 @@ export interface FaceDifference {
   cells: number;
 }
 
+/**
+ * What became of a part: `same`, `renamed`, `moved` and `mirrored` are proven to the limit, of `changed` and
+ * `movedAndChanged` faces certainly differ by more.
+ */
+export type PartState =
+  | "same"
+  | "renamed"
+  | "moved"
+  | "mirrored"
+  | "changed"
+  | "movedAndChanged"
+  | "added"
+  | "removed"
+  | "undecided";
+
+/** A part of A, of B or of both; the Hausdorff distance after its motion is in `[lower, upper]`. */
+export interface PartDifference {
+  nameOfA: string | null;
+  nameOfB: string | null;
+  state: PartState;
+  /**
+   * A turn by `angle` degrees about `axis` through the origin, then a move by `translation`; `shift` is the way
+   * of the middle of the part's box. Of mirrored parts it follows the change of the sign of every x.
+   */
+  motion: {
+    translation: [number, number, number];
+    axis: [number, number, number];
+    angle: number;
+    shift: [number, number, number];
+  } | null;
+  lower: number | null;
+  upper: number | null;
+  /** The indices of the faces that certainly changed. */
+  faces: { ofA: number[]; ofB: number[] };
+}
+
 /** The difference of two models, face by face. */
 export interface DiffResult {
   /** `changed` if a face is, else `undecided` if one is. */
@@ -71,6 +107,8 @@ export interface DiffResult {
   facesOfA: FaceDifference[];
   /** Every face of B, in order, compared with A. */
   facesOfB: FaceDifference[];
+  /** What became of each body; none of clouds of points, and of models of more than 2,000 bodies. */
+  parts: PartDifference[];
   /** Where the time went. */
   seconds: { prepare: number; compile: number; solve: number };
 }

@@ -21,6 +21,7 @@ import type { BestFit, BestFitOptions } from "../measure/fit.js";
 import { type DistanceOptions, split } from "../measure/options.js";
 import type { OverlapOptions, OverlapResult } from "../measure/overlap.js";
 import type { Results } from "../measure/result.js";
+import type { Score, ScoreOptions } from "../measure/score.js";
 import type {
   Precision,
   SignedDistanceOptions,
@@ -209,6 +210,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     options: StatisticsOptions = {},
   ): Promise<CertifiedStatistics> {
     return this.#measure("statistics", [this.#id(a, "a"), this.#id(b, "b")], options);
+  }
+
+  async score(
+    candidate: NurbsModel,
+    truth: NurbsModel,
+    options: ScoreOptions = {},
+  ): Promise<Score> {
+    const models = [this.#id(candidate, "candidate"), this.#id(truth, "truth")];
+    return this.#measure("score", models, options);
   }
 
   async clearance(

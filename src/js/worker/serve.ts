@@ -123,6 +123,8 @@ class Server {
       this.#open.statistics(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     overlap: ([, a, b, options], watch) =>
       this.#open.overlap(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
+    score: ([, a, b, options], watch) =>
+      this.#open.score(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     clearance: ([, a, b, options], watch) =>
       this.#open.clearance(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     gaps: ([, a, b, options], watch) =>

@@ -68,7 +68,8 @@ impl Moments {
 
 fn pass(model: &Model, origin: DVec3, parts: usize) -> Sums {
     let rule = gauss(NODES);
-    let mut sums = Sums::default();
+    // The default of a matrix is the identity.
+    let mut sums = Sums { second: DMat3::ZERO, ..Sums::default() };
     for (sheet, surface) in sheets(model, origin).iter().zip(model.surfaces()) {
         let [u, v] = Axis::BOTH.map(|axis| steps(surface, axis, parts));
         for (u_start, u_step) in &u {

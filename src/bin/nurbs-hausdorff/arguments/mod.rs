@@ -17,6 +17,7 @@ pub(crate) mod align;
 pub(crate) mod check;
 pub(crate) mod grid;
 pub(crate) mod motion;
+pub(crate) mod score;
 pub(crate) mod usage;
 
 use crate::reports::Format;
@@ -31,6 +32,7 @@ use nurbs_hausdorff::{
     Backend, ClearanceOptions, DiffOptions, DistanceOptions, MethodName, NamedOptions, OverlapOptions,
     Precision, Result, RigidTransform, StatisticsOptions,
 };
+use score::{ScoreArguments, SummaryArguments};
 use std::path::PathBuf;
 
 /// How far apart are two NURBS models? Models are files of STEP, interchange JSON or BREP text.
@@ -78,6 +80,22 @@ pub(crate) enum Command {
     ///
     /// Exit status: 0 if they were computed, 2 for bad input.
     Statistics(StatisticsArguments),
+    /// Scores a candidate against the truth: every number an interval that holds it.
+    ///
+    /// Mean distances both ways, precision, recall and F1 by area, the Hausdorff distance, volume, area,
+    /// centroid, extents and validity. A number may be required by --at-least f1=0.99 or --at-most
+    /// hausdorff=0.1; names are valid, volume-ratio, area-ratio, centroid-distance, extent-difference,
+    /// precision, recall, f1, chamfer, chamfer-squared, hausdorff and iou. Work ends where one is missed.
+    ///
+    /// Exit status: 0 if the score was computed or all requirements are met, 1 if one is missed, 2 for bad
+    /// input, 3 if one is undecided or faces were left out.
+    Score(Box<ScoreArguments>),
+    /// Prints means, medians and the invalid ratio of the scores of a data set, as intervals that hold them.
+    ///
+    /// It reads the answers of batch to lines with the command score.
+    ///
+    /// Exit status: 0 if they were printed, 2 for bad input.
+    Summary(SummaryArguments),
     /// Lays A on B: finds the rigid motion of A that fits B best, from any pose.
     ///
     /// The last line printed measures the pair in that pose.
@@ -93,8 +111,8 @@ pub(crate) enum Command {
     Grid(GridArguments),
     /// Answers many pairs of files: lines of JSON in, lines of JSON out, in their order.
     ///
-    /// A line has an id, the files a and b, a command (distance, diff or clearance; distance if
-    /// none) and options by the names of the API, such as {"id": 1, "a": "a.step", "b": "b.step",
+    /// A line has an id, the files a and b, a command (distance, diff, clearance or score; distance
+    /// if none) and options by the names of the API, such as {"id": 1, "a": "a.step", "b": "b.step",
     /// "limit": 0.1}. The answer has the id and what the command prints with --json, or an error.
     ///
     /// Exit status: 0 if all pairs have a result, 1 if one has an error, 2 for bad usage, 130 if

@@ -10,4 +10,6 @@ pub(crate) mod distance;
 pub(crate) mod grid;
 pub(crate) mod info;
 pub(crate) mod overlap;
+pub(crate) mod score;
 pub(crate) mod statistics;
+pub(crate) mod summary;
