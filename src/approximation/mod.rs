@@ -2,5 +2,6 @@
 
 pub(crate) mod bernstein;
 pub(crate) mod chebyshev;
+#[cfg(feature = "shapes")]
 pub(crate) mod elimination;
 pub(crate) mod least_squares;
