@@ -42,19 +42,19 @@ class Interval:
         """Return whether a number is in the interval."""
         return self.lower <= number <= self.upper
 
-    def __lt__(self, other: Interval | float) -> bool | None:  # type: ignore[override]
+    def __lt__(self, other: Interval | float) -> bool | None:
         low, high = _ends(other)
         return True if self.upper < low else False if self.lower >= high else None
 
-    def __le__(self, other: Interval | float) -> bool | None:  # type: ignore[override]
+    def __le__(self, other: Interval | float) -> bool | None:
         low, high = _ends(other)
         return True if self.upper <= low else False if self.lower > high else None
 
-    def __gt__(self, other: Interval | float) -> bool | None:  # type: ignore[override]
+    def __gt__(self, other: Interval | float) -> bool | None:
         low, high = _ends(other)
         return True if self.lower > high else False if self.upper <= low else None
 
-    def __ge__(self, other: Interval | float) -> bool | None:  # type: ignore[override]
+    def __ge__(self, other: Interval | float) -> bool | None:
         low, high = _ends(other)
         return True if self.lower >= high else False if self.upper < low else None
 

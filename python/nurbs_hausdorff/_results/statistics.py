@@ -5,8 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from .._interval import Interval as Bounded
+from .._interval import Interval
 from .common import Audit, Seconds, table
+
+#: The class of the intervals, by the name that it has in statistics.
+Bounded = Interval
 
 
 @dataclass(frozen=True)
