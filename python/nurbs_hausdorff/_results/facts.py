@@ -96,10 +96,10 @@ class Body:
 
 
 def _intervals(value: Any) -> Any:
-    """Make intervals of dictionaries, and tuples of lists, at every depth."""
+    """Make intervals of dictionaries, and tuples of sequences, at every depth."""
     if isinstance(value, dict):
         return Interval(**value)
-    if isinstance(value, list):
+    if isinstance(value, (list, tuple)):
         return tuple(_intervals(item) for item in value)
     return value
 
