@@ -14,8 +14,9 @@ for (const [name, Engine] of [
   ["main", Hausdorff],
   ["worker", Worker],
 ]) {
-  test(`facts and the volumes in common of balls: ${name}`, async () => {
-    using hd = await Engine.create({ backend: "cpu" });
+  test(`facts and the volumes in common of balls: ${name}`, async (context) => {
+    const hd = await Engine.create({ backend: "cpu" });
+    context.after(() => hd.dispose());
     const model = await hd.shape("sphere");
     const facts = await model.facts();
     // Weights of arcs are rounded.
