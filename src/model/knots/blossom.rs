@@ -1,7 +1,9 @@
 //! The blossom of a polynomial of a spline.
 
-use crate::limits::MAX_ORDER;
 use glam::DVec4;
+
+/// The largest order of a curve or surface in a file: OpenCASCADE's degrees end at 25, models' earlier.
+const MAX_ORDER: usize = 26;
 
 /// Returns the blossom, or polar form, of the polynomial of the span that begins with knot `span`, with
 /// these degree + 1 active control points, at `argument(0)`, …, `argument(degree - 1)` (L. Ramshaw,
