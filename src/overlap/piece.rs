@@ -92,7 +92,7 @@ impl Patches {
         let grown = aabb.grown(margin);
         let (mut found, mut stack) = (Vec::new(), vec![0_usize]);
         while let Some(index) = stack.pop() {
-            let Some(node) = nodes.get(index).filter(|node| meets(&node.aabb, &grown)) else { continue };
+            let Some(node) = nodes.get(index).filter(|node| node.aabb.meets(&grown)) else { continue };
             if node.is_leaf() {
                 found.push(self.tree.primitive(node));
             } else {
@@ -131,11 +131,6 @@ impl Patches {
         let center = if piece.depth == 0 { whole.center } else { snapped(piece.middle, self.grid) };
         (center, relative(&piece.controls, center - whole.center))
     }
-}
-
-/// Returns whether two boxes have common points.
-fn meets(a: &Aabb, b: &Aabb) -> bool {
-    a.min.cmple(b.max).all() && b.min.cmple(a.max).all()
 }
 
 impl Whole {

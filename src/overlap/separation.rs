@@ -9,7 +9,7 @@ use glam::DVec3;
 pub(super) fn may_meet(a: (&Whole, &Piece), b: (&Whole, &Piece), margin: f64) -> bool {
     let (first, second) = (a.1, b.1);
     let grown = first.aabb.grown(margin);
-    if !(grown.min.cmple(second.aabb.max).all() && second.aabb.min.cmple(grown.max).all()) {
+    if !grown.meets(&second.aabb) {
         return false;
     }
     let reach = first.radius + margin;

@@ -145,9 +145,7 @@ fn is_of_sheets(why: OverlapUnknown) -> bool {
 
 /// Returns whether one box may lie within the other.
 fn may_nest(a: &Aabb, b: &Aabb) -> bool {
-    let is_in =
-        |inner: &Aabb, outer: &Aabb| outer.min.cmple(inner.min).all() && inner.max.cmple(outer.max).all();
-    is_in(a, b) || is_in(b, a)
+    a.contains(b) || b.contains(a)
 }
 
 /// Searches until the goal is reached or the budget of cells is spent.

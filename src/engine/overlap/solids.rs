@@ -1,6 +1,5 @@
 //! Two models as solids in one frame.
 
-use crate::bvh::Aabb;
 use crate::engine::{PreparedModel, PreparedTarget};
 use crate::flatness::Flatness;
 use crate::model::RigidTransform;
@@ -108,9 +107,8 @@ fn turned_shells(model: &PreparedModel) -> Vec<Option<bool>> {
 /// Returns whether no two shells of different bodies have points in common.
 fn are_bodies_apart(model: &PreparedModel) -> bool {
     let bodies = model.body_parts();
-    let meet = |a: &Aabb, b: &Aabb| a.min.cmple(b.max).all() && b.min.cmple(a.max).all();
     bodies.iter().enumerate().all(|(index, body)| {
-        bodies[..index].iter().filter(|other| meet(&body.aabb, &other.aabb)).all(|other| {
+        bodies[..index].iter().filter(|other| body.aabb.meets(&other.aabb)).all(|other| {
             let pairs = body
                 .shells
                 .iter()
