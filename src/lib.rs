@@ -161,7 +161,7 @@ pub use brep::FileKind;
 pub use brep::inflated;
 pub use bvh::Aabb;
 pub use engine::{
-    AtThreshold, Backend, BestFit, BestFitOptions, Beyond, Body, BodyInfo, BodyKind, BodyPair, Bounded,
+    AtThreshold, Backend, BestFit, BestFitOptions, Beyond, Body, BodyInfo, BodyKind, BodyPair,
     CertifiedOptions, CertifiedStatistics, CheckOptions, CheckResult, CheckRules, CheckedBody,
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation,
     Counts, Details, DeviationField, DiffOptions, DiffResult, Difference, DistanceOptions, DistanceResult,

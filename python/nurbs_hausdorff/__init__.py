@@ -30,7 +30,7 @@ from ._results.score import (
     AtThreshold, Difference, FaceCounts, HausdorffScore, Placement, Requirement, Score, ScoredModel,
     SurfaceScore,
 )  # fmt: skip
-from ._results.statistics import Beyond, Bounded, CertifiedStatistics
+from ._results.statistics import Beyond, CertifiedStatistics
 from ._score import score
 from ._sources import model, read
 from ._transform import Transform
@@ -39,7 +39,7 @@ from ._transform import Transform
 __version__ = _version("nurbs-hausdorff")
 
 __all__ = [
-    "AtThreshold", "BestFit", "Beyond", "Body", "Bounded", "CertifiedStatistics", "ClearanceResult",
+    "AtThreshold", "BestFit", "Beyond", "Body", "CertifiedStatistics", "ClearanceResult",
     "ClosestPoints", "DiffResult", "Difference", "DistanceResult", "FaceCounts", "FaceDifference",
     "FaceGap", "Facts", "Field", "FieldPart", "FitPose", "FreeEdge", "GapsResult", "HausdorffScore",
     "Interval", "LeftOut", "Mesh", "MeshReport", "Model", "NurbsHausdorffError", "Overlap",
@@ -47,6 +47,5 @@ __all__ = [
     "ReadReport", "Remark", "Requirement", "Score", "ScoredModel", "Shell", "SignedDistances",
     "Solid", "Statistics", "SurfacePoint", "SurfaceScore", "Transform", "Witness", "best_fit",
     "clearance", "closest_points", "diff", "distance", "field", "gaps", "model", "overlap", "read",
-    "score", "signed_distances",
-    "statistics", "testing",
+    "score", "signed_distances", "statistics", "testing",
 ]  # fmt: skip

@@ -62,6 +62,6 @@ pub use score::{
 };
 pub use signs::Signs;
 pub use solid::{FreeEdge, Shell, Solid};
-pub use statistics::{Beyond, Bounded, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
+pub use statistics::{Beyond, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
 
 pub(crate) use prepared::{PreparedSampling, PreparedTarget};

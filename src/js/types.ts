@@ -73,7 +73,6 @@ export type {
   SignedDistances,
 } from "./measure/signed-distances.js";
 export type {
-  Bounded,
   CertifiedStatistics,
   StatisticsOptions,
 } from "./measure/statistics.js";

@@ -4,7 +4,7 @@ use glam::DVec3;
 use nurbs_hausdorff::options::Audit;
 use nurbs_hausdorff::shapes::sphere;
 use nurbs_hausdorff::{
-    Bounded, CertifiedStatistics, Engine, Facets, Measure, Model, PointCloud, PreparedModel, RigidTransform,
+    CertifiedStatistics, Engine, Facets, Interval, Measure, Model, PointCloud, PreparedModel, RigidTransform,
     StatisticsOptions, SurfaceArrays, TriangleMesh,
 };
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI, SQRT_2};
@@ -23,7 +23,7 @@ fn with_limit(limit: f64) -> StatisticsOptions {
 }
 
 /// Checks that an interval holds a number and is as narrow as requested.
-fn holds(of: Bounded, value: f64, width: f64) {
+fn holds(of: Interval, value: f64, width: f64) {
     assert!(of.lower <= value && value <= of.upper && of.upper - of.lower <= width, "{value} {of:?}");
 }
 

@@ -1,6 +1,7 @@
 //! Rational B-spline curves in homogeneous coordinates.
 
 use crate::approximation::bernstein::binomial;
+use crate::limits::MAX_FILE_DEGREE;
 use crate::model::blossom;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
@@ -230,8 +231,8 @@ fn tensor_within<const N: usize>(
     project(blossom(knots_u, p, row, &across[..=p], |_| u))
 }
 
-/// One more than the highest degree that the reader accepts.
-const MAX_ORDER: usize = 26;
+/// The largest number of control points of a span.
+const MAX_ORDER: usize = MAX_FILE_DEGREE + 1;
 
 /// Returns, for every control point over the new clamped knots, the span of the old
 /// knots whose polynomial gives it.

@@ -2,9 +2,7 @@
 
 use super::result::{AtThreshold, Difference, FaceCounts, ScoredModel, SurfaceScore};
 use crate::engine::statistics::Sums;
-use crate::engine::{
-    Beyond, Body, BodyKind, Bounded, Counts, DiffResult, FaceDifference, FaceState, PreparedModel,
-};
+use crate::engine::{Beyond, Body, BodyKind, Counts, DiffResult, FaceDifference, FaceState, PreparedModel};
 use crate::facts::{Interval, Orientation};
 use crate::model::RigidTransform;
 use glam::DVec3;
@@ -85,13 +83,9 @@ impl Difference {
     }
 }
 
-fn interval(Bounded { lower, upper }: Bounded) -> Interval {
-    Interval { lower, upper }
-}
-
 /// Returns the part within a limit, of the part beyond it.
 fn within(beyond: &Beyond) -> Interval {
-    (Interval::exactly(1.0) - interval(beyond.part)).within(PART)
+    (Interval::exactly(1.0) - beyond.part).within(PART)
 }
 
 /// Returns the part within the least of ascending limits.
@@ -100,9 +94,8 @@ pub(super) fn within_least(beyond: &[Beyond]) -> Option<Interval> {
 }
 
 impl SurfaceScore {
-    pub(super) fn new(mean: Bounded, rms: Bounded) -> Self {
-        let rms = interval(rms);
-        Self { mean: interval(mean), mean_square: (rms * rms).not_negative() }
+    pub(super) fn new(mean: Interval, rms: Interval) -> Self {
+        Self { mean, mean_square: (rms * rms).not_negative() }
     }
 
     /// What statistics that go on know so far.

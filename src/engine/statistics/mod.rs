@@ -8,6 +8,7 @@ mod sums;
 use super::Seconds;
 use crate::certified::{Audit, AuditReport};
 use crate::error::{Error, Result};
+use crate::facts::Interval;
 use crate::model::RigidTransform;
 use crate::tolerance::{PermittedWidth, positive};
 pub(in crate::engine) use search::Asked;
@@ -118,16 +119,6 @@ pub enum Measure {
     Area,
 }
 
-/// Bounds on a number.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Bounded {
-    /// A lower bound.
-    pub lower: f64,
-    /// An upper bound.
-    pub upper: f64,
-}
-
 /// A percentile of the distances.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -135,7 +126,7 @@ pub struct Percentile {
     /// The part of A that is at most this far, at least.
     pub part: f64,
     /// The least such distance.
-    pub distance: Bounded,
+    pub distance: Interval,
 }
 
 /// The part of A farther than a limit.
@@ -145,7 +136,7 @@ pub struct Beyond {
     /// The limit, in model units.
     pub limit: f64,
     /// The part, between 0 and 1.
-    pub part: Bounded,
+    pub part: Interval,
 }
 
 /// Statistics of the distances from the points of A to B.
@@ -159,11 +150,11 @@ pub struct CertifiedStatistics {
     /// What they are over.
     pub over: Measure,
     /// The area of A in squares of the model unit, or the number of its points.
-    pub total: Bounded,
+    pub total: Interval,
     /// The mean distance.
-    pub mean: Bounded,
+    pub mean: Interval,
     /// The root of the mean square distance.
-    pub rms: Bounded,
+    pub rms: Interval,
     /// The percentiles, in the order of the options.
     pub percentiles: Vec<Percentile>,
     /// The part beyond the limit, if there is one.

@@ -3,7 +3,7 @@
 use super::audited::audit;
 use super::cover::{Cells, Cover};
 use super::sums::Sums;
-use super::{Beyond, Bounded, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
+use super::{Beyond, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
 use crate::area::Area;
 use crate::certified::{AuditReport, Pair};
 use crate::engine::direction::Direction;
@@ -11,6 +11,7 @@ use crate::engine::hint::hint;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds};
 use crate::error::{Error, Result};
 use crate::facets::{Parts, PreparedFacets, Source, Spread, Start, Weighted};
+use crate::facts::Interval;
 use crate::progress::{Monitor, Progress};
 use crate::sorting::sort_by_number;
 use crate::threads::parallel::map_ranges;
@@ -127,7 +128,7 @@ impl Engine {
         let Found { sums, converged, cells, audit, notice } = found;
         let found = CertifiedStatistics {
             over,
-            total: Bounded { lower: sums.total.lower, upper: sums.total.upper },
+            total: Interval { lower: sums.total.lower, upper: sums.total.upper },
             mean: sums.mean,
             rms: sums.rms,
             percentiles: sums.percentiles,
@@ -294,7 +295,7 @@ impl Search<'_> {
     }
 
     fn is_narrow(&self, sums: &Sums) -> bool {
-        let is_narrow = |of: &Bounded| of.upper - of.lower <= self.tolerance;
+        let is_narrow = |of: &Interval| of.upper - of.lower <= self.tolerance;
         is_narrow(&sums.mean)
             && is_narrow(&sums.rms)
             && sums.percentiles.iter().all(|percentile| is_narrow(&percentile.distance))
@@ -310,7 +311,7 @@ impl Search<'_> {
     /// choice is valid: it decides only the number of parts. Parts near percentiles are left alone where they have
     /// `level` of the tolerance of parts together.
     fn halved<T: Weighted>(&self, parts: &[T], rounding: f64, sums: &Sums, level: f64) -> Vec<usize> {
-        let wide = |of: &Bounded| of.upper - of.lower > self.tolerance;
+        let wide = |of: &Interval| of.upper - of.lower > self.tolerance;
         let share = |part: &T| part.weight().upper / sums.total.upper;
         let mut urgency = vec![0.0; parts.len()];
         let kept = KEPT_PART * self.room(2.0 * rounding);

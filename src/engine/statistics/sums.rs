@@ -1,8 +1,9 @@
 //! The intervals of statistics, of parts with bounds (lemma F9 of docs/meshes.md).
 
-use super::{Beyond, Bounded, Measure, Percentile};
+use super::{Beyond, Measure, Percentile};
 use crate::area::Area;
 use crate::facets::{Spread, Weighted};
+use crate::facts::Interval;
 use crate::rounding::{UNIT_ROUNDOFF, upper_max, upper_min};
 use crate::sorting::sort_pairs;
 
@@ -12,8 +13,8 @@ const QUOTIENT_ROUNDINGS: f64 = 4.0;
 /// All intervals at one time.
 pub(in crate::engine) struct Sums {
     pub(super) total: Area,
-    pub(in crate::engine) mean: Bounded,
-    pub(in crate::engine) rms: Bounded,
+    pub(in crate::engine) mean: Interval,
+    pub(in crate::engine) rms: Interval,
     pub(super) percentiles: Vec<Percentile>,
     /// The parts beyond the limits, in their order.
     pub(in crate::engine) beyond: Vec<Beyond>,
@@ -67,7 +68,7 @@ impl Sums {
         let mean = mean(&|part| part.spread().mean[0], &|part| part.spread().mean[1]);
         let root = |value: f64, up: f64| value.sqrt() * (1.0 + up * QUOTIENT_ROUNDINGS * UNIT_ROUNDOFF);
         // By Jensen's inequality the mean is at most the root mean square.
-        let rms = Bounded {
+        let rms = Interval {
             lower: upper_max(root(square.lower, -1.0), mean.lower),
             upper: root(square.upper, 1.0),
         };
@@ -76,8 +77,8 @@ impl Sums {
             let lower = sum(&|part| weight(part.spread().lower > limit, part.weight().lower)).lower();
             // Not "at most the limit", so that NaN counts as beyond.
             let upper = sum(&|part| weight(!(part.spread().upper <= limit), part.weight().upper)).upper();
-            let Bounded { lower, upper } = quotients(lower, upper, total);
-            Beyond { limit, part: Bounded { lower, upper: upper_min(1.0, upper) } }
+            let Interval { lower, upper } = quotients(lower, upper, total);
+            Beyond { limit, part: Interval { lower, upper: upper_min(1.0, upper) } }
         });
         let beyond = beyond.collect();
         let percentiles = percentiles(parts, percentiles_of, total, over);
@@ -86,8 +87,8 @@ impl Sums {
 }
 
 /// Returns bounds on the quotient by the total.
-fn quotients(lower: f64, upper: f64, total: Area) -> Bounded {
-    Bounded {
+fn quotients(lower: f64, upper: f64, total: Area) -> Interval {
+    Interval {
         lower: if total.upper > 0.0 {
             lower / total.upper * (1.0 - QUOTIENT_ROUNDINGS * UNIT_ROUNDOFF)
         } else {
@@ -132,7 +133,7 @@ fn percentiles<T: Weighted>(parts: &[T], of: &[f64], total: Area, over: Measure)
         }
         upper
     };
-    let percentile = |(&part, lower)| Percentile { part, distance: Bounded { lower, upper: upper(part) } };
+    let percentile = |(&part, lower)| Percentile { part, distance: Interval { lower, upper: upper(part) } };
     of.iter().zip(lower_bounds).map(percentile).collect()
 }
 
@@ -194,7 +195,7 @@ mod tests {
     }
 
     /// Checks that an interval is a given one but for a rounding that widens it.
-    fn is_about(Bounded { lower, upper }: Bounded, [low, high]: [f64; 2]) {
+    fn is_about(Interval { lower, upper }: Interval, [low, high]: [f64; 2]) {
         let rounding = 1e-14 * high;
         assert!(low - rounding <= lower && lower <= low, "{lower} {low}");
         assert!(high <= upper && upper <= high + rounding, "{upper} {high}");
@@ -209,7 +210,7 @@ mod tests {
         ];
         let found = |limit: f64| sums(&parts, Measure::Area, UNKNOWN, limit, &[0.125, 0.5, 0.875]);
         let Sums { total, mean, rms, percentiles, .. } = found(0.0);
-        is_about(Bounded { lower: total.lower, upper: total.upper }, [3.0, 6.0]);
+        is_about(Interval { lower: total.lower, upper: total.upper }, [3.0, 6.0]);
         // (1 · 2 + 2 · 5) / 6 and (2 · 3 + 4 · 6) / 3; of squares 76 / 6 and 228 / 3.
         is_about(mean, [2.0, 10.0]);
         is_about(rms, [(76.0_f64 / 6.0).sqrt(), 76.0_f64.sqrt()]);
@@ -261,7 +262,7 @@ mod tests {
     #[test]
     fn quotients_hold_the_exact_ones() {
         for [a, b] in (1..40).flat_map(|a| (1..40).map(move |b| [a, b].map(f64::from))) {
-            let Bounded { lower, upper } = quotients(a, a, Area { lower: b, upper: b });
+            let Interval { lower, upper } = quotients(a, a, Area { lower: b, upper: b });
             holds(lower, &(exact(a) / exact(b)), upper);
         }
         is_about(quotients(1.0, 1.0, Area { lower: 2.0, upper: 4.0 }), [0.25, 0.5]);
@@ -289,7 +290,7 @@ mod tests {
             });
             let distance = reached.unwrap().spread.lower;
             assert!((1.0..=f64::from(LOST)).contains(&distance), "{distance}");
-            let Bounded { lower, upper } = percentile.distance;
+            let Interval { lower, upper } = percentile.distance;
             assert!(lower <= distance && distance <= upper, "{distance} [{lower}, {upper}]");
         };
         check(1.0, 0.5);

@@ -1,3 +1,4 @@
+import type { Interval } from "../model/facts.js";
 import type { Transform } from "./options.js";
 import type { OnProgress } from "./progress.js";
 import type { AuditReport } from "./result.js";
@@ -30,25 +31,19 @@ export interface StatisticsOptions {
   onProgress?: OnProgress;
 }
 
-/** An interval. Guarantee: it holds the number that it stands for. */
-export interface Bounded {
-  lower: number;
-  upper: number;
-}
-
 /** Statistics of the distances from the points of A to B. Guarantee: every number is in its interval. */
 export interface CertifiedStatistics {
   /** What they are over: the points of a cloud, each once, or the area. */
   over: "count" | "area";
   /** The number of points, or the area in squares of the model unit. */
-  total: Bounded;
-  mean: Bounded;
+  total: Interval;
+  mean: Interval;
   /** The root of the mean square. */
-  rms: Bounded;
+  rms: Interval;
   /** For each percentile the least distance that this part of A is within. */
-  percentiles: { part: number; distance: Bounded }[];
+  percentiles: { part: number; distance: Interval }[];
   /** With a limit, the part of A that is farther than it, between 0 and 1. */
-  beyond?: { limit: number; part: Bounded };
+  beyond?: { limit: number; part: Interval };
   /**
    * Whether all intervals are as narrow as requested. A percentile at which distances jump stays as
    * wide as the jump.

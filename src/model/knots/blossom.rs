@@ -1,9 +1,10 @@
 //! The blossom of a polynomial of a spline.
 
+use crate::limits::MAX_FILE_DEGREE;
 use glam::DVec4;
 
-/// The largest order of a curve or surface in a file: OpenCASCADE's degrees end at 25, models' earlier.
-const MAX_ORDER: usize = 26;
+/// The largest number of control points of a span: that of curves and surfaces of files.
+const MAX_ORDER: usize = MAX_FILE_DEGREE + 1;
 
 /// Returns the blossom, or polar form, of the polynomial of the span that begins with knot `span`, with
 /// these degree + 1 active control points, at `argument(0)`, …, `argument(degree - 1)` (L. Ramshaw,

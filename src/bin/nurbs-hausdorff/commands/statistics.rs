@@ -7,7 +7,7 @@ use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
 use crate::output::report::hint;
-use nurbs_hausdorff::{Bounded, CertifiedStatistics, Engine, Measure};
+use nurbs_hausdorff::{CertifiedStatistics, Engine, Interval, Measure};
 use std::fmt::{Result, Write};
 
 /// Computes the statistics and prints them.
@@ -31,7 +31,7 @@ pub(crate) fn run(arguments: &StatisticsArguments) -> std::result::Result<(), Fa
 }
 
 fn lines(out: &mut String, result: &CertifiedStatistics) -> Result {
-    let between = |Bounded { lower, upper, .. }: Bounded| format!("between {lower:?} and {upper:?}");
+    let between = |Interval { lower, upper }: Interval| format!("between {lower:?} and {upper:?}");
     let total = match result.over {
         Measure::Count => "points",
         _ => "area",
