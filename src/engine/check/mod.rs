@@ -12,12 +12,14 @@ pub use options::CheckOptions;
 pub use pair::{BodyPair, PairState};
 pub use rules::{CheckRules, NamesOfPair, RequiredDistance, Rule, UnkeptRule};
 
+use super::bodies::unique_name;
 use super::{BodyKind, Computation, Engine, PreparedModel, Seconds};
 use crate::bvh::Aabb;
 use crate::error::{Error, Result};
 use crate::facts::{Interval, Orientation};
 use crate::model::level;
 use crate::progress::{Monitor, Progress};
+use crate::rounding::upper_max;
 use crate::threads::parallel::map;
 use serde::Serialize;
 use std::collections::HashSet;
@@ -157,8 +159,8 @@ impl Engine {
         }
         let rules = options.rules.bound(&bodies)?;
         let boxes: Vec<Aabb> = checked.iter().map(|body| body.aabb).collect();
-        let reach_of = |pair| larger(limits.reach(), rules.required(pair));
-        let mut near = sweep::pairs_within(&boxes, larger(limits.reach(), rules.largest()));
+        let reach_of = |pair| upper_max(limits.reach(), rules.required(pair));
+        let mut near = sweep::pairs_within(&boxes, upper_max(limits.reach(), rules.largest()));
         near.retain(|&[a, b]| sweep::are_within(&boxes[a], &boxes[b], reach_of([a, b])));
         let prepare = started.elapsed().as_secs_f64();
         let mut progress = Progress::new(monitor, false);
@@ -213,7 +215,7 @@ fn all_bodies(models: &[NamedModel<'_>], options: &CheckOptions) -> Result<(Vec<
             let own = if body.path.is_empty() { vec![format!("body {}", index + 1)] } else { body.path };
             let levels: Vec<String> =
                 above.into_iter().map(level).chain(own.iter().map(|name| level(name))).collect();
-            let name = unique(levels.join(" / "), &mut taken);
+            let name = unique_name(levels.join(" / "), &mut taken);
             let error = single.bezier().point_error.after(0);
             // A box of zero width may round to itself when it grows.
             let aabb = single.control_box().grown(error);
@@ -231,20 +233,4 @@ fn all_bodies(models: &[NamedModel<'_>], options: &CheckOptions) -> Result<(Vec<
         }
     }
     Ok((bodies, checked))
-}
-
-/// Returns the name, numbered if another body has it.
-fn unique(name: String, taken: &mut HashSet<String>) -> String {
-    let mut candidate = name.clone();
-    let mut number = 1;
-    while !taken.insert(candidate.clone()) {
-        number += 1;
-        candidate = format!("{name} ({number})");
-    }
-    candidate
-}
-
-/// Returns the larger of two numbers of at least 0.
-fn larger(a: f64, b: f64) -> f64 {
-    if b > a { b } else { a }
 }

@@ -1,10 +1,11 @@
 //! Rules on pairs of bodies: contacts and clashes that are meant, and what must be.
 
 use super::pattern::Pattern;
-use super::{BodyPair, CheckedBody, PairState, larger};
+use super::{BodyPair, CheckedBody, PairState};
 use crate::engine::options::at_least_zero;
 use crate::error::{Error, Result};
 use crate::facts::Interval;
+use crate::rounding::upper_max;
 use serde::{Deserialize, Serialize};
 
 /// Rules by patterns of names; names in camelCase when deserialized. In a pattern, `*` is any text within one level,
@@ -127,12 +128,12 @@ impl Bound {
     /// Returns the largest distance that two bodies must have, 0 without any.
     pub(super) fn required(&self, pair: [usize; 2]) -> f64 {
         let required = self.at_least.iter().filter(|(names, _)| is_of(names, pair)).map(|&(_, least)| least);
-        required.fold(0.0, larger)
+        required.fold(0.0, upper_max)
     }
 
     /// Returns the largest distance that any two bodies must have.
     pub(super) fn largest(&self) -> f64 {
-        self.at_least.iter().map(|&(_, least)| least).fold(0.0, larger)
+        self.at_least.iter().map(|&(_, least)| least).fold(0.0, upper_max)
     }
 
     /// Returns the rules that are not certainly kept. Every pair that is not among `judged` is farther apart than

@@ -26,6 +26,7 @@ use crate::untrim::Untrimmed;
 pub(in crate::engine) use bodies::BodyParts;
 use kept::Kept;
 pub(crate) use kept::{PreparedCells, PreparedSampling, PreparedTarget};
+pub(in crate::engine) use mirrored::mirror_image;
 pub(in crate::engine) use shells::Shells;
 use std::sync::Arc;
 

@@ -1,10 +1,12 @@
 //! The bodies of a model as models of their own.
 
 use super::{BodyParts, PreparedModel};
-use crate::bezier::{BezierModel, PatchSet};
+use crate::bezier::{BezierModel, PatchGrid, PatchSet};
 use crate::bvh::Aabb;
 use crate::error::Result;
 use crate::facets::{Facet, Facets, PreparedFacets, TriangleMesh};
+use crate::pieces::FacePieces;
+use crate::symmetry::Revolution;
 use glam::DVec3;
 
 impl PreparedModel {
@@ -43,8 +45,20 @@ impl PreparedModel {
             }
             grids.push(grid);
         }
-        let aabb = patches.iter().fold(Aabb::EMPTY, |aabb, patch| aabb.union(patch.bounding_box()));
         let face_gaps: Vec<f64> = faces.iter().map(|&face| self.face_gaps[face]).collect();
+        let pieces = self.pieces.some(surfaces, faces);
+        let revolutions = surfaces.iter().map(|&surface| self.revolutions[surface as usize]).collect();
+        self.of_patches(patches, grids, (face_gaps, pieces, revolutions))
+    }
+
+    /// Returns a model of other patches with this one's unit, gaps and errors, and what is known of its surfaces.
+    pub(super) fn of_patches(
+        &self,
+        patches: PatchSet,
+        grids: Vec<PatchGrid>,
+        (face_gaps, pieces, revolutions): (Vec<f64>, FacePieces, Vec<Option<Revolution>>),
+    ) -> Self {
+        let aabb = patches.iter().fold(Aabb::EMPTY, |aabb, patch| aabb.union(patch.bounding_box()));
         Self {
             name: None,
             unit: self.unit,
@@ -52,11 +66,11 @@ impl PreparedModel {
             gap: self.gap,
             face_gaps,
             is_gap_proven: self.is_gap_proven,
-            pieces: self.pieces.some(surfaces, faces),
+            pieces,
             trimmed_faces: None,
             facets: None,
             bezier: BezierModel { patches, grids, point_error: self.bezier.point_error },
-            revolutions: surfaces.iter().map(|&surface| self.revolutions[surface as usize]).collect(),
+            revolutions,
             bounding_box: aabb,
             control_box: aabb,
             kept: super::Kept::default(),
@@ -70,11 +84,16 @@ impl PreparedModel {
             Facet::Triangle(corners) => corners,
             Facet::Point(point) => [point; 3],
         };
-        let vertices: Vec<DVec3> = places.iter().flat_map(corners).collect();
+        self.of_corners(facets, places.iter().flat_map(corners).collect())
+    }
+
+    /// Returns the mesh of triangles that have these corners, in threes, with the unit, the gap and the errors of this
+    /// one.
+    pub(super) fn of_corners(&self, facets: &PreparedFacets, corners: Vec<DVec3>) -> Result<Self> {
+        let count = (corners.len() / 3) as u32;
         let triangles: Vec<[u32; 3]> =
-            (0..places.len() as u32).map(|index| [3 * index, 3 * index + 1, 3 * index + 2]).collect();
-        let mesh = TriangleMesh::new(&vertices, &triangles)?;
-        let mut prepared = PreparedFacets::new(&Facets::Mesh(mesh));
+            (0..count).map(|index| [3 * index, 3 * index + 1, 3 * index + 2]).collect();
+        let mut prepared = PreparedFacets::new(&Facets::Mesh(TriangleMesh::new(&corners, &triangles)?));
         prepared.error = facets.error;
         Ok(Self::with_facets(prepared, self.gap, self.unit))
     }

@@ -2,6 +2,8 @@
 
 use crate::bvh::Aabb;
 use crate::engine::PreparedModel;
+use crate::engine::bodies::unique_name;
+use crate::engine::prepared::mirror_image;
 use crate::error::Result;
 use crate::facets::Facet;
 use crate::model::level;
@@ -53,7 +55,7 @@ pub(super) fn parts_of(model: &PreparedModel) -> Result<Vec<Part>> {
             facts.centroid.map_or(mean, |centroid| DVec3::from_array(centroid.map(|one| one.middle())));
         let axes = facts.principal_moments.zip(facts.principal_axes);
         Part {
-            name: unique(name, &mut taken),
+            name: unique_name(name, &mut taken),
             given,
             faces: body.faces,
             aabb: single.control_box(),
@@ -75,7 +77,6 @@ impl Part {
     /// # Errors
     /// Those of [`PreparedModel::mirrored`].
     pub(super) fn mirrored(&self) -> Result<Self> {
-        let image = |point: DVec3| DVec3 { x: -point.x, ..point };
         let model = self.model.mirrored()?;
         Ok(Self {
             name: self.name.clone(),
@@ -84,9 +85,9 @@ impl Part {
             aabb: model.control_box(),
             volume: self.volume,
             area: self.area,
-            center: image(self.center),
-            principal: self.principal.map(|(moments, axes)| (moments, axes.map(image))),
-            vertices: self.vertices.iter().map(|&vertex| image(vertex)).collect(),
+            center: mirror_image(self.center),
+            principal: self.principal.map(|(moments, axes)| (moments, axes.map(mirror_image))),
+            vertices: self.vertices.iter().map(|&vertex| mirror_image(vertex)).collect(),
             model,
         })
     }
@@ -134,15 +135,4 @@ fn farthest(mut vertices: Vec<DVec3>, center: DVec3) -> Vec<DVec3> {
     vertices.sort_by(|a, b| b.distance_squared(center).total_cmp(&a.distance_squared(center)));
     vertices.truncate(MAX_VERTICES);
     vertices
-}
-
-/// Returns the name, numbered if another part has it.
-fn unique(name: String, taken: &mut HashSet<String>) -> String {
-    let mut candidate = name.clone();
-    let mut number = 1;
-    while !taken.insert(candidate.clone()) {
-        number += 1;
-        candidate = format!("{name} ({number})");
-    }
-    candidate
 }
