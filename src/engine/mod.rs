@@ -22,6 +22,7 @@ mod points;
 mod prepared;
 mod result;
 mod score;
+mod section;
 mod signs;
 mod solid;
 mod statistics;

@@ -2,8 +2,8 @@
 
 use crate::models::{cuboid, faces, moved, prepared};
 use nurbs_hausdorff::{
-    DQuat, DVec3, DiffOptions, Engine, InstanceArrays, Model, ModelArrays, PartDifference, PartState,
-    PreparedModel, RigidTransform, SurfaceArrays, shapes,
+    DQuat, DVec3, DiffOptions, Engine, InstanceArrays, Model, ModelArrays, Monitor, PartDifference,
+    PartState, PreparedModel, RigidTransform, SurfaceArrays, shapes,
 };
 
 /// A named part of an assembly, placed by a row-major matrix.
@@ -175,4 +175,29 @@ fn single_parts_have_one_entry() {
     assert_eq!(states, [PartState::Same, PartState::Moved]);
     let motion = of(&placed, 1.0)[0].motion.unwrap();
     assert!(DVec3::from_array(motion.translation).distance(3.0 * DVec3::X) < 1e-9, "{motion:?}");
+}
+
+/// A caller that gives up once all faces are compared.
+struct AfterFaces {
+    is_cancelled: bool,
+}
+
+impl Monitor for AfterFaces {
+    fn progress(&mut self, fraction: f64) {
+        self.is_cancelled |= fraction >= 1.0;
+    }
+
+    fn cancelled(&self) -> bool {
+        self.is_cancelled
+    }
+}
+
+#[test]
+fn the_search_for_motions_is_cancelled() {
+    let bracket = wedge(PUSH);
+    let models = [HERE, moved([5.0, 0.0, 0.0])].map(|place| assembly(&[("arm", &bracket, place)]));
+    let mut monitor = AfterFaces { is_cancelled: false };
+    let (engine, options) = (Engine::cpu(), DiffOptions::default());
+    let result = engine.diff(&models[0], &models[1], &options).monitored(&mut monitor).wait();
+    assert_eq!(result.map(|found| found.parts).unwrap_err().code(), "CANCELLED");
 }

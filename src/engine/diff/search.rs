@@ -6,6 +6,7 @@ use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::certified::{Interval, Limit};
 use crate::engine::certified::deadline;
 use crate::engine::hint::hint;
+use crate::engine::section::Section;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -55,7 +56,7 @@ impl Engine {
         })
     }
 
-    pub(in crate::engine) async fn diff_of(
+    async fn diff_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,
@@ -66,14 +67,18 @@ impl Engine {
         let hint = hint(a, b);
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
+        let started = Instant::now();
         let mut result = self.diff_of_faces(a, b, options, monitor).await?;
         result.hint = hint;
-        result.parts = self.parts([a, b], options, &result).await?;
+        // The progress is that of the faces.
+        let mut section = Section { whole: monitor, part: [1.0, 0.0] };
+        result.parts = self.parts([a, b], options, &result, started, &mut section).await?;
+        result.seconds.solve = started.elapsed().as_secs_f64() - result.seconds.prepare;
         Ok(result)
     }
 
     /// Compares the faces of models of one unit, without their parts and hints.
-    pub(super) async fn diff_of_faces(
+    pub(in crate::engine) async fn diff_of_faces(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,

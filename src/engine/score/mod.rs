@@ -10,7 +10,6 @@ mod placement;
 mod requirements;
 mod result;
 mod search;
-mod section;
 
 pub use numbers::ScoreNumber;
 pub use options::{ScoreAlignment, ScoreOptions};

@@ -1,7 +1,7 @@
 //! The candidate laid on the truth.
 
-use super::section::Section;
 use super::{ScoreAlignment, ScoreOptions};
+use crate::engine::section::Section;
 use crate::engine::{BestFit, BestFitOptions, Engine, PreparedModel};
 use crate::error::Result;
 use crate::facts::Interval;

@@ -5,8 +5,8 @@ use super::parts::{self, at_thresholds, within_least};
 use super::placement::{Placed, Placement};
 use super::requirements::{is_missed, judged, verdict};
 use super::result::{Difference, FaceCounts, HausdorffScore, Score, ScoredModel, SurfaceScore};
-use super::section::Section;
 use super::{ScoreNumber, ScoreOptions, options};
+use crate::engine::section::{Section, seconds_left};
 use crate::engine::statistics::{Asked, Sums};
 use crate::engine::{
     Backend, Beyond, CertifiedOptions, Computation, DiffOptions, DistanceOptions, DistanceResult, Engine,
@@ -27,12 +27,9 @@ const HAUSDORFF_PART: [f64; 2] = [0.8, 0.1];
 const OVERLAP_PART: [f64; 2] = [0.9, 0.05];
 const FACES_PART: [f64; 2] = [0.95, 0.05];
 
-/// The pieces of patches after which the volume in common is left as it is known, after some seconds. Boundaries that lie
-/// on each other without sharing their patches are never decided.
+/// The pieces of patches after which the volume in common is left as it is known, after some seconds. Boundaries
+/// that lie on each other without sharing their patches are never decided.
 const OVERLAP_CELLS: usize = 40_000;
-
-/// The least time that a computation gets after the budget is spent: it then bounds everything once.
-const LEAST_SECONDS: f64 = 1e-3;
 
 impl Engine {
     /// Scores a candidate against the truth: mean distances both ways, precision, recall and F1 by area, the
@@ -315,11 +312,7 @@ impl<'a> Pair<'a> {
         let options = OverlapOptions {
             tolerance: Some(self.options.part_tolerance),
             max_seconds: self.seconds_left(),
-            max_cells: Some(if self.options.max_cells < OVERLAP_CELLS {
-                self.options.max_cells
-            } else {
-                OVERLAP_CELLS
-            }),
+            max_cells: Some(self.options.max_cells.min(OVERLAP_CELLS)),
             transform: self.transform,
             ..OverlapOptions::default()
         };
@@ -340,15 +333,14 @@ impl<'a> Pair<'a> {
             ..DiffOptions::default()
         };
         let mut section = Section { whole: monitor, part: FACES_PART };
-        let diff = self.engine.diff_of(self.candidate, self.truth, &options, &mut section).await?;
+        let diff = self.engine.diff_of_faces(self.candidate, self.truth, &options, &mut section).await?;
         found.faces = Some(FaceCounts::new(&diff));
         Ok(())
     }
 
     /// Returns the seconds that are left of the budget.
     fn seconds_left(&self) -> Option<f64> {
-        let left = self.options.max_seconds? - self.started.elapsed().as_secs_f64();
-        Some(if left > LEAST_SECONDS { left } else { LEAST_SECONDS })
+        seconds_left(self.started, self.options.max_seconds)
     }
 }
 

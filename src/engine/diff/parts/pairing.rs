@@ -5,11 +5,13 @@ use super::part::{Part, parts_of};
 use super::{PartDifference, PartFaces, PartMotion, PartState};
 use crate::engine::diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::engine::options::{CertifiedOptions, Method};
+use crate::engine::section::seconds_left;
 use crate::engine::{DistanceOptions, Engine, PreparedModel};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::model::RigidTransform;
-use crate::progress::NoMonitor;
+use crate::progress::Monitor;
 use std::collections::HashSet;
+use web_time::Instant;
 
 /// The largest number of bodies of a model that are paired: a soup of triangles has one a triangle.
 const MAX_PARTS: usize = 2000;
@@ -29,6 +31,9 @@ struct Pairing<'a> {
     parts: [Vec<Part>; 2],
     open: [Vec<bool>; 2],
     options: &'a DiffOptions,
+    started: Instant,
+    /// The comparison of the only parts in place, where both models have one with all faces.
+    in_place: Option<&'a DiffResult>,
     found: Vec<(usize, PartDifference)>,
 }
 
@@ -37,6 +42,8 @@ impl Engine {
     ///
     /// None are returned of clouds and of models of more than 2,000 bodies.
     ///
+    /// The budget of seconds counts from `started`; what it leaves no time for is undecided.
+    ///
     /// # Errors
     /// Those of [`Engine::distance`] and [`Engine::diff`].
     pub(in crate::engine::diff) async fn parts(
@@ -44,6 +51,8 @@ impl Engine {
         models: [&PreparedModel; 2],
         options: &DiffOptions,
         whole: &DiffResult,
+        started: Instant,
+        monitor: &mut dyn Monitor,
     ) -> Result<Vec<PartDifference>> {
         let is_paired = |model: &PreparedModel| !model.is_cloud() && model.bodies().len() <= MAX_PARTS;
         if !models.into_iter().all(is_paired) {
@@ -51,32 +60,35 @@ impl Engine {
         }
         let parts = [parts_of(models[0])?, parts_of(models[1])?];
         let open = [vec![true; parts[0].len()], vec![true; parts[1].len()]];
-        let mut pairing = Pairing { parts, open, options, found: Vec::new() };
-        if let ([a], [b]) = (&pairing.parts[0][..], &pairing.parts[1][..])
-            && whole.state == FaceState::Unchanged
-        {
-            let state = in_place(a, b, &pairing.parts);
-            let bounds = bounds(whole);
-            pairing.add([0, 0], state, None, bounds, PartFaces::default());
-            return Ok(pairing.finished());
+        let has_all = |parts: &[Part], faces: &[FaceDifference]| matches!(parts, [only] if only.faces.len() == faces.len());
+        let are_whole = has_all(&parts[0], &whole.faces_of_a) && has_all(&parts[1], &whole.faces_of_b);
+        let in_place = are_whole.then_some(whole);
+        let mut pairing = Pairing { parts, open, options, started, in_place, found: Vec::new() };
+        match in_place.map(|whole| whole.state) {
+            Some(FaceState::Unchanged) => {
+                let state = name_state(&pairing.parts[0][0], &pairing.parts[1][0], &pairing.parts);
+                pairing.add([0, 0], state, None, bounds(whole), PartFaces::default());
+                return Ok(pairing.finished());
+            }
+            Some(FaceState::Changed) => {}
+            Some(FaceState::Undecided) | None => self.pair_in_place(&mut pairing, monitor).await?,
         }
-        self.pair_in_place(&mut pairing).await?;
-        self.pair_moved(&mut pairing, false).await?;
-        self.pair_moved(&mut pairing, true).await?;
-        self.pair_changed(&mut pairing).await?;
+        self.pair_moved(&mut pairing, false, monitor).await?;
+        self.pair_moved(&mut pairing, true, monitor).await?;
+        self.pair_changed(&mut pairing, monitor).await?;
         Ok(pairing.finished())
     }
 
     /// Pairs the parts that are where they were.
-    async fn pair_in_place(&self, pairing: &mut Pairing<'_>) -> Result<()> {
+    async fn pair_in_place(&self, pairing: &mut Pairing<'_>, monitor: &mut dyn Monitor) -> Result<()> {
         let rest = pairing.options.transform;
         for [a, b] in pairing.alike(|a, b, limit| has_place(a, b, &rest, limit)) {
             if !pairing.is_open([a, b]) {
                 continue;
             }
             let [one, other] = pairing.pair([a, b]);
-            if let Some(bounds) = self.proven([&one.model, &other.model], &rest, pairing.options).await? {
-                let state = in_place(one, other, &pairing.parts);
+            if let Some(bounds) = self.proven([&one.model, &other.model], &rest, pairing, monitor).await? {
+                let state = name_state(one, other, &pairing.parts);
                 pairing.add([a, b], state, None, bounds, PartFaces::default());
             }
         }
@@ -84,7 +96,12 @@ impl Engine {
     }
 
     /// Pairs the parts that a motion, after a mirror or not, lays on each other.
-    async fn pair_moved(&self, pairing: &mut Pairing<'_>, is_mirrored: bool) -> Result<()> {
+    async fn pair_moved(
+        &self,
+        pairing: &mut Pairing<'_>,
+        is_mirrored: bool,
+        monitor: &mut dyn Monitor,
+    ) -> Result<()> {
         let rest = pairing.options.transform;
         for [a, b] in pairing.alike(|_, _, _| true) {
             if !pairing.is_open([a, b]) {
@@ -96,7 +113,7 @@ impl Engine {
             let mut proof = None;
             for motion in candidates(from, other, &rest) {
                 if let Some(bounds) =
-                    self.proven([&from.model, &other.model], &motion, pairing.options).await?
+                    self.proven([&from.model, &other.model], &motion, pairing, monitor).await?
                 {
                     proof = Some((motion, bounds));
                     break;
@@ -112,7 +129,7 @@ impl Engine {
     }
 
     /// Pairs what is left by name, then by place, and compares it face by face.
-    async fn pair_changed(&self, pairing: &mut Pairing<'_>) -> Result<()> {
+    async fn pair_changed(&self, pairing: &mut Pairing<'_>, monitor: &mut dyn Monitor) -> Result<()> {
         let rest = pairing.options.transform;
         let by_name = pairing.ordered(|a, b| a.given.is_some() && a.given == b.given);
         let by_place = pairing.ordered(|a, b| common_part(a, b, &rest) >= COMMON_PART);
@@ -121,11 +138,18 @@ impl Engine {
                 continue;
             }
             let [one, other] = pairing.pair([a, b]);
-            let place = self.compared(one, other, rest, pairing.options).await?;
+            let compared;
+            let place = match pairing.in_place {
+                Some(whole) => whole,
+                None => {
+                    compared = self.compared([one, other], rest, pairing, monitor).await?;
+                    &compared
+                }
+            };
             let moved = match most_matching(one, other, &rest) {
                 Some(motion) if place.state == FaceState::Changed => {
-                    let moved = self.compared(one, other, motion, pairing.options).await?;
-                    let is_better = changed(&moved) < changed(&place)
+                    let moved = self.compared([one, other], motion, pairing, monitor).await?;
+                    let is_better = changed(&moved) < changed(place)
                         && 2 * changed(&moved) <= moved.faces_of_a.len() + moved.faces_of_b.len();
                     is_better.then_some((motion, moved))
                 }
@@ -148,10 +172,10 @@ impl Engine {
                 None => {
                     let state = match place.state {
                         FaceState::Changed => PartState::Changed,
-                        FaceState::Unchanged => in_place(one, other, &pairing.parts),
+                        FaceState::Unchanged => name_state(one, other, &pairing.parts),
                         FaceState::Undecided => PartState::Undecided,
                     };
-                    (state, None, bounds(&place), faces(&place))
+                    (state, None, bounds(place), faces(place))
                 }
             };
             pairing.add([a, b], state, motion, bounds, faces);
@@ -164,38 +188,48 @@ impl Engine {
         &self,
         [a, b]: [&PreparedModel; 2],
         motion: &RigidTransform,
-        options: &DiffOptions,
+        pairing: &Pairing<'_>,
+        monitor: &mut dyn Monitor,
     ) -> Result<Option<[f64; 2]>> {
+        let limit = pairing.options.limit;
         let certified = CertifiedOptions {
-            max_cells: Some(options.max_cells.min(PROOF_CELLS)),
-            max_seconds: options.max_seconds,
+            max_cells: Some(pairing.options.max_cells.min(PROOF_CELLS)),
+            max_seconds: pairing.seconds_left(),
             ..CertifiedOptions::default()
         };
         let options = DistanceOptions {
-            limit: Some(options.limit),
+            limit: Some(limit),
             symmetric: true,
             transform: *motion,
             method: Method::Certified(certified),
             ..DistanceOptions::default()
         };
-        let found = self.distance(a, b, &options).await?;
-        let limit = options.limit.unwrap_or(0.0);
+        let found = self.distance_of(a, b, &options, monitor).await?;
+        // A search that is cancelled returns what it has.
+        if monitor.cancelled() {
+            return Err(Error::Cancelled);
+        }
         Ok((found.upper <= limit).then_some([found.lower, found.upper]))
     }
 
     async fn compared(
         &self,
-        a: &Part,
-        b: &Part,
+        [a, b]: [&Part; 2],
         transform: RigidTransform,
-        options: &DiffOptions,
+        pairing: &Pairing<'_>,
+        monitor: &mut dyn Monitor,
     ) -> Result<DiffResult> {
-        let options = DiffOptions { transform, ..options.clone() };
-        self.diff_of_faces(&a.model, &b.model, &options, &mut NoMonitor).await
+        let max_seconds = pairing.seconds_left();
+        let options = DiffOptions { transform, max_seconds, ..pairing.options.clone() };
+        self.diff_of_faces(&a.model, &b.model, &options, monitor).await
     }
 }
 
 impl Pairing<'_> {
+    fn seconds_left(&self) -> Option<f64> {
+        seconds_left(self.started, self.options.max_seconds)
+    }
+
     fn is_open(&self, [a, b]: [usize; 2]) -> bool {
         self.open[0][a] && self.open[1][b]
     }
@@ -266,7 +300,7 @@ impl Pairing<'_> {
 }
 
 /// Returns the word for a part that is in its place: another name is one that the other model has not.
-fn in_place(a: &Part, b: &Part, parts: &[Vec<Part>; 2]) -> PartState {
+fn name_state(a: &Part, b: &Part, parts: &[Vec<Part>; 2]) -> PartState {
     let names = |index: usize| parts[index].iter().map(|part| &part.given).collect::<HashSet<_>>();
     let is_new = !names(1).contains(&a.given) || !names(0).contains(&b.given);
     let is_renamed = a.given.is_some() && b.given.is_some() && a.given != b.given && is_new;
