@@ -55,8 +55,8 @@ def score(
     at_least, at_most : mapping of str to float, optional
         Numbers that have to be large or small enough, such as ``{"f1": 0.99}``: ``valid``,
         ``volume_ratio``, ``area_ratio``, ``centroid_distance``, ``extent_difference``,
-        ``precision``, ``recall``, ``f1``, ``chamfer``, ``chamfer_squared``, ``hausdorff``, ``iou``. Work ends
-        where one is certainly missed.
+        ``precision``, ``recall``, ``f1``, ``chamfer``, ``chamfer_squared``, ``hausdorff``,
+        ``iou``. Work ends where one is certainly missed.
     max_cells, max_seconds : optional
         Budgets, after which the intervals reached are returned.
     scale_units : bool

@@ -61,7 +61,7 @@ class PartMotion:
     angle : float
         Angle in degrees, 0 to 180.
     shift : tuple of float
-        The way of the middle of the part's box.
+        The displacement of the centre of the part's box.
     """
 
     translation: tuple[float, float, float]

@@ -95,7 +95,8 @@ pub(super) fn judged(models: [&PreparedModel; 2], limits: &Limits, reach: f64) -
     })
 }
 
-/// Returns the state of bodies that no plane parts, why there is none, and a point inside both.
+/// Returns the state of two bodies that no tried plane separates; if it is undecided, the reason; if they clash, a
+/// point inside both.
 fn by_overlap(
     models: [&PreparedModel; 2],
     found: &Found,

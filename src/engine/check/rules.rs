@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 pub struct CheckRules {
     /// Pairs whose clashes are meant, such as those of a thread or a press fit; they are listed and not judged.
     pub intended: Vec<NamesOfPair>,
-    /// Bodies of which each of `a` must touch or clash with one of `b`.
+    /// Each body whose name matches `a` must touch or clash with a body whose name matches `b`.
     pub must_touch: Vec<NamesOfPair>,
     /// Pairs that must be apart by a distance.
     pub at_least: Vec<RequiredDistance>,
@@ -136,8 +136,8 @@ impl Bound {
         self.at_least.iter().map(|&(_, least)| least).fold(0.0, upper_max)
     }
 
-    /// Returns the rules that are not certainly kept. Every pair that is not among `judged` is farther apart than
-    /// the tolerance and at least the distance required.
+    /// Returns the rules that are not certainly kept. The bodies of a pair that is not in `judged` are farther apart
+    /// than the tolerance, and at least as far apart as the rules require.
     pub(super) fn unkept(
         &self,
         bodies: &[CheckedBody],

@@ -56,7 +56,7 @@ pub struct GapsResult {
     pub hint: Option<String>,
     /// The sum of both models' gaps, as in [`crate::DistanceResult::gap`].
     pub gap: f64,
-    /// Whether that is an upper bound, as far as both models' readers know.
+    /// Whether `gap` is an upper bound by what both readers have proven.
     pub gap_proven: bool,
     /// Where the time went.
     pub seconds: Seconds,

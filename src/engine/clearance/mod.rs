@@ -66,7 +66,7 @@ pub struct ClearanceResult {
     pub hint: Option<String>,
     /// The sum of both models' gaps, as in [`super::DistanceResult::gap`].
     pub gap: f64,
-    /// Whether that is an upper bound, as far as both models' readers know.
+    /// Whether `gap` is an upper bound by what both readers have proven.
     pub gap_proven: bool,
     /// What holds for the sources, which differ from the models by up to their gaps.
     pub with_gaps: ClearanceWithGaps,

@@ -135,7 +135,7 @@ pub struct DiffResult {
     pub hint: Option<String>,
     /// The sum of both models' gaps, as in [`super::DistanceResult::gap`].
     pub gap: f64,
-    /// Whether the gaps are upper bounds, as far as both models' readers know.
+    /// Whether the gaps are upper bounds by what both readers have proven.
     pub gap_proven: bool,
     /// The state of both models' sources together.
     pub with_gaps: FaceState,

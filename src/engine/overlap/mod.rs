@@ -55,7 +55,7 @@ pub struct OverlapResult {
     pub hint: Option<String>,
     /// The sum of both models' gaps, as in [`super::DistanceResult::gap`].
     pub gap: f64,
-    /// Whether that is an upper bound, as far as both models' readers know.
+    /// Whether `gap` is an upper bound by what both readers have proven.
     pub gap_proven: bool,
     /// The number of pieces of patches that were compared with the other boundary.
     pub cells: usize,

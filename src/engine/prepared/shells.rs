@@ -82,8 +82,8 @@ impl Shells<'_> {
         }
     }
 
-    /// Returns whether two shells, with their strips, have no point in common; `None` where that is not known. They meet
-    /// if they have points as near to each other as the rounding tells.
+    /// Returns whether two shells, with their strips, have no point in common; `None` where that is not known.
+    /// Points count as common if their distance is within the rounding error.
     pub(in crate::engine) fn is_apart(&self, pair: [u32; 2]) -> Option<bool> {
         self.are_apart(&pair.map(|shell| self.target(shell)))
     }

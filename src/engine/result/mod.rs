@@ -63,7 +63,7 @@ pub struct DistanceResult {
     /// what they state and by ends of trimming curves that were moved together. It is not
     /// part of the interval, which is that of the models as they are.
     pub gap: f64,
-    /// Whether the gap is an upper bound, as far as both models' readers know.
+    /// Whether the gap is an upper bound by what both readers have proven.
     pub gap_proven: bool,
     /// The interval, and the verdict, that hold for the sources of the models.
     pub with_gaps: WithGaps,

@@ -43,8 +43,8 @@ fn decided(is_met: bool, is_missed: bool) -> Option<bool> {
     if is_missed { Some(false) } else { is_met.then_some(true) }
 }
 
-/// Returns whether all are met: `Some(false)` as soon as one is certainly missed; `None` where that is not
-/// decided, and where there is none.
+/// Returns whether all requirements are met: `Some(false)` as soon as one is certainly missed, `None` if one is
+/// undecided or if there are none.
 pub(super) fn verdict(requirements: &[Requirement]) -> Option<bool> {
     if requirements.iter().any(|one| one.met == Some(false)) {
         return Some(false);

@@ -62,8 +62,8 @@ pub struct Score {
     pub faces: Option<FaceCounts>,
     /// The requirements of the options with what was found.
     pub requirements: Vec<Requirement>,
-    /// Whether all requirements are met; `Some(false)` as soon as one is certainly missed, `None` where that is
-    /// not decided or there is none.
+    /// Whether all requirements are met: `Some(false)` as soon as one is certainly missed, `None` if one is
+    /// undecided or if there are none.
     pub met: Option<bool>,
     /// Whether a missed requirement ended the work before all numbers were there.
     pub ended_early: bool,

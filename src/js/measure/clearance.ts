@@ -93,7 +93,7 @@ export interface ClearanceResult {
   hint?: string;
   /** The sum of both models' gaps, as in a distance. */
   gap: number;
-  /** Whether the gap is an upper bound, as far as both models' readers know. */
+  /** Whether the gap is an upper bound by what both readers have proven. */
   gapProven: boolean;
   /** What holds for the sources, which differ from the models by up to their gaps. */
   withGaps: { lower: number; upper: number; atLeast?: boolean };

@@ -67,8 +67,8 @@ export interface PartDifference {
   nameOfB: string | null;
   state: PartState;
   /**
-   * A turn by `angle` degrees about `axis` through the origin, then a move by `translation`; `shift` is the way
-   * of the middle of the part's box. Of mirrored parts it follows the change of the sign of every x.
+   * A turn by `angle` degrees about `axis` through the origin, then a move by `translation`; `shift` is
+   * the displacement of the centre of the part's box. Of mirrored parts it follows the change of the sign of every x.
    */
   motion: {
     translation: [number, number, number];
@@ -99,7 +99,7 @@ export interface DiffResult {
   hint?: string;
   /** The sum of both models' gaps, as in a distance. */
   gap: number;
-  /** Whether the gaps are upper bounds, as far as both models' readers know. */
+  /** Whether the gaps are upper bounds by what both readers have proven. */
   gapProven: boolean;
   /** The state of both models' sources together. */
   withGaps: FaceState;

@@ -59,7 +59,7 @@ export interface OverlapResult {
   hint?: string;
   /** The sum of both models' gaps, as in a distance. */
   gap: number;
-  /** Whether the gap is an upper bound, as far as both models' readers know. */
+  /** Whether the gap is an upper bound by what both readers have proven. */
   gapProven: boolean;
   /** Number of pieces of faces that were compared with the other boundary. */
   cells: number;

@@ -103,7 +103,7 @@ interface Common {
    * stands beside the interval and is not part of it.
    */
   gap: number;
-  /** Whether the gap is an upper bound, as far as both models' readers know. */
+  /** Whether the gap is an upper bound by what both readers have proven. */
   gapProven: boolean;
   /** The interval, and the verdict, that hold for the sources of the models. */
   withGaps: WithGaps;

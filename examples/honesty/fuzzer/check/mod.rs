@@ -25,7 +25,7 @@ use std::time::Instant;
 const SAMPLES_OF_ITERATION: usize = 12;
 const GRID_OF_HIERARCHY: usize = 16;
 
-/// The number of pairs of which the statistics of one are checked.
+/// One pair in so many has its statistics checked.
 const STATISTICS_OF: u64 = 16;
 
 /// The refusal of a pair for which no valid model was drawn.

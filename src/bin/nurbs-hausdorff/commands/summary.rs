@@ -223,7 +223,7 @@ impl Summary {
 
 /// Returns 1 for a pair without a score or with a candidate that is not valid, else 0.
 fn invalid(answer: &Answer) -> Interval {
-    // Ends are 0 or 1, of which differences are exact.
+    // Each end is 0 or 1, so that its difference from 1 is exact.
     let not = |valid: Interval| Interval { lower: 1.0 - valid.upper, upper: 1.0 - valid.lower };
     answer.number(ScoreNumber::Valid).map_or(Interval::exactly(1.0), not)
 }

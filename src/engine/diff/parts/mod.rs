@@ -27,9 +27,9 @@ pub enum PartState {
     /// Faces certainly differ by more than the limit after its motion, which lays at least half of them on B to
     /// the limit.
     MovedAndChanged,
-    /// It is in B alone, as far as parts were paired.
+    /// No part of A was paired with it.
     Added,
-    /// It is in A alone, as far as parts were paired.
+    /// No part of B was paired with it.
     Removed,
     /// Whether it changed by more than the limit is not decided.
     Undecided,
@@ -46,7 +46,7 @@ pub struct PartMotion {
     pub axis: [f64; 3],
     /// The angle in degrees, 0 to 180.
     pub angle: f64,
-    /// The way of the middle of the part's box.
+    /// The displacement of the centre of the part's box.
     pub shift: [f64; 3],
 }
 

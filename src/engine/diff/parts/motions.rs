@@ -9,7 +9,7 @@ use glam::{DMat3, DQuat, DVec3};
 /// The largest number of motions that are tried for two parts.
 const MAX_TRIED: usize = 12;
 
-/// The part by which principal moments differ where their axes are told apart.
+/// The relative difference of two principal moments above which their axes are taken for distinct.
 const DISTINCT: f64 = 1e-3;
 
 /// The angle, in radians, up to which two rotations count as one.
@@ -66,7 +66,8 @@ pub(super) fn most_matching(a: &Part, b: &Part, rest: &RigidTransform) -> Option
     best.map(|(_, motion)| motion)
 }
 
-/// Rotations that lay principal axes on each other: four where all are told apart, two about the one that is.
+/// Returns rotations that map the principal axes of A to those of B: four if all three moments are distinct, two if
+/// only one of them differs from the others, none if all are equal.
 fn by_axes(a: &Part, b: &Part, rest: DQuat) -> Vec<DQuat> {
     let (Some((moments, of_a)), Some((_, of_b))) = (&a.principal, &b.principal) else { return Vec::new() };
     let differ = |i: usize, j: usize| (moments[i] - moments[j]).abs() > DISTINCT * (moments[i] + moments[j]);
