@@ -10,6 +10,10 @@ use nurbs_hausdorff::{Interval, Model, Orientation};
 const GRID: usize = 24;
 const STEPS: usize = 60;
 
+/// The best points of the grid that steps are taken from: a seam has each of its points twice, and a pole along a
+/// whole side, of which only some lead on to the farthest point.
+const STARTS: usize = 2 * (GRID + 1);
+
 /// What the search for the farthest point may miss, relative to the size.
 const MISSED: f64 = 1e-6;
 
@@ -130,13 +134,19 @@ fn extents(model: &Model, min: [Interval; 3], max: [Interval; 3]) -> Vec<String>
     found
 }
 
-/// The largest coordinate found on a surface, by a grid and steps from its best point that shrink.
+/// The largest coordinate found on a surface, by a grid and steps from its best points that shrink.
 fn farthest(sheet: &Sheet, axis: usize, sign: f64) -> f64 {
     let height = |at: DVec2| sign * sheet.point(sheet.clamp(at))[axis];
     let at = |k: usize| k as f64 / GRID as f64;
     let places = (0..(GRID + 1) * (GRID + 1)).map(|k| sheet.at([at(k / (GRID + 1)), at(k % (GRID + 1))]));
-    let first = places.map(|place| (height(place), place)).max_by(|one, other| one.0.total_cmp(&other.0));
-    let Some((mut best, mut place)) = first else { return f64::NEG_INFINITY };
+    let mut starts: Vec<(f64, DVec2)> = places.map(|place| (height(place), place)).collect();
+    starts.sort_by(|one, other| other.0.total_cmp(&one.0));
+    let climbed = starts.into_iter().take(STARTS).map(|start| climbed(sheet, &height, start));
+    climbed.fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The height reached from a point by steps that rise, halved where none does.
+fn climbed(sheet: &Sheet, height: &dyn Fn(DVec2) -> f64, (mut best, mut place): (f64, DVec2)) -> f64 {
     let mut step = sheet.extent() / GRID as f64;
     for _ in 0..STEPS {
         let around = [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y, DVec2::ONE, -DVec2::ONE];

@@ -1,9 +1,11 @@
-//! The check of solids: facts, sides, signed distances on grids and statistics, each by a second way.
+//! The check of solids: facts, sides, signed distances on grids, statistics and volumes in common, each by a
+//! second way.
 
 mod draw;
 mod facts;
 mod grids;
 mod moments;
+mod overlap;
 mod sides;
 mod statistics;
 
@@ -15,8 +17,8 @@ use std::time::Instant;
 pub(crate) use draw::Shapes;
 pub(crate) use statistics::violations as violations_of_statistics;
 
-/// The seeds between two whose statistics are checked too: these take longer than the rest.
-const STATISTICS_EVERY: u64 = 2;
+/// The seeds between two whose statistics and volumes in common are checked too: these take longer than the rest.
+const PAIR_EVERY: u64 = 2;
 
 /// Checks the solid of a seed: a shape of the catalogue under an affine or a projective map.
 pub(crate) fn check_solid(seed: u64, shapes: &Shapes) -> Outcome {
@@ -31,12 +33,13 @@ pub(crate) fn check_solid(seed: u64, shapes: &Shapes) -> Outcome {
     violations.extend(grid);
     violations.extend(sides::violations(rng, &prepared, &model));
     let mut outcome = Outcome::default();
-    if seed.is_multiple_of(STATISTICS_EVERY)
+    if seed.is_multiple_of(PAIR_EVERY)
         && let Some((_, other)) = shapes.draw(rng)
     {
         let (found, audited) = statistics::violations(rng, [&model, &other]);
         violations.extend(found);
         outcome.audited = audited;
+        violations.extend(overlap::violations(rng, [&model, &other]));
     }
     Outcome {
         converged: true,
