@@ -78,7 +78,14 @@ export type {
 } from "./measure/statistics.js";
 export type { Area, ModelArea } from "./model/area.js";
 export { facePath } from "./model/face-path.js";
-export type { Body, Facts, Interval, Orientation, VolumeUnknown } from "./model/facts.js";
+export type {
+  Body,
+  Facts,
+  Interval,
+  Intervals3,
+  Orientation,
+  VolumeUnknown,
+} from "./model/facts.js";
 export type { MeshArrays, MeshGroup } from "./model/mesh.js";
 export type { UpdateOptions } from "./model/model.js";
 export type { FreeEdge, Solid } from "./model/solid.js";
