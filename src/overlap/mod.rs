@@ -1,16 +1,25 @@
 //! The volume that two solids have in common, as an interval, without a boolean operation.
 //!
 //! It is an integral over the parts of each boundary that lie within the other solid ([`Search`]): pieces of patches
-//! ([`piece`]) that have no point of the other boundary near them are on one side of it, those that may have are
-//! halved, and what remains undecided is bounded by its area. Patches that both boundaries have ([`shared`]),
-//! and plane pieces that lie on the other boundary ([`flush`]), count half for each. Lemmas and proofs are in docs/facts.md. Nothing here knows of files, options or results.
+//! ([`piece`]) that have no point of the other boundary near them are on one side of it; of those that it crosses near a
+//! plane ([`crossing`]) the parts above and below that plane are; all that are not decided are halved until what may be
+//! wrong is little. Patches that both boundaries have ([`shared`]) count half for each, and planes on each other are
+//! first moved apart by a little ([`shift`]). Lemmas and proofs are in docs/facts.md. Nothing here knows of files,
+//! options or results.
 
-mod flush;
+mod crossing;
+mod density;
+mod half_square;
+mod look;
+mod pair;
 mod piece;
 mod search;
 mod separation;
 mod shared;
+mod shift;
 mod solid;
+mod undecided;
 
+pub(crate) use pair::Pair;
 pub(crate) use search::Search;
 pub(crate) use solid::{BoundarySide, Known, PlacedSolid, Sides};

@@ -1,5 +1,6 @@
 //! Pieces of patches, halved when they are first needed and kept for both solids.
 
+use super::density::Slopes;
 use super::solid::{BoundarySide, MAX_DEPTH};
 use crate::area::density::Density;
 use crate::axis::Axis;
@@ -10,7 +11,6 @@ use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
 use crate::rounding::{gamma, upper_max};
 use crate::solid::longer_axis;
-use crate::threads::parallel::map;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::sync::OnceLock;
 
@@ -29,6 +29,8 @@ pub(super) struct Whole {
     rational: bool,
     center: DVec3,
     pub(super) side: BoundarySide,
+    /// The distance from the patch within which the other solid's patch lies that takes its place; 0 where none does.
+    pub(super) reach: f64,
     pub(super) root: Piece,
 }
 
@@ -45,6 +47,26 @@ pub(super) struct Piece {
     pub(super) radius: f64,
     pub(super) depth: u32,
     halves: OnceLock<Box<[Piece; 2]>>,
+}
+
+/// Upper bounds on the area of a piece and on the distance of its points from the origin.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Weight {
+    area: f64,
+    pub(super) radius: f64,
+}
+
+impl Weight {
+    /// Returns an upper bound on the integral of |(x − origin)·n| / 3.
+    pub(super) fn bound(&self) -> f64 {
+        self.area * self.radius / 3.0 * (1.0 + gamma(BOUND_ROUNDINGS))
+    }
+
+    /// Returns an upper bound on what moving a part of the piece by at most `moved` changes of the integral of
+    /// (x − origin)·n / 3, for a part whose border has at most this length: lemma V3 of docs/facts.md.
+    pub(super) fn displacement(&self, moved: f64, border: f64) -> f64 {
+        moved * (self.area + self.radius * border / 3.0) * (1.0 + gamma(BOUND_ROUNDINGS))
+    }
 }
 
 /// The patches of a solid in the common frame.
@@ -72,9 +94,21 @@ impl Patches {
             let controls: Vec<DVec4> = patch.controls.iter().map(rotated).collect();
             let Patch { surface, degree, rational, .. } = patch;
             let root = Piece::new(center, controls, 0);
-            Whole { surface, degree, rational, center, side: side(surface), root }
+            Whole { surface, degree, rational, center, side: side(surface), reach: 0.0, root }
         };
-        let wholes: Vec<Whole> = patches.iter().map(whole).collect();
+        Self::of(patches.iter().map(whole).collect())
+    }
+
+    /// Moves all patches by a vector.
+    pub(super) fn moved_by(self, vector: DVec3) -> Self {
+        let moved = |whole: Whole| {
+            let center = whole.center + vector;
+            Whole { center, root: Piece::new(center, whole.root.controls, 0), ..whole }
+        };
+        Self::of(self.wholes.into_iter().map(moved).collect())
+    }
+
+    fn of(wholes: Vec<Whole>) -> Self {
         let boxes: Vec<Aabb> = wholes.iter().map(|whole| whole.root.aabb).collect();
         let tree = Bvh::new(&boxes);
         let grid = center_grid(boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union).diagonal());
@@ -109,9 +143,8 @@ impl Patches {
         of_patch(&whole.patch(center, &controls), origin, moved)
     }
 
-    /// Returns an upper bound on the integral of |(x − origin)·n| / 3 over a piece, whose control points are off by at
-    /// most `moved`.
-    pub(super) fn bound(&self, whole: &Whole, piece: &Piece, origin: DVec3, moved: f64) -> f64 {
+    /// Returns bounds on the cone from `origin` over a piece, whose control points are off by at most `moved`.
+    pub(super) fn weight(&self, whole: &Whole, piece: &Piece, origin: DVec3, moved: f64) -> Weight {
         let (center, controls) = self.centered(whole, piece);
         let patch = whole.patch(center, &controls);
         let density = Density::new(&patch);
@@ -123,7 +156,12 @@ impl Patches {
         let reach = DERIVATIVE_ERRORS * degrees * moved;
         let area = density.upper_bound(density.largest) + reach * (4.0 * degrees * piece.radius + reach);
         let radius = piece.points.iter().map(|point| point.distance(origin)).fold(0.0, upper_max);
-        area * (radius + moved) / 3.0 * (1.0 + gamma(BOUND_ROUNDINGS))
+        Weight { area, radius: radius + moved }
+    }
+
+    /// Returns bounds on the derivatives of a piece.
+    pub(super) fn slopes(&self, whole: &Whole, piece: &Piece) -> Slopes {
+        Slopes::new(whole.degree, &self.centered(whole, piece).1)
     }
 
     /// Returns the controls of a piece about a centre in it.
@@ -166,12 +204,4 @@ impl Piece {
         let radius = points.iter().map(|point| point.distance(middle)).fold(0.0, upper_max);
         Self { controls, points, aabb, middle, radius, depth, halves: OnceLock::new() }
     }
-}
-
-/// Makes the bounds of many pieces.
-pub(super) fn bounds(patches: &Patches, origin: DVec3, moved: f64) -> Vec<f64> {
-    map(patches.wholes.len(), |index| {
-        let whole = &patches.wholes[index];
-        patches.bound(whole, &whole.root, origin, moved)
-    })
 }

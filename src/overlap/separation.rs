@@ -16,10 +16,6 @@ pub(super) fn may_meet(a: (&Whole, &Piece), b: (&Whole, &Piece), margin: f64) ->
     if second.aabb.min_distance_squared(first.middle) > reach * reach {
         return false;
     }
-    // Normals of pieces of very different sizes separate nothing that smaller ones would not.
-    if second.radius > first.radius {
-        return true;
-    }
     ![normal(a), normal(b)].into_iter().any(|normal| is_between(normal, first, second, margin))
 }
 

@@ -53,6 +53,8 @@ pub(crate) struct PlacedSolid {
     pub(crate) volume: Interval,
     /// An upper bound on the area of the strips and cones that close its shells.
     pub(super) cracks: f64,
+    /// An upper bound on the area of its boundary with them.
+    pub(super) area: f64,
     /// Upper bounds on the distance of a computed point from the exact one, with that of trimmed faces.
     point_error: PointError,
     /// The distance of trimmed faces from their patches, which volumes are without.
@@ -67,6 +69,7 @@ pub(crate) struct PlacedSolid {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Known {
     pub(crate) volume: Interval,
+    pub(crate) area: Interval,
     pub(crate) cracks: f64,
     pub(crate) point_error: PointError,
     pub(crate) deviation: f64,
@@ -85,8 +88,16 @@ impl PlacedSolid {
         let motion = transform.map_or(0.0, |transform| transform.rounding(CENTER_PART * own));
         let patches = Patches::new(patches, transform, side);
         let aabb = patches.bounding_box();
-        let Known { volume, cracks, point_error, deviation, clearance } = known;
-        Self { patches, aabb, volume, cracks, point_error, deviation, motion, clearance }
+        let Known { volume, area, cracks, point_error, deviation, clearance } = known;
+        let area = (area.upper + cracks).next_up();
+        Self { patches, aabb, volume, area, cracks, point_error, deviation, motion, clearance }
+    }
+
+    /// Moves the solid by a vector; its points are off by at most `rounding` then.
+    pub(super) fn moved_by(self, vector: DVec3, rounding: f64) -> Self {
+        let patches = self.patches.moved_by(vector);
+        let aabb = patches.bounding_box();
+        Self { patches, aabb, motion: self.motion + rounding, ..self }
     }
 
     /// Returns an upper bound on the distance of points of a piece, after this many halvings, from those of the faces.

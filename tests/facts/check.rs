@@ -38,7 +38,12 @@ fn boxes_that_overlap_clash_at_a_point_inside_both() {
     let pair = &result.pairs[0];
     let common = [(0.75, 1.0), (0.5, 1.0), (0.25, 1.0)];
     assert!(pair.point.iter().zip(common).all(|(&x, (low, high))| low < x && x < high), "{:?}", pair.point);
-    assert_eq!((pair.clearance.lower, pair.clearance.upper, pair.volume), (0.0, 0.0, None));
+    assert_eq!((pair.clearance.lower, pair.clearance.upper), (0.0, 0.0));
+    let volume = pair.volume.unwrap();
+    assert!(volume.contains(0.25 * 0.5 * 0.75) && volume.width() < 1e-3, "{volume:?}");
+    // The shortest way out is along x, and a ball of diameter 0.25 is inside both.
+    let depth = pair.depth.unwrap();
+    assert!(depth.contains(0.25) && depth.width() < 0.05, "{depth:?}");
     assert_eq!((pair.a.as_str(), pair.b.as_str(), result.pair_count), ("body 1", "body 2", 1));
 }
 
@@ -82,6 +87,12 @@ fn a_ball_in_a_void_is_apart_and_one_in_material_clashes() {
     assert_eq!(states(&result), [PairState::Clash]);
     let DVec3 { x, y, z } = DVec3::from_array(result.pairs[0].point);
     assert!(x.hypot(y).hypot(z) <= 1.0 + 1e-9);
+    // The whole ball, which has to move by 4 to be out.
+    let volume = result.pairs[0].volume.unwrap();
+    let ball = 4.0 / 3.0 * std::f64::consts::PI;
+    assert!(volume.contains(ball) && volume.width() < 1e-6, "{volume:?}");
+    let depth = result.pairs[0].depth.unwrap();
+    assert!(depth.lower > 1.9 && depth.lower <= 2.0 && depth.contains(4.0), "{depth:?}");
     assert_eq!(result.pairs[0].b, "ball // 1 / body 1");
 }
 

@@ -3,7 +3,8 @@
 use crate::models::{box_of_faces, cuboid, mesh, moved, placed, placed_all, prepared, stretched};
 use nurbs_hausdorff::shapes::{self, shape};
 use nurbs_hausdorff::{
-    DQuat, DVec3, Engine, Model, OverlapOptions, OverlapResult, PreparedModel, RigidTransform, VolumesUnknown,
+    DQuat, DVec3, Engine, Model, OverlapOptions, OverlapResult, PreparedModel, RigidTransform, SurfaceArrays,
+    VolumesUnknown,
 };
 use std::f64::consts::PI;
 
@@ -228,18 +229,85 @@ fn faces_that_are_flush_are_decided() {
     let unit = solid([0.0; 3], [1.0; 3]);
     // Beside each other, on a part of a face.
     let beside = solid([1.0, 0.25, 0.125], [2.0, 0.75, 1.5]);
-    assert_holds(&overlap(&unit, &beside, 5e-3), [1.0, 0.5 * 1.375, 0.0], 5e-3);
+    assert_holds(&overlap(&unit, &beside, 1e-6), [1.0, 0.5 * 1.375, 0.0], 1e-6);
     // Within each other, on parts of three faces.
     let within = solid([0.0; 3], [0.5, 0.75, 0.25]);
-    assert_holds(&overlap(&unit, &within, 2e-2), [1.0, 0.09375, 0.09375], 2e-2);
+    assert_holds(&overlap(&unit, &within, 1e-6), [1.0, 0.09375, 0.09375], 1e-6);
     // Crossing, with two planes in common.
     let across = solid([0.25, -0.5, 0.0], [0.75, 0.5, 1.0]);
-    assert_holds(&overlap(&unit, &across, 2e-2), [1.0, 0.5, 0.25], 2e-2);
+    assert_holds(&overlap(&unit, &across, 1e-6), [1.0, 0.5, 0.25], 1e-6);
     // A body and its triangles.
     let (vertices, triangles) = cuboid(DVec3::ZERO, DVec3::ONE);
-    let found = overlap(&unit, &mesh(&vertices, &triangles), 5e-2);
-    assert_holds(&found, [1.0; 3], 5e-2);
-    assert!(found.ratio.unwrap().lower > 0.9 && found.ratio.unwrap().upper == 1.0);
+    let found = overlap(&unit, &mesh(&vertices, &triangles), 1e-6);
+    assert_holds(&found, [1.0; 3], 1e-6);
+    assert!(found.ratio.unwrap().lower > 1.0 - 1e-5 && found.ratio.unwrap().upper == 1.0);
+}
+
+/// The plate from (−1, −1, 0) to (1, 1, 1) with a bore about an axis along z, in ruled faces.
+fn bored_plate(center: [f64; 2], radius: f64) -> Model {
+    let weight = 0.5_f64.sqrt();
+    let row = |points: [[f64; 2]; 3], height: f64| {
+        let weights = [1.0, weight, 1.0];
+        points.into_iter().zip(weights).map(|([x, y], w)| [x, y, height, w]).collect::<Vec<_>>()
+    };
+    let ruled = |from: Vec<[f64; 4]>, to: Vec<[f64; 4]>| SurfaceArrays {
+        degree: [1, 2],
+        knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0]],
+        counts: [2, 3],
+        control_points: from.into_iter().chain(to).collect(),
+    };
+    let corners = [[1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]];
+    let faces = corners.windows(2).flat_map(|ends| {
+        let middle = [0, 1].map(|axis| 0.5 * (ends[0][axis] + ends[1][axis]));
+        let side = [ends[0], middle, ends[1]];
+        let on_circle = |direction: [f64; 2], reach: f64| {
+            [0, 1].map(|axis| center[axis] + radius * reach * direction[axis])
+        };
+        // The tangents at 45 degrees to either side meet √2 away.
+        let arc = [on_circle(ends[0], weight), on_circle(middle, 1.0 / weight), on_circle(ends[1], weight)];
+        [
+            ruled(row(arc, 1.0), row(side, 1.0)),
+            ruled(row(side, 1.0), row(side, 0.0)),
+            ruled(row(side, 0.0), row(arc, 0.0)),
+            ruled(row(arc, 0.0), row(arc, 1.0)),
+        ]
+    });
+    Model::from_arrays(None, faces.collect()).unwrap()
+}
+
+/// A plate with a bore, whose two revisions have the bore at different places and of different sizes.
+#[test]
+fn plates_that_lie_on_each_other_differ_by_their_bores() {
+    let plate = |center: [f64; 2], radius: f64| prepared(&bored_plate(center, radius));
+    let volume = |radius: f64| 4.0 - PI * radius * radius;
+    let one = plate([0.0; 2], 0.25);
+    // Within the other's bore, and beside it.
+    let smaller = plate([0.0; 2], 0.125);
+    let common = volume(0.25);
+    assert_holds(&overlap(&one, &smaller, 1e-4), [volume(0.25), volume(0.125), common], 1e-4);
+    let beside = plate([0.5, 0.25], 0.125);
+    let common = volume(0.25) - PI * 0.125 * 0.125;
+    assert_holds(&overlap(&one, &beside, 1e-4), [volume(0.25), volume(0.125), common], 1e-4);
+    // Bores that cross.
+    let across = plate([0.25, 0.0], 0.25);
+    // Circles of radius r that are r apart have the area r² (2π/3 − √3/2) in common.
+    let of_both = 0.0625 * (2.0 * PI / 3.0 - 0.5 * 3.0_f64.sqrt());
+    let common = 4.0 - (2.0 * PI * 0.0625 - of_both);
+    assert_holds(&overlap(&one, &across, 1e-4), [volume(0.25), volume(0.25), common], 1e-4);
+}
+
+/// Four times as many pieces leave a tenth of the width: boundaries that cross are planes but for a second order.
+#[test]
+fn the_width_falls_as_the_square_of_the_number_of_pieces() {
+    let (a, b) = (prepared(&ball(1.0, [0.0; 3])), prepared(&ball(1.0, [0.7, 0.1, 0.3])));
+    let distance = DVec3::new(0.7, 0.1, 0.3).length();
+    let expected = [ball_volume(1.0), ball_volume(1.0), lens([1.0; 2], distance)];
+    let widths = [1000, 4000, 16_000].map(|max_cells| {
+        let options =
+            OverlapOptions { tolerance: Some(1e-9), max_cells: Some(max_cells), ..OverlapOptions::default() };
+        assert_sound(&Engine::cpu().overlap(&a, &b, &options).wait().unwrap(), expected)
+    });
+    assert!(widths.is_sorted_by(|a, b| *a > 10.0 * b), "{widths:?}");
 }
 
 /// Curved faces on each other that are divided in different ways: the interval is wide, and the search ends.

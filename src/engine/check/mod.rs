@@ -1,5 +1,6 @@
 //! All pairs of bodies of one model or several: which clash, touch or come near.
 
+mod depth;
 mod duplicates;
 mod options;
 mod pair;
@@ -13,7 +14,8 @@ pub use pair::{BodyPair, PairState};
 pub use rules::{CheckRules, NamesOfPair, RequiredDistance, Rule, UnkeptRule};
 
 use super::bodies::unique_name;
-use super::{BodyKind, Computation, Engine, PreparedModel, Seconds};
+use super::section::Section;
+use super::{BodyKind, Computation, Engine, OverlapOptions, PreparedModel, Seconds, Stop};
 use crate::bvh::Aabb;
 use crate::error::{Error, Result};
 use crate::facts::{Interval, Orientation};
@@ -28,6 +30,15 @@ use web_time::Instant;
 
 /// The number of pairs searched between two reports of progress.
 const PAIRS_AT_ONCE: usize = 64;
+
+/// The part of the progress at which all pairs are judged.
+const JUDGED_PART: f64 = 0.5;
+
+/// The width of the volumes of common parts, as a fraction of the union's.
+const VOLUME_TOLERANCE: f64 = 1e-4;
+
+/// The number of pieces of patches for each of them, some tenths of a second.
+const VOLUME_CELLS: usize = 10_000;
 
 /// A model whose bodies are checked.
 #[derive(Debug, Clone, Copy)]
@@ -163,7 +174,8 @@ impl Engine {
         let mut near = sweep::pairs_within(&boxes, upper_max(limits.reach(), rules.largest()));
         near.retain(|&[a, b]| sweep::are_within(&boxes[a], &boxes[b], reach_of([a, b])));
         let prepare = started.elapsed().as_secs_f64();
-        let mut progress = Progress::new(monitor, false);
+        let mut section = Section { whole: monitor, part: [0.0, JUDGED_PART] };
+        let mut progress = Progress::new(&mut section, false);
         let mut judged = Vec::with_capacity(near.len());
         for chunk in near.chunks(PAIRS_AT_ONCE) {
             judged.extend(map(chunk.len(), |place| {
@@ -174,7 +186,15 @@ impl Engine {
             }));
             progress.checkpoint(judged.len() as f64 / near.len() as f64).await?;
         }
-        let judged = judged.into_iter().collect::<Result<Vec<([usize; 2], BodyPair)>>>()?;
+        let mut judged = judged.into_iter().collect::<Result<Vec<([usize; 2], BodyPair)>>>()?;
+        let mut clashes: Vec<_> =
+            judged.iter_mut().filter(|(_, pair)| pair.state == PairState::Clash).collect();
+        let length = (1.0 - JUDGED_PART) / clashes.len() as f64;
+        for (place, (of, pair)) in clashes.iter_mut().enumerate() {
+            let mut section = Section { whole: monitor, part: [JUDGED_PART + length * place as f64, length] };
+            let models = of.map(|index| &checked[index].model);
+            pair.volume = self.common_volume(models, &mut section).await?;
+        }
         let unkept = rules.unkept(&bodies, &judged);
         let mut pairs: Vec<BodyPair> = judged.into_iter().map(|(_, pair)| pair).collect();
         for [a, b] in duplicates::candidates(&near, &boxes, limits.tolerance) {
@@ -185,7 +205,7 @@ impl Engine {
                 bodies[b].duplicates.push(names[0].clone());
             }
         }
-        progress.finish();
+        monitor.progress(1.0);
         // Stable, so that pairs of one state stay in the order of their bodies.
         pairs.sort_by_key(|pair| pair.state);
         Ok(CheckResult {
@@ -199,6 +219,26 @@ impl Engine {
             unit: models.first().and_then(|first| first.model.unit()),
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         })
+    }
+}
+
+impl Engine {
+    /// Returns the volume of the common part of two bodies, where both have one.
+    async fn common_volume(
+        &self,
+        [a, b]: [&PreparedModel; 2],
+        monitor: &mut dyn Monitor,
+    ) -> Result<Option<Interval>> {
+        let options = OverlapOptions {
+            tolerance: Some(VOLUME_TOLERANCE),
+            max_cells: Some(VOLUME_CELLS),
+            ..OverlapOptions::default()
+        };
+        let found = self.overlap_of(a, b, &options, monitor).await?;
+        if found.stop == Stop::Cancelled {
+            return Err(Error::Cancelled);
+        }
+        Ok(found.volumes.map(|volumes| volumes.intersection))
     }
 }
 

@@ -1,5 +1,6 @@
 //! How two bodies lie to each other.
 
+use super::depth::depth;
 use super::options::Limits;
 use super::parting::are_parted;
 use crate::bvh::Aabb;
@@ -44,8 +45,10 @@ pub struct BodyPair {
     pub state: PairState,
     /// The least distance of their points is in it; 0 where they clash.
     pub clearance: Interval,
-    /// The volume of their common part is in it; none where it was not computed.
+    /// Of a clash, the volume of their common part is in it; none where a body does not close or has no volume.
     pub volume: Option<Interval>,
+    /// Of a clash, the length of the shortest motion that leaves them without a common inside is in it.
+    pub depth: Option<Interval>,
     /// Of a clash, a point inside both; else the point of A that is nearest to B.
     pub point: [f64; 3],
     /// Whether a rule says that what happens between them is meant, so that it is not judged.
@@ -83,12 +86,14 @@ pub(super) fn judged(models: [&PreparedModel; 2], limits: &Limits, reach: f64) -
         by_overlap(models, &found, limits, is_far)
     };
     let clearance = Interval { lower: interval.lower, upper: interval.upper };
+    let depth = inside_both.map(|point| depth(models, point, &nearest));
     Ok(BodyPair {
         a: String::new(),
         b: String::new(),
         state,
         clearance: if inside_both.is_some() { Interval::exactly(0.0) } else { clearance },
         volume: None,
+        depth,
         point: inside_both.unwrap_or(nearest.points[0].to_array()),
         intended: false,
         why,

@@ -13,7 +13,7 @@ use super::hint::hint;
 use super::{Computation, Engine, PreparedModel, Seconds, Stop};
 use crate::error::{Error, Result};
 use crate::facts::Interval;
-use crate::overlap::Search;
+use crate::overlap::{Pair, Search};
 use crate::progress::{Monitor, Progress};
 use serde::Serialize;
 use solids::Solids;
@@ -122,8 +122,9 @@ impl Engine {
         };
         let placed = [0, 1].map(|index| solids.placed(index));
         let volumes = [0, 1].map(|index: usize| placed[index].volume);
+        let pair = Pair::new(placed);
         result.seconds.prepare = started.elapsed().as_secs_f64();
-        let mut search = Search::new([&placed[0], &placed[1]], &solids);
+        let mut search = Search::new(&pair, &solids);
         let mut progress = Progress::new(monitor, false);
         // The union has at least the volume of the larger one.
         let larger = volumes[0].larger(volumes[1]).lower;

@@ -1,6 +1,7 @@
 //! Two models as solids in one frame.
 
 use crate::engine::{PreparedModel, PreparedTarget};
+use crate::facts::Interval;
 use crate::flatness::Flatness;
 use crate::model::RigidTransform;
 use crate::overlap::{BoundarySide, Known, PlacedSolid, Sides};
@@ -83,6 +84,7 @@ impl<'a> Solids<'a> {
         };
         let known = Known {
             volume: model.facts().volume.unwrap_or_default(),
+            area: model.facts().area.unwrap_or(Interval { lower: 0.0, upper: f64::INFINITY }),
             cracks: joined.of_shell.iter().map(|shell| shell.cracks).sum(),
             point_error: model.bezier().point_error,
             deviation: model.deviation(),

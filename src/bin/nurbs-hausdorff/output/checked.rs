@@ -5,7 +5,7 @@ use super::json::raw;
 use crate::failure::Failure;
 use crate::reports::{Answer, Outcome, Row, Rows, Verdict};
 use nurbs_hausdorff::{
-    BodyPair, CheckResult, CheckedBody, Orientation, PairState, Rule, UnkeptRule, one_line,
+    BodyPair, CheckResult, CheckedBody, Interval, Orientation, PairState, Rule, UnkeptRule, one_line,
 };
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -160,14 +160,14 @@ fn word(pair: &BodyPair) -> &'static str {
 fn summary(pair: &BodyPair, result: &CheckResult) -> String {
     let at = coordinates(pair.point, result.diagonal);
     let ends = [pair.clearance.lower, pair.clearance.upper];
-    match (pair.state, &pair.volume) {
-        (PairState::Clash, Some(volume)) => {
-            let common = bounded(volume.middle(), [volume.lower, volume.upper]);
-            format!("both have {at} inside; the common volume is {common}")
-        }
-        (PairState::Clash, None) => format!("both have {at} inside"),
-        _ => format!("{} apart at {at}", bounded(pair.clearance.upper, ends)),
+    if pair.state != PairState::Clash {
+        return format!("{} apart at {at}", bounded(pair.clearance.upper, ends));
     }
+    let measured = |name, found: Option<Interval>| {
+        found.map(|found| format!("; {name} {}", bounded(found.middle(), [found.lower, found.upper])))
+    };
+    let [volume, depth] = [measured("common volume", pair.volume), measured("depth", pair.depth)];
+    format!("both have {at} inside{}{}", volume.unwrap_or_default(), depth.unwrap_or_default())
 }
 
 fn rule_word(rule: &UnkeptRule) -> &'static str {

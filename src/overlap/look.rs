@@ -1,0 +1,187 @@
+//! The comparison of a piece with the other boundary.
+
+use super::crossing::Slab;
+use super::pair::Pair;
+use super::piece::{Piece, Whole};
+use super::separation::may_meet;
+use super::solid::MAX_DEPTH;
+use super::undecided::{Known, Undecided};
+use super::{BoundarySide, Sides};
+use crate::facts::Interval;
+use crate::rounding::upper_max;
+use crate::solid::Side;
+use glam::DVec3;
+use std::sync::Arc;
+
+/// The largest ratio of the size of a piece of the other boundary to that of the piece that it is compared with.
+const SIZE_RATIO: f64 = 0.5;
+
+/// The part of the bound of a piece that is left where what is known of its parts counts.
+const MAX_REMAINDER: f64 = 0.75;
+
+/// What is found of a piece.
+pub(super) enum Found<'a> {
+    /// The integral over what lies within the other solid.
+    Decided(Interval),
+    Undecided(Undecided<'a>),
+}
+
+/// Two solids with an origin of cones.
+pub(super) struct Looking<'a> {
+    pub(super) pair: &'a Pair,
+    pub(super) sides: &'a dyn Sides,
+    pub(super) origin: DVec3,
+}
+
+impl<'a> Looking<'a> {
+    /// Compares a piece with pieces of the other boundary.
+    pub(super) fn look_at(
+        &self,
+        solid: usize,
+        (whole, piece): (&'a Whole, &'a Piece),
+        near: &[(&'a Whole, &'a Piece)],
+        mut known: Known,
+    ) -> Found<'a> {
+        let near = self.still_near(solid, (whole, piece), near);
+        let placed = &self.pair.solids[solid];
+        let moved = placed.moved(piece.depth);
+        let weight = placed.patches.weight(whole, piece, self.origin, moved);
+        let bound = weight.bound();
+        let undecided = |near, known| Undecided { solid, whole, piece, bound, value: None, near, known };
+        if near.is_empty() {
+            return match self.side_of_hull(solid, piece, &known) {
+                Some(false) => Found::Decided(Interval::exactly(0.0)),
+                Some(true) if whole.side != BoundarySide::Unknown => {
+                    Found::Decided(self.cone(solid, whole, piece, moved))
+                }
+                _ => Found::Undecided(undecided(near, known)),
+            };
+        }
+        if whole.side != BoundarySide::Unknown
+            && let Some(slab) = self.slab(solid, piece, &near, &mut known)
+        {
+            let slopes = placed.patches.slopes(whole, piece);
+            let cone = self.cone(solid, whole, piece, 0.0);
+            let value = slab.inner((whole, piece), &slopes, &weight, cone, moved);
+            let width = value.width();
+            if width <= MAX_REMAINDER * bound {
+                return Found::Undecided(Undecided {
+                    bound: width,
+                    value: Some(value),
+                    ..undecided(near, known)
+                });
+            }
+        }
+        Found::Undecided(undecided(near, known))
+    }
+
+    /// Compares both halves of a piece; `None` where it is halved no further.
+    pub(super) fn look_at_halves(&self, of: &Undecided<'a>) -> Option<[Found<'a>; 2]> {
+        let &Undecided { solid, whole, piece, ref near, ref known, .. } = of;
+        let halves = whole.halves(piece)?;
+        let mut known = known.clone();
+        if known.reference.is_none() {
+            known.reference = self.reference(solid, piece.points[0]);
+        }
+        Some(halves.map(|half| self.look_at(solid, (whole, half), near, known.clone())))
+    }
+
+    /// Returns a slab about all near pieces, with the sides of the piece's hull above and below it.
+    fn slab(
+        &self,
+        solid: usize,
+        piece: &Piece,
+        near: &[(&'a Whole, &'a Piece)],
+        known: &mut Known,
+    ) -> Option<Slab> {
+        let reach = near.iter().map(|near| near.0.reach).fold(0.0, upper_max);
+        let mut slab = Slab::around(near, self.pair.margins[solid] + reach, piece.middle)?;
+        let beyond = slab.beyond(piece);
+        if beyond == [None; 2] {
+            return None;
+        }
+        for (is_inside, point) in slab.is_inside.iter_mut().zip(beyond) {
+            let Some(point) = point else { continue };
+            *is_inside =
+                known.slab.and_then(|slab| slab.side(point)).or_else(|| self.is_inside(solid, point, known));
+        }
+        known.slab = Some(slab);
+        Some(slab)
+    }
+
+    /// Returns whether the hull of a piece that has no point of the other boundary near is inside the other solid.
+    fn side_of_hull(&self, solid: usize, piece: &Piece, known: &Known) -> Option<bool> {
+        let points = &piece.points;
+        let last = points.len() - 1;
+        let of_slab = known.slab.and_then(|slab| points.iter().find_map(|&point| slab.side(point)));
+        of_slab.or_else(|| {
+            [0, last, last / 2].into_iter().find_map(|index| self.is_inside(solid, points[index], known))
+        })
+    }
+
+    /// Returns whether a point is inside the other solid; `None` where that is not certain.
+    fn is_inside(&self, solid: usize, point: DVec3, known: &Known) -> Option<bool> {
+        let found = self.sides.side(1 - solid, self.unmoved(solid, point), known.reference.as_deref());
+        match found?.1 {
+            Side::Inside => Some(true),
+            Side::Outside => Some(false),
+            Side::Undecided => None,
+        }
+    }
+
+    /// Returns a point of a piece with the shells of the other solid about it.
+    fn reference(&self, solid: usize, point: DVec3) -> Option<super::undecided::Reference> {
+        let point = self.unmoved(solid, point);
+        self.sides.side(1 - solid, point, None).map(|(enclosing, _)| Arc::new((point, enclosing)))
+    }
+
+    /// Returns the place of a point of a piece for a question about the other solid, without what moved that.
+    fn unmoved(&self, solid: usize, point: DVec3) -> DVec3 {
+        if solid == 1 { point - self.pair.shift } else { point }
+    }
+
+    /// Returns the pieces of the other boundary that may meet a piece, halved until they are as small.
+    fn still_near(
+        &self,
+        solid: usize,
+        piece: (&'a Whole, &'a Piece),
+        near: &[(&'a Whole, &'a Piece)],
+    ) -> Vec<(&'a Whole, &'a Piece)> {
+        let margin = self.pair.margins[solid];
+        let (mut found, mut stack) = (Vec::new(), near.to_vec());
+        while let Some(other) = stack.pop() {
+            if !may_meet(piece, other, margin + other.0.reach) {
+                continue;
+            }
+            let is_large = other.1.radius > SIZE_RATIO * piece.1.radius && other.1.depth < MAX_DEPTH;
+            match other.0.halves(other.1).filter(|_| is_large) {
+                Some(halves) => stack.extend(halves.map(|half| (other.0, half))),
+                None => found.push(other),
+            }
+        }
+        found
+    }
+
+    /// Returns the volume of the cone over a piece, positive where its normals are outward and it faces away.
+    pub(super) fn cone(&self, solid: usize, whole: &Whole, piece: &Piece, moved: f64) -> Interval {
+        let volume = self.pair.solids[solid].patches.moments(whole, piece, self.origin, moved).volume();
+        if whole.side == BoundarySide::Outward { volume } else { -volume }
+    }
+
+    /// Returns what is known of the integral over the part of a piece within the other solid.
+    pub(super) fn value(&self, undecided: &Undecided<'_>) -> Interval {
+        let &Undecided { solid, whole, piece, bound, value, .. } = undecided;
+        let bound = Interval::about(0.0, bound);
+        if let Some(value) = value {
+            return value;
+        }
+        if whole.side == BoundarySide::Unknown {
+            return bound;
+        }
+        // Those of the parts where x·n is positive, and of those where it is negative, are at most half of the sum of
+        // the bound and the whole, and of their difference.
+        let cone = self.cone(solid, whole, piece, self.pair.solids[solid].moved(piece.depth));
+        let (most, least) = ((bound + cone) * 0.5, (bound - cone) * 0.5);
+        Interval { lower: -least.upper, upper: most.upper }
+    }
+}

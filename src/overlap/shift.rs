@@ -1,0 +1,83 @@
+//! The vector by which planes that lie on each other are moved apart: lemma O4 of docs/facts.md.
+
+use super::piece::{Patches, Whole};
+use super::separation::{heights, normal};
+use glam::DVec3;
+
+/// The part of the margin within which a patch counts as plane, and two as parallel.
+const FLATNESS: f64 = 0.125;
+
+/// The distance of planes, in margins, from which on no vector moves them onto each other.
+const MAX_OFFSET: f64 = 128.0;
+
+/// The distance of planes, in margins, that tells them apart with their flatness.
+const MIN_OFFSET: f64 = 1.0 + 2.0 * FLATNESS;
+
+/// The lengths of the vectors that are tried, in margins: the shortest one serves planes across its direction, the
+/// longest ones those at a few degrees to it.
+const LENGTHS: [f64; 6] = [2.0, 4.0, 8.0, 16.0, 32.0, 64.0];
+
+/// The number of directions that are tried.
+const DIRECTIONS: usize = 32;
+
+/// The turn from one direction to the next, the golden angle, by which they are spread evenly.
+const TURN: f64 = 2.399_963_229_728_653;
+
+/// Two plane patches of different solids in one plane or nearly so.
+struct Flush {
+    normal: DVec3,
+    /// The height of that of the second solid over that of the first one.
+    offset: f64,
+    size: f64,
+}
+
+/// Returns the vector by which the second solid is to be moved for its plane patches to be farther than `margin` from
+/// those of the first one, the shortest of those that are tried; 0 where they are.
+/// O(n log n) in general position.
+pub(super) fn shift([a, b]: [&Patches; 2], margin: f64) -> DVec3 {
+    let mut flush = Vec::new();
+    for whole in &a.wholes {
+        let Some(normal) = plane(whole, margin) else { continue };
+        for other in b.near(&whole.root.aabb, MAX_OFFSET * margin) {
+            let other = &b.wholes[other as usize].root;
+            let [low, high] = heights(other, normal, whole.root.middle);
+            let offset = 0.5 * (low + high);
+            if high - low <= FLATNESS * margin && offset.abs() <= MAX_OFFSET * margin {
+                flush.push(Flush { normal, offset, size: whole.root.radius * other.radius });
+            }
+        }
+    }
+    let left = |vector: DVec3| {
+        let near = |pair: &&Flush| {
+            let offset: f64 = pair.offset + pair.normal.dot(vector);
+            offset.abs() <= MIN_OFFSET * margin
+        };
+        flush.iter().filter(near).map(|pair| pair.size).sum::<f64>()
+    };
+    let (mut best, mut least) = (DVec3::ZERO, left(DVec3::ZERO));
+    for length in LENGTHS {
+        for direction in (0..DIRECTIONS).map(direction) {
+            let vector = length * margin * direction;
+            let left = left(vector);
+            if left < least {
+                (best, least) = (vector, left);
+            }
+        }
+    }
+    best
+}
+
+/// Returns the unit normal of a patch that is plane, if it is.
+pub(super) fn plane(whole: &Whole, margin: f64) -> Option<DVec3> {
+    let normal = normal((whole, &whole.root));
+    let [low, high] = heights(&whole.root, normal, whole.root.middle);
+    (normal != DVec3::ZERO && high - low <= FLATNESS * margin).then_some(normal)
+}
+
+/// Returns one of the directions, spread over the sphere's upper half.
+fn direction(index: usize) -> DVec3 {
+    let z = (index as f64 + 0.5) / DIRECTIONS as f64;
+    let (sine, cosine) = (TURN * index as f64).sin_cos();
+    let radius = (1.0 - z * z).sqrt();
+    DVec3::new(radius * cosine, radius * sine, z)
+}
