@@ -26,17 +26,18 @@ pub(super) struct Slab {
 }
 
 impl Slab {
-    /// Returns the slab about the mean plane of pieces; `None` where they have none.
+    /// Returns the slab about the mean plane of pieces that contains all of them; `None` where they have none.
     pub(super) fn around(near: &[(&Whole, &Piece)], margin: f64, middle: DVec3) -> Option<Self> {
         let mut sum = DVec3::ZERO;
         let mut sizes = 0.0;
         for &piece in near {
-            let size = piece.1.radius * piece.1.radius;
+            // A strip has hardly a normal.
+            let size = if piece.0.is_strip { 0.0 } else { piece.1.radius * piece.1.radius };
             let normal = normal(piece) * size;
             sum += if normal.dot(sum) < 0.0 { -normal } else { normal };
             sizes += size;
         }
-        if !(sum.length() >= MIN_AGREEMENT * sizes) {
+        if !(sum.length() >= MIN_AGREEMENT * sizes && sizes > 0.0) {
             return None;
         }
         let normal = sum.normalize();

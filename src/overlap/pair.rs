@@ -28,12 +28,12 @@ pub(crate) struct Pair {
 }
 
 impl Pair {
-    /// Makes two solids ready. O(n log n) in general position.
-    pub(crate) fn new([a, b]: [PlacedSolid; 2]) -> Self {
+    /// Makes two solids ready, the first one moved by about `least` where that is not 0. O(n log n) in general position.
+    pub(crate) fn new([a, b]: [PlacedSolid; 2], least: f64) -> Self {
         let diagonal = upper_max(a.aabb.diagonal(), b.aabb.diagonal());
         let mut partners = shared(&a.patches, &b.patches, RELATIVE_REACH * diagonal).partners;
         for (solid, partners) in [&a, &b].into_iter().zip(&mut partners) {
-            for (whole, partner) in solid.patches.wholes.iter().zip(partners) {
+            for (whole, partner) in solid.patches.faces().zip(partners) {
                 // To which side such a shell turns is not known.
                 if whole.side == BoundarySide::Unknown {
                     *partner = None;
@@ -43,7 +43,11 @@ impl Pair {
         let margins = [b.margin(&a), a.margin(&b)];
         let margin = upper_max(margins[0], margins[1]);
         let are_all_shared = partners.iter().flatten().all(Option::is_some);
-        let vector = if are_all_shared { DVec3::ZERO } else { shift([&a.patches, &b.patches], margin) };
+        let vector = if are_all_shared {
+            DVec3::ZERO
+        } else {
+            shift([&a.patches, &b.patches], margin, least * moved_part(&a, &partners[0], diagonal))
+        };
         let mut pair = Self { solids: [a, b], partners, shift: DVec3::ZERO, change: 0.0, margins };
         if vector != DVec3::ZERO {
             pair = pair.shifted(-vector, margin);
@@ -56,6 +60,12 @@ impl Pair {
         pair
     }
 
+    /// Returns the length of a motion of the first solid that changes the volume in common by at most half of this width.
+    pub(crate) fn motion(&self, width: f64) -> f64 {
+        let [a, b] = &self.solids;
+        width / if a.area < b.area { a.area } else { b.area }
+    }
+
     /// Moves the first solid. Its plane patches are told from others then and need no partners.
     fn shifted(self, vector: DVec3, margin: f64) -> Self {
         let Self { solids: [a, b], mut partners, .. } = self;
@@ -64,7 +74,7 @@ impl Pair {
         let change = 0.5 * length * area * (1.0 + gamma(CHANGE_ROUNDINGS));
         let rounding = gamma(MOTION_ROUNDINGS) * (a.aabb.farthest_from_origin() + length);
         for (solid, partners) in [&a, &b].into_iter().zip(&mut partners) {
-            for (whole, partner) in solid.patches.wholes.iter().zip(partners) {
+            for (whole, partner) in solid.patches.faces().zip(partners) {
                 *partner = partner
                     .filter(|_| plane(whole, margin).is_none())
                     .map(|partner| partner + length + rounding);
@@ -74,4 +84,14 @@ impl Pair {
         let margins = [b.margin(&a), a.margin(&b)];
         Self { solids: [a, b], partners, shift: vector, change, margins }
     }
+}
+
+/// Returns about the part of a motion for which what it changes of patches that are paired is no more than what it
+/// changes of the volume.
+fn moved_part(solid: &PlacedSolid, partners: &[Option<f64>], diagonal: f64) -> f64 {
+    let paired = solid.patches.faces().zip(partners).filter(|(_, partner)| partner.is_some());
+    // A patch of this radius has about this area and border.
+    let change = |radius: f64| 4.0 * radius * radius + diagonal * 8.0 * radius / 3.0;
+    let sum: f64 = paired.map(|(whole, _)| change(whole.root.radius)).sum();
+    if sum > solid.area { solid.area / sum } else { 1.0 }
 }

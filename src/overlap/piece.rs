@@ -10,7 +10,7 @@ use crate::facts::{Moments, of_patch};
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
 use crate::rounding::{gamma, upper_max};
-use crate::solid::longer_axis;
+use crate::solid::{Ruled, longer_axis};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::sync::OnceLock;
 
@@ -29,6 +29,8 @@ pub(super) struct Whole {
     rational: bool,
     center: DVec3,
     pub(super) side: BoundarySide,
+    /// Whether it is a strip between edges of patches, over which nothing is integrated.
+    pub(super) is_strip: bool,
     /// The distance from the patch within which the other solid's patch lies that takes its place; 0 where none does.
     pub(super) reach: f64,
     pub(super) root: Piece,
@@ -72,6 +74,7 @@ impl Weight {
 /// The patches of a solid in the common frame.
 #[derive(Debug)]
 pub(super) struct Patches {
+    /// The patches, and after them the strips.
     pub(super) wholes: Vec<Whole>,
     tree: Bvh,
     /// The spacing of the centres of pieces.
@@ -79,24 +82,41 @@ pub(super) struct Patches {
 }
 
 impl Patches {
-    /// Moves patches, of which `side` states to which side the normals of a surface are.
+    /// Moves patches and strips; `side` states to which side the normals of a surface are.
     pub(super) fn new(
         patches: &PatchSet,
+        strips: impl Iterator<Item = Ruled>,
         transform: Option<&RigidTransform>,
         side: impl Fn(usize) -> BoundarySide,
     ) -> Self {
-        let whole = |patch: Patch<'_>| {
-            let center = transform.map_or(patch.center, |transform| transform.apply(patch.center));
+        let placed = |center: DVec3, controls: &[DVec4]| {
+            let center = transform.map_or(center, |transform| transform.apply(center));
             let rotated = |control: &DVec4| {
                 let turned = transform.map_or(control.xyz(), |transform| transform.rotate(control.xyz()));
                 turned.extend(control.w)
             };
-            let controls: Vec<DVec4> = patch.controls.iter().map(rotated).collect();
-            let Patch { surface, degree, rational, .. } = patch;
-            let root = Piece::new(center, controls, 0);
-            Whole { surface, degree, rational, center, side: side(surface), reach: 0.0, root }
+            (center, Piece::new(center, controls.iter().map(rotated).collect(), 0))
         };
-        Self::of(patches.iter().map(whole).collect())
+        let whole = |patch: Patch<'_>| {
+            let (center, root) = placed(patch.center, patch.controls);
+            let Patch { surface, degree, rational, .. } = patch;
+            Whole {
+                surface,
+                degree,
+                rational,
+                center,
+                side: side(surface),
+                is_strip: false,
+                reach: 0.0,
+                root,
+            }
+        };
+        let strip = |strip: Ruled| {
+            let (center, root) = placed(strip.center, &strip.controls);
+            let (degree, side) = ([1, strip.degree], BoundarySide::Unknown);
+            Whole { surface: 0, degree, rational: true, center, side, is_strip: true, reach: 0.0, root }
+        };
+        Self::of(patches.iter().map(whole).chain(strips.map(strip)).collect())
     }
 
     /// Moves all patches by a vector.
@@ -113,6 +133,11 @@ impl Patches {
         let tree = Bvh::new(&boxes);
         let grid = center_grid(boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union).diagonal());
         Self { wholes, tree, grid }
+    }
+
+    /// Returns the patches, without strips.
+    pub(super) fn faces(&self) -> impl Iterator<Item = &Whole> {
+        self.wholes.iter().filter(|whole| !whole.is_strip)
     }
 
     /// Returns the box of all patches.

@@ -21,9 +21,6 @@ const TOGETHER: f64 = 0.125;
 /// The part of what no halving makes less up to which the rest is halved where the goal is out of reach.
 const REST: f64 = 0.25;
 
-/// The number of pieces from which on a search is given up whose width no longer falls.
-const MIN_PIECES: usize = 8192;
-
 /// The part of its width that a search is to have left when it has looked at twice as many pieces: where boundaries
 /// cross this is a quarter, where they lie on each other 1.
 const MAX_REMAINDER: f64 = 0.9;
@@ -45,11 +42,14 @@ pub(crate) struct Search<'a> {
     /// The number of pieces at which the width is looked at next, and the last width.
     next: usize,
     last: f64,
+    has_stalled: bool,
 }
 
 impl<'a> Search<'a> {
     /// Begins with all patches of both solids.
-    pub(crate) fn new(pair: &'a Pair, sides: &'a dyn Sides) -> Self {
+    ///
+    /// `patience` is the number of pieces from which on it is given up once its width no longer falls.
+    pub(crate) fn new(pair: &'a Pair, sides: &'a dyn Sides, patience: usize) -> Self {
         let [a, b] = &pair.solids;
         let common = [a.aabb, b.aabb].into_iter().reduce(intersection).unwrap_or(a.aabb);
         let looking = Looking { pair, sides, origin: common.center() };
@@ -61,8 +61,9 @@ impl<'a> Search<'a> {
             held: 0.0,
             decided: Interval::about(0.0, pair.change),
             pieces: 0,
-            next: MIN_PIECES,
+            next: patience,
             last: f64::INFINITY,
+            has_stalled: false,
         };
         for solid in [0, 1] {
             search.include_cracks(&pair.solids[solid]);
@@ -84,7 +85,7 @@ impl<'a> Search<'a> {
         let [own, other] = [solid, 1 - solid].map(|index| &pair.solids[index].patches);
         // Patches of which others take the place are as much farther as those are off.
         let reach = other.wholes.iter().map(|whole| whole.reach).fold(0.0, upper_max);
-        let found = map(own.wholes.len(), |index| {
+        let found = map(own.faces().count(), |index| {
             let whole = &own.wholes[index];
             if let Some(distance) = pair.partners[solid][index] {
                 return Found::Decided(self.half(solid, whole, distance));
@@ -128,7 +129,7 @@ impl<'a> Search<'a> {
         let fixed = self.held + self.decided.width();
         let goal = upper_max(width - fixed, REST * fixed);
         let Some(largest) = self.queue.peek().map(|first| first.bound) else { return false };
-        if self.waiting <= goal || self.has_stalled() {
+        if self.waiting <= goal || self.stalls() {
             return false;
         }
         let mut batch = Vec::new();
@@ -153,15 +154,19 @@ impl<'a> Search<'a> {
         true
     }
 
+    /// Returns whether the search ended because the width had hardly fallen.
+    pub(crate) fn has_stalled(&self) -> bool {
+        self.has_stalled
+    }
+
     /// Returns whether the width has hardly fallen since half as many pieces.
-    fn has_stalled(&mut self) -> bool {
-        if self.pieces < self.next {
-            return false;
+    fn stalls(&mut self) -> bool {
+        if self.pieces >= self.next {
+            let width = self.width();
+            self.has_stalled = width > MAX_REMAINDER * self.last;
+            (self.next, self.last) = (2 * self.pieces, width);
         }
-        let width = self.width();
-        let has_stalled = width > MAX_REMAINDER * self.last;
-        (self.next, self.last) = (2 * self.pieces, width);
-        has_stalled
+        self.has_stalled
     }
 
     /// Returns an interval that contains the volume.

@@ -20,12 +20,12 @@ pub(super) struct Shared {
 /// Pairs patches of which one is the other in parameters that run along the same or other edges, and which no third
 /// patch is near to. O(n log n) in general position.
 pub(super) fn shared(a: &Patches, b: &Patches, reach: f64) -> Shared {
-    let mut order: Vec<usize> = (0..b.wholes.len()).collect();
+    let mut order: Vec<usize> = (0..b.faces().count()).collect();
     let at = |index: usize| b.wholes[index].root.middle.x;
     sort_by_number(&mut order, |&index| at(index));
     let mut found: [Vec<Vec<(usize, f64)>>; 2] =
-        [a, b].map(|patches| patches.wholes.iter().map(|_| Vec::new()).collect());
-    for (index, whole) in a.wholes.iter().enumerate() {
+        [a, b].map(|patches| patches.faces().map(|_| Vec::new()).collect());
+    for (index, whole) in a.faces().enumerate() {
         let middle = whole.root.middle;
         let first = order.partition_point(|&other| at(other) < middle.x - reach);
         for &other in order[first..].iter().take_while(|&&other| at(other) <= middle.x + reach) {

@@ -2,6 +2,7 @@
 
 use super::piece::{Patches, Whole};
 use super::separation::{heights, normal};
+use crate::rounding::upper_max;
 use glam::DVec3;
 
 /// The part of the margin within which a patch counts as plane, and two as parallel.
@@ -13,9 +14,11 @@ const MAX_OFFSET: f64 = 128.0;
 /// The distance of planes, in margins, that tells them apart with their flatness.
 const MIN_OFFSET: f64 = 1.0 + 2.0 * FLATNESS;
 
-/// The lengths of the vectors that are tried, in margins: the shortest one serves planes across its direction, the
-/// longest ones those at a few degrees to it.
-const LENGTHS: [f64; 6] = [2.0, 4.0, 8.0, 16.0, 32.0, 64.0];
+/// The length of the shortest vectors that are tried, in margins: they serve planes across their direction.
+const LENGTH: f64 = 2.0;
+
+/// The lengths of the others, relative to it: the longest ones serve planes at a few degrees to their direction.
+const LENGTHS: [f64; 6] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0];
 
 /// The number of directions that are tried.
 const DIRECTIONS: usize = 32;
@@ -32,14 +35,16 @@ struct Flush {
 }
 
 /// Returns the vector by which the second solid is to be moved for its plane patches to be farther than `margin` from
-/// those of the first one, the shortest of those that are tried; 0 where they are.
+/// those of the first one, the shortest of those that are tried, which have at least the length `least`; 0 where they
+/// are, and `least` is 0.
 /// O(n log n) in general position.
-pub(super) fn shift([a, b]: [&Patches; 2], margin: f64) -> DVec3 {
+pub(super) fn shift([a, b]: [&Patches; 2], margin: f64, least: f64) -> DVec3 {
     let mut flush = Vec::new();
-    for whole in &a.wholes {
+    for whole in a.faces() {
         let Some(normal) = plane(whole, margin) else { continue };
         for other in b.near(&whole.root.aabb, MAX_OFFSET * margin) {
-            let other = &b.wholes[other as usize].root;
+            let Some(other) = b.wholes.get(other as usize).filter(|whole| !whole.is_strip) else { continue };
+            let other = &other.root;
             let [low, high] = heights(other, normal, whole.root.middle);
             let offset = 0.5 * (low + high);
             if high - low <= FLATNESS * margin && offset.abs() <= MAX_OFFSET * margin {
@@ -54,13 +59,14 @@ pub(super) fn shift([a, b]: [&Patches; 2], margin: f64) -> DVec3 {
         };
         flush.iter().filter(near).map(|pair| pair.size).sum::<f64>()
     };
-    let (mut best, mut least) = (DVec3::ZERO, left(DVec3::ZERO));
+    let (mut best, mut fewest) = (DVec3::ZERO, if least > 0.0 { f64::INFINITY } else { left(DVec3::ZERO) });
+    let shortest = upper_max(LENGTH * margin, least);
     for length in LENGTHS {
         for direction in (0..DIRECTIONS).map(direction) {
-            let vector = length * margin * direction;
+            let vector = length * shortest * direction;
             let left = left(vector);
-            if left < least {
-                (best, least) = (vector, left);
+            if left < fewest {
+                (best, fewest) = (vector, left);
             }
         }
     }

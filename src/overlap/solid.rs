@@ -6,7 +6,7 @@ use crate::bvh::Aabb;
 use crate::facts::Interval;
 use crate::model::RigidTransform;
 use crate::rounding::{VANISHING_LENGTH, gamma};
-use crate::solid::{Enclosing, Side};
+use crate::solid::{Enclosing, Ruled, Side};
 use crate::threads::MaybeSync;
 use glam::DVec3;
 
@@ -61,8 +61,8 @@ pub(crate) struct PlacedSolid {
     deviation: f64,
     /// The error of the motion.
     motion: f64,
-    /// Points farther than this from its patches are off its boundary with all strips.
-    clearance: f64,
+    /// Upper bound on the distance of the patches and strips from computed ones.
+    rounding: f64,
 }
 
 /// What is known of a solid in its own frame.
@@ -73,24 +73,25 @@ pub(crate) struct Known {
     pub(crate) cracks: f64,
     pub(crate) point_error: PointError,
     pub(crate) deviation: f64,
-    pub(crate) clearance: f64,
+    pub(crate) rounding: f64,
 }
 
 impl PlacedSolid {
-    /// Moves the patches of a solid, of which `side` states to which side the normals of a surface are. O(n log n).
+    /// Moves the patches of a solid and its strips; `side` states to which side the normals of a surface are. O(n log n).
     pub(crate) fn new(
         patches: &PatchSet,
+        strips: impl Iterator<Item = Ruled>,
         transform: Option<&RigidTransform>,
         side: impl Fn(usize) -> BoundarySide,
         known: Known,
     ) -> Self {
         let own = patches.bounding_box().farthest_from_origin();
         let motion = transform.map_or(0.0, |transform| transform.rounding(CENTER_PART * own));
-        let patches = Patches::new(patches, transform, side);
+        let patches = Patches::new(patches, strips, transform, side);
         let aabb = patches.bounding_box();
-        let Known { volume, area, cracks, point_error, deviation, clearance } = known;
+        let Known { volume, area, cracks, point_error, deviation, rounding } = known;
         let area = (area.upper + cracks).next_up();
-        Self { patches, aabb, volume, area, cracks, point_error, deviation, motion, clearance }
+        Self { patches, aabb, volume, area, cracks, point_error, deviation, motion, rounding }
     }
 
     /// Moves the solid by a vector; its points are off by at most `rounding` then.
@@ -110,12 +111,12 @@ impl PlacedSolid {
         self.error(depth) - self.deviation
     }
 
-    /// Returns the distance that the hull of a piece of `other` and those of all pieces of this one must exceed for
-    /// the piece to be off this boundary.
+    /// Returns the distance that the hull of a piece of `other` and those of all pieces and strips of this one must
+    /// exceed for the piece to be off this boundary.
     pub(super) fn margin(&self, other: &Self) -> f64 {
         let [a, b] = [self, other].map(|solid| solid.aabb.farthest_from_origin());
         let length = if a > b { a } else { b };
         let errors = self.error(MAX_DEPTH) + other.error(MAX_DEPTH) + self.motion;
-        errors + self.clearance + gamma(DISTANCE_ROUNDINGS) * length + VANISHING_LENGTH
+        errors + self.rounding + gamma(DISTANCE_ROUNDINGS) * length + VANISHING_LENGTH
     }
 }

@@ -6,7 +6,7 @@ use super::curve::Curve;
 use super::edges::{Edge, Edges};
 use super::orientation::{Joined, Orientations};
 use super::parity::MAX_DEPTH;
-use super::strips::{Covering, Strip, StripLimits};
+use super::strips::{Covering, Ruled, Strip, StripLimits};
 use crate::bezier::PointError;
 use crate::bvh::{Aabb, Bvh};
 use crate::rounding::{VANISHING_LENGTH, gamma, lower_min};
@@ -134,6 +134,16 @@ impl Boundary {
     /// for a point that is at least `distance` from the patches; negative if none is known.
     pub(crate) fn clear_radius(&self, distance: f64) -> f64 {
         distance - self.clearance
+    }
+
+    /// Returns the strips, as patches in whose hulls they lie.
+    pub(crate) fn strips(&self) -> impl Iterator<Item = Ruled> + '_ {
+        self.strips.iter().map(Strip::ruled)
+    }
+
+    /// Returns an upper bound on the distance of faces and strips from computed ones, both together.
+    pub(crate) fn rounding(&self) -> f64 {
+        2.0 * self.margin
     }
 
     /// Returns the edges without a partner.

@@ -25,3 +25,4 @@ pub(crate) use orientation::Joined;
 pub(crate) use parity::longer_axis;
 pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;
+pub(crate) use strips::Ruled;

@@ -2,10 +2,11 @@
 
 use super::curve::Curve;
 use super::ray::Ray;
+use crate::approximation::bernstein::elevated;
 use crate::bezier::binomials;
 use crate::bvh::Aabb;
 use crate::rounding::{upper_max, upper_min};
-use glam::DVec3;
+use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The largest number of times that a strip is divided: its parts are then shorter than rounding.
 const MAX_DEPTH: u32 = 40;
@@ -28,6 +29,30 @@ impl Strip {
         }
     }
 
+    /// Returns a patch of degree 1 across the strip in whose hull it lies, as do its parts in those of the patch's:
+    /// points of partners at one parameter are joined by its lines. Of a corner, a box around it.
+    pub(super) fn ruled(&self) -> Ruled {
+        match self {
+            Self::Corner(_) => {
+                let Aabb { min, max } = self.bounding_box();
+                let center = min;
+                let corner = |index: usize| {
+                    let at = |axis: usize| if index >> axis & 1 == 1 { max[axis] - min[axis] } else { 0.0 };
+                    DVec3::new(at(0), at(1), at(2)).extend(1.0)
+                };
+                Ruled { center, degree: 3, controls: (0..8).map(corner).collect() }
+            }
+            Self::Pair([a, b]) => {
+                let degree = a.controls.len().max(b.controls.len()) - 1;
+                let offset = b.center - a.center;
+                let moved = |control: &DVec4| (control.xyz() + control.w * offset).extend(control.w);
+                let other = b.controls.iter().map(moved).collect();
+                let rows = [elevated(a.controls.clone(), degree), elevated(other, degree)];
+                Ruled { center: a.center, degree, controls: rows.concat() }
+            }
+        }
+    }
+
     /// Returns true only if the ray certainly avoids the strip.
     pub(super) fn is_avoided(&self, ray: &Ray) -> bool {
         match self {
@@ -35,6 +60,16 @@ impl Strip {
             Self::Pair(curves) => avoids(curves, ray, 0),
         }
     }
+}
+
+/// A patch of degree 1 in its first parameter.
+#[derive(Debug, Clone)]
+pub(crate) struct Ruled {
+    pub(crate) center: DVec3,
+    /// The degree in the second parameter.
+    pub(crate) degree: usize,
+    /// Homogeneous, relative to the centre.
+    pub(crate) controls: Vec<DVec4>,
 }
 
 /// The sizes at which strips are divided no further.

@@ -310,12 +310,10 @@ fn the_width_falls_as_the_square_of_the_number_of_pieces() {
     assert!(widths.is_sorted_by(|a, b| *a > 10.0 * b), "{widths:?}");
 }
 
-/// Curved faces on each other that are divided in different ways: the interval is wide, and the search ends.
+/// Curved faces on each other that are divided in different ways: no piece is decided until they are moved apart.
 #[test]
-fn curved_faces_on_each_other_end_the_search() {
+fn curved_faces_on_each_other_are_told_apart() {
     let long = prepared(&shapes::cylinder(1.0, 4.0).unwrap());
     let short = prepared(&shapes::cylinder(1.0, 2.0).unwrap());
-    let found = overlap(&long, &short, 1e-3);
-    assert_sound(&found, [4.0 * PI, 2.0 * PI, 2.0 * PI]);
-    assert!(found.cells < 100_000, "{}", found.cells);
+    assert_holds(&overlap(&long, &short, 1e-2), [4.0 * PI, 2.0 * PI, 2.0 * PI], 1e-2);
 }

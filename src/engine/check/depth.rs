@@ -6,6 +6,7 @@ use crate::closest::closest;
 use crate::engine::PreparedModel;
 use crate::facts::Interval;
 use crate::flatness::Flatness;
+use crate::solid::Side;
 use glam::DVec3;
 
 /// The number of balls tried.
@@ -16,6 +17,10 @@ const FIRST_STEP: f64 = 0.9;
 
 /// The gap of distances, as a part of the larger body's diagonal.
 const RELATIVE_GAP: f64 = 1e-9;
+
+/// The ways from the point inside both to the middle of what both boxes have in common at which balls are begun: the
+/// point itself may lie on a boundary.
+const STARTS: [f64; 4] = [0.0, 0.125, 0.5, 1.0];
 
 /// A ball without points of either boundary.
 struct Ball {
@@ -28,11 +33,17 @@ struct Ball {
 /// Returns the interval of the length of the shortest motion that leaves two bodies without a common inside, from a
 /// point inside both: lemmas K1 and K2 of docs/assemblies.md.
 ///
-/// The largest ball within both is looked for from that point in small steps. O([`BALLS`] log patches).
+/// The largest ball within both is looked for from points between that one and the middle of what their boxes have in
+/// common, in small steps. O([`BALLS`] log patches).
 pub(super) fn depth(models: [&PreparedModel; 2], inside_both: [f64; 3], nearest: &Nearest) -> Interval {
     let upper = parting_distance(models, nearest);
     let start = DVec3::from_array(inside_both);
-    let Some(mut best) = ball(models, start) else { return Interval { lower: 0.0, upper } };
+    let [a, b] = models.map(PreparedModel::control_box);
+    let middle = 0.5 * (a.min.max(b.min) + a.max.min(b.max));
+    let points = STARTS.map(|way| start + way * (middle - start));
+    let balls = points.into_iter().filter(|&point| models.iter().all(|model| is_inside(model, point)));
+    let largest = balls.filter_map(|point| ball(models, point)).max_by(|a, b| a.radius.total_cmp(&b.radius));
+    let Some(mut best) = largest else { return Interval { lower: 0.0, upper } };
     let mut step = FIRST_STEP;
     for _ in 1..BALLS {
         let next = ball(models, best.middle + step * best.radius * best.away);
@@ -43,6 +54,13 @@ pub(super) fn depth(models: [&PreparedModel; 2], inside_both: [f64; 3], nearest:
     }
     let lower = (2.0 * best.radius).next_down();
     Interval { lower: if lower < upper { lower } else { upper }, upper }
+}
+
+/// Returns whether a point is certainly inside a body.
+fn is_inside(model: &PreparedModel, point: DVec3) -> bool {
+    let target = model.target(Flatness::None);
+    let enclosing = model.boundary().enclosing(&target.target, point, 0.0);
+    enclosing.is_some_and(|enclosing| model.shells().side(&enclosing) == Side::Inside)
 }
 
 /// Returns a ball about a point that has no points of either boundary.

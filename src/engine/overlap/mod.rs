@@ -63,14 +63,23 @@ pub struct OverlapResult {
     pub seconds: Seconds,
 }
 
+/// The number of pieces from which on a search is given up once its width no longer falls, and the same after boundaries
+/// that lie on each other were moved apart: these are told apart by pieces of one size, all at about the same time.
+const PATIENCE: [usize; 2] = [8192, 131_072];
+
+/// The part of the permitted width that a motion may take where a search has stalled: boundaries that lie on each other
+/// are that far apart then, and pieces are the larger.
+const MOTION_PART: f64 = 0.25;
+
 impl Engine {
     /// Returns intervals that contain the volumes of A ∩ B, A ∪ B, A \ B and B \ A, for A moved by the options'
     /// transform, and the ratio of the first two.
     ///
     /// No boolean operation is made: the volume of the intersection is an integral over the parts of each boundary that
     /// lie within the other body, and pieces of patches that may be on either side are halved until they weigh little.
-    /// The width falls as one over the number of pieces; patches that both boundaries have are paired first, so that
-    /// two revisions of a part take only what differs. Models may have several bodies that are apart, and voids.
+    /// The width falls as one over the square of the number of pieces, where faces that are not plane lie on each other
+    /// as one over it; patches that both boundaries have are paired first, so that two revisions of a part take only
+    /// what differs. Models may have several bodies that are apart, and voids.
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`]; [`Error::UnitsDiffer`]; [`Error::FacetsUnsupported`] for a cloud of points.
@@ -120,18 +129,27 @@ impl Engine {
             Ok(solids) => solids,
             Err(why) => return Ok(OverlapResult { volumes_unknown: Some(why), ..result }),
         };
-        let placed = [0, 1].map(|index| solids.placed(index));
-        let volumes = [0, 1].map(|index: usize| placed[index].volume);
-        let pair = Pair::new(placed);
+        let placed = || [0, 1].map(|index| solids.placed(index));
+        let [first, second] = placed();
+        let volumes = [first.volume, second.volume];
         result.seconds.prepare = started.elapsed().as_secs_f64();
-        let mut search = Search::new(&pair, &solids);
         let mut progress = Progress::new(monitor, false);
         // The union has at least the volume of the larger one.
         let larger = volumes[0].larger(volumes[1]).lower;
         let width = options.relative_width() * larger;
-        result.stop = run(&mut search, options, width, started, &mut progress).await?;
+        let mut budget = Budget { started, max_seconds: options.max_seconds, left: options.most_cells() };
+        let pair = Pair::new([first, second], 0.0);
+        let mut search = Search::new(&pair, &solids, PATIENCE[0]);
+        result.stop = run(&mut search, width, &mut budget, &mut progress).await?;
+        let mut common = search.volume();
+        if search.has_stalled() {
+            let pair = Pair::new(placed(), pair.motion(MOTION_PART * width));
+            let mut search = Search::new(&pair, &solids, PATIENCE[1]);
+            result.stop = run(&mut search, width, &mut budget, &mut progress).await?;
+            common = common.within(search.volume());
+        }
         progress.finish();
-        let found = OverlapVolumes::new(volumes, search.volume());
+        let found = OverlapVolumes::new(volumes, common);
         let permitted = options.relative_width() * found.union.lower;
         result.converged = found.intersection.width() <= permitted;
         if result.converged {
@@ -141,26 +159,38 @@ impl Engine {
         result.volume_of_gap = gaps.into_iter().flatten().reduce(|a, b| a + b);
         result.ratio = Some(found.ratio(volumes));
         result.volumes = Some(found);
-        result.cells = search.pieces();
+        result.cells = options.most_cells() - budget.left;
         result.seconds.solve = started.elapsed().as_secs_f64() - result.seconds.prepare;
         Ok(result)
     }
 }
 
+/// What is left of the budgets.
+struct Budget {
+    started: Instant,
+    max_seconds: Option<f64>,
+    /// The number of pieces.
+    left: usize,
+}
+
 /// Searches until the volume is known to this width or a budget ends the search.
 async fn run(
     search: &mut Search<'_>,
-    options: &OverlapOptions,
     width: f64,
-    started: Instant,
+    budget: &mut Budget,
     progress: &mut Progress<'_>,
 ) -> Result<Stop> {
     let first = search.width();
-    while search.advance(width) {
-        if search.pieces() >= options.most_cells() {
+    loop {
+        let before = search.pieces();
+        if !search.advance(width) {
+            return Ok(Stop::Precision);
+        }
+        budget.left = budget.left.saturating_sub(search.pieces() - before);
+        if budget.left == 0 {
             return Ok(Stop::Cells);
         }
-        if options.max_seconds.is_some_and(|most| started.elapsed().as_secs_f64() >= most) {
+        if budget.max_seconds.is_some_and(|most| budget.started.elapsed().as_secs_f64() >= most) {
             return Ok(Stop::Time);
         }
         if progress.is_due() {
@@ -170,7 +200,6 @@ async fn run(
             }
         }
     }
-    Ok(Stop::Precision)
 }
 
 /// Returns about the part of the work that is done: the pieces needed grow as one over the width.

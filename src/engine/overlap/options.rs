@@ -8,8 +8,8 @@ use serde::Deserialize;
 /// The width of the common volume, as a fraction of the union's, unless the options state one.
 const DEFAULT_TOLERANCE: f64 = 1e-3;
 
-/// The number of pieces after which the interval so far is returned, unless the options state one: boundaries that lie
-/// on each other without sharing their patches are never decided, and take some seconds then.
+/// The number of pieces after which the interval so far is returned, unless the options state one: curved boundaries that
+/// lie on each other in patches that differ take many, and some tens of seconds then.
 const DEFAULT_MAX_CELLS: usize = 400_000;
 
 /// Options of [`crate::Engine::overlap`]; names in camelCase when deserialized.

@@ -88,9 +88,15 @@ impl<'a> Solids<'a> {
             cracks: joined.of_shell.iter().map(|shell| shell.cracks).sum(),
             point_error: model.bezier().point_error,
             deviation: model.deviation(),
-            clearance: -boundary.clear_radius(0.0),
+            rounding: boundary.rounding(),
         };
-        PlacedSolid::new(&model.bezier().patches, moves.then_some(&self.transform), side, known)
+        PlacedSolid::new(
+            &model.bezier().patches,
+            boundary.strips(),
+            moves.then_some(&self.transform),
+            side,
+            known,
+        )
     }
 }
 
