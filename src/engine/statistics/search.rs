@@ -91,7 +91,7 @@ impl Engine {
             let (from, to) = (a.certified_target(), b.certified_target());
             let pair = Pair { a: from.operand(a), b: to.operand(b), transform: options.transform };
             let triangles = a.facets().map(|facets| &facets.target);
-            let cover = Cells::new(pair, triangles, WHOLE_PART * tolerance);
+            let cover = Cells::new(pair, triangles, search.sufficient());
             (prepare(), search.run(&cover, &mut progress).await?)
         } else {
             let patches = b.facets().is_none().then(|| b.certified_target());
@@ -102,7 +102,7 @@ impl Engine {
                 }
                 None => a.patches_as_source(&a.bezier().patches),
             };
-            let parts = Parts::new(source, measured, options.transform);
+            let parts = Parts::new(source, measured, options.transform, search.sufficient());
             let prepare = prepare();
             (
                 prepare,
@@ -138,6 +138,15 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
+    /// The distance within which a part is near enough to be decided whole, and within the limit too.
+    fn sufficient(&self) -> f64 {
+        let whole = WHOLE_PART * self.tolerance;
+        match self.options.limit {
+            Some(limit) if limit > 0.0 => limit.min(whole),
+            _ => whole,
+        }
+    }
+
     /// Returns the intervals of a cloud, whether they are narrow enough, and the number of points.
     async fn count(&self, parts: &Parts<'_>, progress: &mut Progress<'_>) -> Result<(Sums, bool, usize)> {
         let gap = POINT_PART * self.tolerance;
