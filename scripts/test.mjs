@@ -1,6 +1,7 @@
 // npm test: set up, then run every step of scripts/test/steps.mjs, or only some
 // with the steps that they need: npm test -- --only rust,page
 // Those that answer within two minutes while one works: npm test -- --quick
+// With the modules as they are published, and their budgets: npm test -- --release
 import { parseArgs } from "node:util";
 import { Failure, heldBack, say } from "./process.mjs";
 import { setUpForTests } from "./setup/index.mjs";
@@ -8,11 +9,23 @@ import { count } from "./test/count.mjs";
 import { steps } from "./test/steps.mjs";
 
 function chosen() {
-  const options = { only: { type: "string" }, quick: { type: "boolean", default: false } };
+  const options = {
+    only: { type: "string" },
+    quick: { type: "boolean", default: false },
+    release: { type: "boolean", default: false },
+  };
   const { values } = parseArgs({ options });
   if (values.quick) return quickSteps(values.only);
-  if (values.only === undefined) return steps;
-  const names = values.only.split(",");
+  return chosenOf(values.release ? steps.map(released) : steps, values.only);
+}
+
+/** The step as it tests what is published. */
+const released = ({ release, ...step }) => ({ ...step, ...release });
+
+/** All steps, or those named in a list with those that they need. */
+function chosenOf(steps, only) {
+  if (only === undefined) return steps;
+  const names = only.split(",");
   const unknown = names.filter((name) => !steps.some((step) => step.name === name));
   if (unknown.length > 0) {
     throw new Failure(

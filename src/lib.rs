@@ -109,6 +109,7 @@ mod limits;
 mod mesh_files;
 mod model;
 mod one_line;
+mod overlap;
 mod param_box;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod pictures;
@@ -160,14 +161,18 @@ pub use brep::FileKind;
 pub use brep::inflated;
 pub use bvh::Aabb;
 pub use engine::{
-    Backend, BestFit, BestFitOptions, Beyond, Body, BodyInfo, BodyKind, Bounded, CertifiedOptions,
-    CertifiedStatistics, ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions,
-    ClosestPoints, Computation, Counts, Details, DeviationField, DiffOptions, DiffResult, DistanceOptions,
-    DistanceResult, Engine, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart,
-    FreeEdge, GapOptions, GapsResult, Grid, GridOptions, HierarchyOptions, IterationOptions, LeftOut,
-    Measure, Method, MethodName, ModelInfo, NamedOptions, Overlap, OverlapUnknown, Percentile, Precision,
-    PreparedModel, Shell, SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics,
-    StatisticsOptions, Witness,
+    AtThreshold, Backend, BestFit, BestFitOptions, Beyond, Body, BodyInfo, BodyKind, BodyPair,
+    CertifiedOptions, CertifiedStatistics, CheckOptions, CheckResult, CheckRules, CheckedBody,
+    ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation,
+    Counts, Details, DeviationField, DiffOptions, DiffResult, Difference, DistanceOptions, DistanceResult,
+    Engine, FaceCounts, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart,
+    FreeEdge, GapOptions, GapsResult, Grid, GridOptions, HausdorffScore, HierarchyOptions, IterationOptions,
+    LeftOut, Measure, Method, MethodName, ModelInfo, NamedModel, NamedOptions, NamesOfPair, Overlap,
+    OverlapOptions, OverlapResult, OverlapUnknown, OverlapVolumes, PairState, PartDifference, PartFaces,
+    PartMotion, PartState, Percentile, Placement, Precision, PreparedModel, RequiredDistance, Requirement,
+    Rule, Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, Shell, SignedDistanceOptions,
+    SignedDistances, Signs, Solid, Statistics, StatisticsOptions, SurfaceScore, UnkeptRule, VolumesUnknown,
+    Witness,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

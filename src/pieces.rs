@@ -24,7 +24,7 @@ const RIM_STEPS: u32 = 8;
 ///
 /// An untrimmed face is one piece, itself. Later stages see the pieces as the surfaces of
 /// an untrimmed model, and results are converted by [`FacePieces::surface_point`].
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct FacePieces {
     /// The face of each piece, with the map to its parameters.
     origins: Arc<[(usize, ParameterMap)]>,
@@ -81,6 +81,28 @@ impl FacePieces {
         let faces = vec![0..0; face_names.len()];
         let (reversed, face_colors) = (Vec::new(), Vec::new());
         Self { origins: Arc::new([]), faces, face_names, reversed, face_colors, deviation: 0.0 }
+    }
+
+    /// Returns some of the pieces, which are those of these faces; both are in order, and numbered anew.
+    pub(crate) fn some(&self, pieces: &[u32], faces: &[usize]) -> Self {
+        let mut origins: Vec<(usize, ParameterMap)> = Vec::with_capacity(pieces.len());
+        let mut ranges = Vec::with_capacity(faces.len());
+        let mut rest = pieces.iter().map(|&piece| &self.origins[piece as usize]).peekable();
+        for (face, &whole) in faces.iter().enumerate() {
+            let first = origins.len();
+            while let Some((_, map)) = rest.next_if(|(of, _)| *of == whole) {
+                origins.push((face, map.clone()));
+            }
+            ranges.push(first..origins.len());
+        }
+        Self {
+            origins: origins.into(),
+            faces: ranges,
+            face_names: faces.iter().map(|&face| self.face_names[face].clone()).collect(),
+            reversed: faces.iter().map(|&face| self.reversed[face]).collect(),
+            face_colors: faces.iter().map(|&face| self.face_color(face)).collect(),
+            deviation: self.deviation,
+        }
     }
 
     /// As [`FacePieces::new`] for the model without its faces that cannot be cut; with that

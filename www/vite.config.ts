@@ -22,6 +22,7 @@ const commonHead: Plugin = {
       // No icon, and no request for one.
       tag("link", { rel: "icon", href: "data:," }),
       tag("link", { rel: "stylesheet", href: "/src/style.css" }),
+      tag("link", { rel: "stylesheet", href: "/src/layout/stage.css" }),
     ],
   },
 };

@@ -6,7 +6,7 @@ import { copyFile, mkdtemp, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { basename, extname, join } from "node:path";
 import { open } from "../../tests/page/support/open.mjs";
-import { mainThreadTasks, trace } from "../../tests/page/support/tracing.mjs";
+import { mainThreadTasks, trace } from "./tracing.mjs";
 
 /** Milliseconds after which the colours are given up. */
 const TIMEOUT = 300_000;

@@ -3,14 +3,19 @@
     python3 benches/trimmed/damage.py COMMAND COUNT SEED FILE...
 
 Each damaged file has bytes, digits, references or lines changed, exchanged, repeated or left out, or
-ends early. The command, `convert` of CAD and `distance` to a point of meshes and points, must end within
-MAX_SECONDS of CPU time, in MAX_BYTES of address space, with a model or a coded error; every other end is
-printed, and its file kept in the working folder. The exit status is 1 if there is one. The largest CPU
-time and resident memory of a run are printed too.
+ends early. The command's `info` must end within MAX_SECONDS of CPU time, in MAX_BYTES of address space, with a
+model or a coded error; every other end is printed, and its file kept in the working folder. The exit status is
+1 if there is one. The largest CPU time and resident memory of a run are printed too.
+
+A model is compared with that of the undamaged file. One of fewer faces, triangles or points, without a face
+more that is skipped, a note more or a wider gap, is a *silent loss*: its file is kept as well, and it is counted by
+the format and the damage, since formats that state no numbers cannot show a line that is missing. One of as
+many parts and another area is counted as *other values*: a digit that was changed is part of a valid file.
 """
 
 import collections
 import io
+import json
 import random
 import re
 import resource
@@ -32,9 +37,8 @@ KIBIBYTES_A_MEBIBYTE = 1024
 # In STEP; in other texts, whole numbers, which references are among.
 REFERENCE = re.compile(rb"#\d+")
 WHOLE_NUMBER = re.compile(rb"(?<![\d.])\d+(?![\d.])")
-MESHES = frozenset(
-    ".stl .ply .obj .off .vtk .vtp .gltf .glb .3mf .xyz .pts .csv .txt .pcd .ptx .las .laz .e57".split()
-)
+# Areas that differ by less of themselves are the same, and gaps that are wider by less.
+SAME_AREA, WIDER_GAP = 1e-9, 1e-9
 # The pages of E57 and the checksum at the end of each, CRC-32C.
 PAGE, CHECKED = 1024, 1020
 CASTAGNOLI = 0x82F63B78
@@ -137,37 +141,74 @@ def cpu_seconds() -> float:
     return used.ru_utime + used.ru_stime
 
 
+def parts(model: dict) -> int:
+    """The number of faces, triangles and points of a model, as `info` prints it."""
+    counts = model["counts"]
+    return len(model["faces"]) + counts.get("triangles", 0) + counts.get("points", 0)
+
+
+def area(model: dict) -> float:
+    return (model["area"]["lower"] + model["area"]["upper"]) / 2
+
+
+def remarks(model: dict) -> set[str]:
+    """What is left out of a model and what is noted, each in its words."""
+    return {json.dumps(remark, sort_keys=True) for name in ("skipped", "notes") for remark in model.get(name, ())}
+
+
+def kind_of_model(whole: dict, model: dict) -> str:
+    """Says how the model of a damaged file differs from that of the whole one, and whether `info` says so."""
+    wider = WIDER_GAP * whole["diagonal"] + 2 * whole["gap"]
+    is_said = bool(remarks(model) - remarks(whole)) or model["gap"] > wider
+    if parts(model) < parts(whole):
+        return "loss that is said" if is_said else "silent loss"
+    if parts(model) > parts(whole):
+        return "more"
+    if abs(area(model) - area(whole)) <= SAME_AREA * abs(area(whole)):
+        return "the same"
+    return "other values, said" if is_said else "other values"
+
+
+def info(command: str, path: Path) -> tuple[int | None, bytes]:
+    words = [command, "info", "--json", str(path)]
+    try:
+        run = subprocess.run(words, capture_output=True, timeout=MAX_WAITING_SECONDS, preexec_fn=limit)
+    except subprocess.TimeoutExpired:
+        return None, b""
+    return run.returncode, run.stdout
+
+
 def main() -> int:
     command, count, seed = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
-    files = [(Path(name).suffix, Path(name).read_bytes()) for name in sys.argv[4:]]
+    files = [(Path(name), Path(name).read_bytes()) for name in sys.argv[4:]]
+    wholes = [json.loads(info(command, path)[1]) for path, _ in files]
     rng = random.Random(seed)
-    ends, slowest, unexpected = collections.Counter(), 0.0, 0
+    ends, kinds, silent = collections.Counter(), collections.Counter(), collections.Counter()
+    slowest, unexpected = 0.0, 0
     with tempfile.TemporaryDirectory() as folder:
-        point = Path(folder) / "point.xyz"
-        point.write_text("1 2 3\n")
         for number in range(count):
-            suffix, content = rng.choice(files)
+            (source, content), whole = rng.choice(list(zip(files, wholes)))
             damage = rng.choice(DAMAGES)
-            path = Path(folder) / f"damaged{suffix}"
-            path.write_bytes(damaged(rng, damage, suffix, content))
+            path = Path(folder) / f"damaged{source.suffix}"
+            path.write_bytes(damaged(rng, damage, source.suffix, content))
             before = cpu_seconds()
-            words = [command, "convert", "--overwrite", str(path), str(Path(folder) / "model.json")]
-            if suffix in MESHES:
-                words = [command, "distance", str(path), str(point), "--max-cells", "100"]
-            try:
-                run = subprocess.run(words, capture_output=True, timeout=MAX_WAITING_SECONDS, preexec_fn=limit)
-                end = run.returncode
-            except subprocess.TimeoutExpired:
-                end = None
+            end, printed = info(command, path)
             slowest = max(slowest, cpu_seconds() - before)
             ends[end] += 1
-            if end not in EXPECTED:
-                unexpected += 1
-                kept = Path(f"damaged-{seed}-{number}{suffix}")
+            kind = kind_of_model(whole, json.loads(printed)) if end == 0 else None
+            kinds[kind or "none"] += 1
+            if kind == "silent loss":
+                silent[(source.name, damage.__name__)] += 1
+            if end not in EXPECTED or kind == "silent loss":
+                unexpected += end not in EXPECTED
+                kept = Path(f"damaged-{seed}-{number}{source.suffix}")
                 kept.write_bytes(path.read_bytes())
-                print(f"{kept}: ended with {end} after {damage.__name__}", flush=True)
+                print(f"{kept}: {kind or f'ended with {end}'} of {source.name} after {damage.__name__}", flush=True)
     peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / KIBIBYTES_A_MEBIBYTE
     print(f"{count} files: exit statuses {dict(ends)}, slowest {slowest:.2f} CPU s, at most {peak:.0f} MiB")
+    print(f"models: {dict(kinds)}")
+    for (name, damage), times in sorted(silent.items()):
+        print(f"silent loss: {name}, {damage}: {times}")
     return 1 if unexpected else 0
 
 

@@ -111,6 +111,9 @@ def main() -> None:
         "ball.obj": "\n".join(
             [f"v {line}" for line in lines] + ["f {} {} {}".format(*(triangle + 1)) for triangle in triangles]
         ).encode(),
+        "ball.off": "\n".join(
+            ["OFF", f"{len(vertices)} {len(triangles)} 0"] + lines + ["3 {} {} {}".format(*triangle) for triangle in triangles]
+        ).encode(),
         "ball.gltf": embedded,
         "ball.glb": glb,
         "ball.3mf": three_mf(vertices, triangles),

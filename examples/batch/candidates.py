@@ -36,7 +36,7 @@ def part(path: str) -> Part:
     corners = mesh.vertices[mesh.triangles] - (low + high) / 2
     volume = abs(float(np.linalg.det(corners).sum())) / 6
     box = np.stack([mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)])
-    return Part(path, sum(model.area()) / 2, volume, box, slack)
+    return Part(path, model.area.middle, volume, box, slack)
 
 
 def candidates(parts: list[Part], limit: float, difference: float, placed: bool):

@@ -34,6 +34,12 @@
 //! witnesses are points of both models, `upper` apart; one seed in four is proved in interval arithmetic;
 //! and sides of points by rays through triangles agree with the overlap.
 //!
+//! With `--solids`, closed shapes under affine and projective maps, of any size and place: volume, centroid, inertia,
+//! area and extents are compared with a second rule and with points, sides with rays through triangles, every point
+//! of a signed distance grid with its own closest point, and statistics with samples; all parts of statistics are
+//! audited. Volumes in common, of a solid with itself, shifted, and with another one, are compared with counts of
+//! points, the other way round, and with the volumes that they are parts of. Statistics of one in eight ordinary pairs are checked in the same way.
+//!
 //! With `--collapsed`, all control points of most surfaces lie on a point, on a line, in a plane or in
 //! parallel rows, exactly or within rounding; otherwise one pair in 26 is of these.
 //!
@@ -63,6 +69,7 @@ use clap::Parser;
 use fuzzer::check::{Outcome, check, check_attack, check_collapsed, check_reparametrized, check_trimmed};
 use fuzzer::clearance::{Subjects, check_clearance};
 use fuzzer::facets::check_facets;
+use fuzzer::solids::{Shapes, check_solid};
 use nurbs_hausdorff::internals::facets::audit_facet_searches;
 use nurbs_hausdorff::result::Lemma;
 use rayon::prelude::*;
@@ -85,6 +92,9 @@ struct Arguments {
     /// Checks clearances of models and parts at random poses.
     #[arg(long, conflicts_with_all = ["trimmed", "collapsed"])]
     clearance: bool,
+    /// Checks facts, sides, grids and statistics of closed shapes under random maps.
+    #[arg(long, conflicts_with_all = ["trimmed", "collapsed", "clearance", "facets", "reparametrized"])]
+    solids: bool,
     /// Draws models of collapsed control nets.
     #[arg(long, conflicts_with = "trimmed")]
     collapsed: bool,
@@ -161,11 +171,14 @@ fn main() -> ExitCode {
     let seeds = arguments.seed..arguments.seed + arguments.pairs;
     let summary = Mutex::new(Summary::default());
     let subjects = arguments.clearance.then(|| Subjects::new(true));
+    let shapes = arguments.solids.then(Shapes::new);
     let audit = arguments.facets.then(audit_facet_searches);
     seeds.into_par_iter().for_each(|seed| {
         // Ordinary pairs and the attack's families by turns.
         let outcome = if let Some(subjects) = &subjects {
             check_clearance(seed, subjects)
+        } else if let Some(shapes) = &shapes {
+            check_solid(seed, shapes)
         } else if arguments.facets {
             check_facets(seed)
         } else if arguments.trimmed {

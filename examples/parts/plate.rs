@@ -3,14 +3,14 @@
 use super::step::{Id, StepText, UnitsOf};
 
 /// A plate's lengths in millimetres; a corner is the origin.
-pub(super) struct Plate {
-    size: [f64; 3],
-    /// The places of the bores along the length; both are in the middle of the width.
-    bores: [(&'static str, f64); 2],
-    radius: f64,
+pub(super) struct Plate<const BORES: usize> {
+    pub(super) size: [f64; 3],
+    /// The places of the bores along the length; all are in the middle of the width.
+    pub(super) bores: [(&'static str, f64); BORES],
+    pub(super) radius: f64,
 }
 
-impl Plate {
+impl Plate<2> {
     /// The plate as it was.
     pub(super) const FIRST: Self =
         Self { size: [80.0, 50.0, 8.0], bores: [("bore left", 20.0), ("bore right", 60.0)], radius: 9.0 };
@@ -18,8 +18,10 @@ impl Plate {
     /// Its revision: the right bore is 0.3 mm farther right.
     pub(super) const REVISED: Self =
         Self { bores: [("bore left", 20.0), ("bore right", 60.3)], ..Self::FIRST };
+}
 
-    /// Returns the plate as the text of a STEP file: one solid of eight faces.
+impl<const BORES: usize> Plate<BORES> {
+    /// Returns the plate as the text of a STEP file: one solid of six faces and the bores' walls.
     pub(super) fn step(&self) -> String {
         let mut text = StepText::new();
         let [length, width, height] = self.size;

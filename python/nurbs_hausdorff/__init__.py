@@ -7,29 +7,45 @@
 
 from __future__ import annotations
 
+from importlib.metadata import version as _version
+
 from . import testing
 from ._errors import NurbsHausdorffError
 from ._fit import BestFit, FitPose, LeftOut, best_fit
+from ._interval import Interval
 from ._measure import (
-    clearance, closest_points, diff, distance, field, gaps, signed_distances, statistics,
+    clearance, closest_points, diff, distance, field, gaps, overlap, signed_distances, statistics,
 )  # fmt: skip
 from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell, Solid
 from ._results.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
 from ._results.closest import ClosestPoints
 from ._results.common import SurfacePoint, Witness
-from ._results.diff import DiffResult, FaceDifference
+from ._results.diff import DiffResult, FaceDifference, PartDifference, PartFaces, PartMotion
 from ._results.distance import DistanceResult
+from ._results.facts import Body, Facts
 from ._results.field import Field, FieldPart, Statistics
 from ._results.grid import SignedDistances
-from ._results.statistics import Beyond, Bounded, CertifiedStatistics
+from ._results.overlap import OverlapResult, OverlapVolumes
+from ._results.score import (
+    AtThreshold, Difference, FaceCounts, HausdorffScore, Placement, Requirement, Score, ScoredModel,
+    SurfaceScore,
+)  # fmt: skip
+from ._results.statistics import Beyond, CertifiedStatistics
+from ._score import score
 from ._sources import model, read
 from ._transform import Transform
 
+#: The version of the package.
+__version__ = _version("nurbs-hausdorff")
+
 __all__ = [
-    "BestFit", "Beyond", "Bounded", "CertifiedStatistics", "ClearanceResult", "ClosestPoints",
-    "DiffResult", "DistanceResult", "FaceDifference", "FaceGap", "Field", "FieldPart", "FitPose",
-    "FreeEdge", "GapsResult", "LeftOut", "Mesh", "MeshReport", "Model", "NurbsHausdorffError",
-    "Overlap", "ReadReport", "Remark", "Shell", "SignedDistances", "Solid", "Statistics",
-    "SurfacePoint", "Transform", "Witness", "best_fit", "clearance", "closest_points", "diff",
-    "distance", "field", "gaps", "model", "read", "signed_distances", "statistics", "testing",
+    "AtThreshold", "BestFit", "Beyond", "Body", "CertifiedStatistics", "ClearanceResult",
+    "ClosestPoints", "DiffResult", "Difference", "DistanceResult", "FaceCounts", "FaceDifference",
+    "FaceGap", "Facts", "Field", "FieldPart", "FitPose", "FreeEdge", "GapsResult", "HausdorffScore",
+    "Interval", "LeftOut", "Mesh", "MeshReport", "Model", "NurbsHausdorffError", "Overlap",
+    "OverlapResult", "OverlapVolumes", "PartDifference", "PartFaces", "PartMotion", "Placement",
+    "ReadReport", "Remark", "Requirement", "Score", "ScoredModel", "Shell", "SignedDistances",
+    "Solid", "Statistics", "SurfacePoint", "SurfaceScore", "Transform", "Witness", "best_fit",
+    "clearance", "closest_points", "diff", "distance", "field", "gaps", "model", "overlap", "read",
+    "score", "signed_distances", "statistics", "testing",
 ]  # fmt: skip

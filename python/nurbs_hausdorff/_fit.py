@@ -140,18 +140,24 @@ def best_fit(
             _transform.native(transform), reporter(progress, cancel),
         )  # fmt: skip
     )
+    return fit_result(data)
+
+
+def fit_result(data: dict[str, Any]) -> BestFit:
+    """Make the result of a native dictionary in snake case."""
     left_out = data.pop("left_out")
     points = np.asarray(left_out["points"], np.float64).reshape(-1, 3)
-    poses = tuple(FitPose(_motion(one["transform"]), one["rms"]) for one in data.pop("ambiguous"))
+    poses = tuple(FitPose(motion(one["transform"]), one["rms"]) for one in data.pop("ambiguous"))
     return BestFit(
-        transform=_motion(data.pop("transform")),
+        transform=motion(data.pop("transform")),
         ambiguous=poses,
         left_out=LeftOut(points, left_out.get("beyond")),
         **data,
     )
 
 
-def _motion(parts: dict[str, Any]) -> Transform:
+def motion(parts: dict[str, Any]) -> Transform:
+    """Make the motion of a native dictionary."""
     x, y, z, w = parts["rotation"]
     a, b, c = parts["translation"]
     return Transform((x, y, z, w), (a, b, c))

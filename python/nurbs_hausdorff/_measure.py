@@ -17,6 +17,7 @@ from ._results.diff import DiffResult, diff_result
 from ._results.distance import DistanceResult, distance_result
 from ._results.field import Field, Statistics, field_parts
 from ._results.grid import SignedDistances
+from ._results.overlap import OverlapResult, overlap_result
 from ._results.statistics import CertifiedStatistics, statistics_result
 from ._sources import model
 from ._transform import Transform
@@ -200,6 +201,49 @@ def clearance(
     return clearance_result(_names.snake(data))
 
 
+def overlap(
+    a: Any,
+    b: Any,
+    *,
+    tolerance: float | None = None,
+    max_seconds: float | None = None,
+    max_cells: int | None = None,
+    scale_units: bool = False,
+    transform: Transform | ArrayLike | None = None,
+    progress: ProgressBar | bool | None = None,
+    cancel: Event | None = None,
+) -> OverlapResult:
+    """Return the volumes that two solids have in common and apart, and their ratio, as intervals.
+
+    Parameters
+    ----------
+    a, b : anything that `model` takes
+    tolerance : float, optional
+        Permitted width of the common volume, as a fraction of the union's; 1e-3 if not given.
+    max_seconds, max_cells : optional
+        Budgets, after which the intervals reached are returned.
+    scale_units : bool
+        Scales B to the unit of A where both state different ones; else that is an error.
+    transform : Transform or array of shape (4, 4), optional
+        Moves A before it is measured.
+    progress : bool or tqdm, optional
+    cancel : threading.Event, optional
+
+    Raises
+    ------
+    NurbsHausdorffError
+        With the code of what was refused; ``CANCELLED`` if ``cancel`` was set.
+    """
+    options = _names.options(
+        tolerance=tolerance, max_seconds=max_seconds, max_cells=max_cells, scale_units=scale_units
+    )
+    data = _native.overlap(
+        model(a)._native, model(b)._native, options,
+        _transform.native(transform), reporter(progress, cancel),
+    )  # fmt: skip
+    return overlap_result(_names.snake(data))
+
+
 def statistics(
     a: Any,
     b: Any,
@@ -211,6 +255,7 @@ def statistics(
     relative_tolerance: float | None = None,
     max_seconds: float | None = None,
     max_cells: int | None = None,
+    audit: Literal["share", "all"] | None = None,
     scale_units: bool = False,
     transform: Transform | ArrayLike | None = None,
     progress: ProgressBar | bool | None = None,
@@ -233,6 +278,8 @@ def statistics(
         diagonal; 1e-4 of it if neither is given.
     max_seconds, max_cells : optional
         Budgets, after which the intervals reached are returned.
+    audit : {"share", "all"}, optional
+        Parts whose bounds are compared with certified distances of their points at the end.
     scale_units : bool
         Scales B to the unit of A where both state different ones; else that is an error.
     transform : Transform or array of shape (4, 4), optional
@@ -250,7 +297,7 @@ def statistics(
         percentiles=None if percentiles is None else [float(part) for part in percentiles],
         limit=limit, part_tolerance=part_tolerance,
         tolerance=tolerance, relative_tolerance=relative_tolerance,
-        max_seconds=max_seconds, max_cells=max_cells, scale_units=scale_units,
+        max_seconds=max_seconds, max_cells=max_cells, audit=audit, scale_units=scale_units,
     )  # fmt: skip
     data = _native.statistics(
         model(a)._native, model(b)._native, options,

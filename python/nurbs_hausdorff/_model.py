@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from . import _names, _native
 from ._arrays import rows
 from ._errors import NurbsHausdorffError
+from ._interval import Interval
+from ._results.facts import Body, Facts, body_result, facts_result
 
 
 @dataclass(frozen=True)
@@ -279,10 +281,40 @@ class Model:
         info: dict[str, Any] = _names.snake(self._native.info())
         return info
 
-    def area(self) -> tuple[float, float]:
-        """Return an interval that contains the area, in squares of the model unit."""
-        area = self.info()["area"]
-        return area["lower"], area["upper"]
+    def facts(self) -> Facts:
+        """Return volume, area, extents, centroid and inertia, as intervals that contain them.
+        Computed at the first call."""
+        return facts_result(_names.snake(self._native.facts()))
+
+    @property
+    def bodies(self) -> tuple[Body, ...]:
+        """The bodies with their facts: solids with their voids, sheets, or a cloud of points."""
+        return tuple(body_result(body) for body in _names.snake(self._native.bodies()))
+
+    @property
+    def area(self) -> Interval | None:
+        """Area, in squares of the model unit; None of points."""
+        return self.facts().area
+
+    @property
+    def volume(self) -> Interval | None:
+        """Volume, in cubes of the model unit; None where ``facts().volume_unknown`` says why."""
+        return self.facts().volume
+
+    @property
+    def extents(self) -> tuple[Interval, Interval, Interval]:
+        """Lengths along x, y and z."""
+        return self.facts().extents
+
+    @property
+    def centroid(self) -> tuple[Interval, Interval, Interval] | None:
+        """Centroid of the volume."""
+        return self.facts().centroid
+
+    @property
+    def inertia(self) -> tuple[tuple[Interval, Interval, Interval], ...] | None:
+        """Tensor of inertia about the centroid, at density 1."""
+        return self.facts().inertia
 
     def to_json(self) -> str:
         """Return the model as interchange JSON, every number in full precision."""

@@ -8,8 +8,9 @@ use numpy::PyReadonlyArray1;
 use nurbs_hausdorff::result::Stop;
 use nurbs_hausdorff::{
     Backend, BestFitOptions, ClearanceOptions, ClosestPointOptions, DiffOptions, DistanceOptions,
-    DistanceResult, Engine, FieldOptions, GapOptions, MethodName, NamedOptions, SignedDistanceOptions,
-    StatisticsOptions,
+    DistanceResult, Engine, FieldOptions, GapOptions, MethodName, NamedOptions, OverlapOptions,
+    ScoreOptions,
+    SignedDistanceOptions, StatisticsOptions,
 };
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -105,6 +106,23 @@ pub(crate) fn clearance<'py>(
 }
 
 #[pyfunction]
+pub(crate) fn overlap<'py>(
+    py: Python<'py>,
+    a: &Model,
+    b: &Model,
+    options: &Bound<'py, PyDict>,
+    motion: Motion,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let mut options: OverlapOptions = convert::options(options)?;
+    options.transform = convert::transform(py, motion)?;
+    let engine = cpu(py);
+    let compute =
+        |caller: &mut Caller| engine.overlap(a.prepared(), b.prepared(), &options).monitored(caller).wait();
+    to_dict(py, &run(py, report, compute, |result| result.stop == Stop::Cancelled)?)
+}
+
+#[pyfunction]
 pub(crate) fn statistics<'py>(
     py: Python<'py>,
     a: &Model,
@@ -119,6 +137,23 @@ pub(crate) fn statistics<'py>(
     let compute = |caller: &mut Caller| {
         engine.statistics(a.prepared(), b.prepared(), &options).monitored(caller).wait()
     };
+    to_dict(py, &run(py, report, compute, |_| false)?)
+}
+
+#[pyfunction]
+pub(crate) fn score<'py>(
+    py: Python<'py>,
+    a: &Model,
+    b: &Model,
+    options: &Bound<'py, PyDict>,
+    motion: Motion,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let mut options: ScoreOptions = convert::options(options)?;
+    options.transform = convert::transform(py, motion)?;
+    let engine = cpu(py);
+    let compute =
+        |caller: &mut Caller| engine.score(a.prepared(), b.prepared(), &options).monitored(caller).wait();
     to_dict(py, &run(py, report, compute, |_| false)?)
 }
 

@@ -7,7 +7,7 @@ use glam::DVec3;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use nurbs_hausdorff::tessellate::{TessellationOptions, tessellate};
 use nurbs_hausdorff::{
-    Beside, Error, Facets, MeshFile, MeshFormat, MeshReport, ModelInfo, PointCloud, PreparedModel,
+    Beside, BodyInfo, Error, Facets, MeshFile, MeshFormat, MeshReport, ModelInfo, PointCloud, PreparedModel,
     ReadReport, Side, TriangleMesh, face_path,
 };
 use pyo3::prelude::*;
@@ -156,6 +156,18 @@ impl Model {
         let model = self.surfaces(py, "a description of faces and patches")?;
         let info = py.detach(|| on_live_threads(|| ModelInfo::of_prepared(model, &self.prepared)))?;
         to_dict(py, &info)
+    }
+
+    /// Returns volume, area, extents and the like, as intervals.
+    fn facts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let facts = py.detach(|| on_live_threads(|| self.prepared.facts()))?;
+        to_dict(py, facts)
+    }
+
+    /// Returns the bodies with their facts.
+    fn bodies<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let bodies = py.detach(|| on_live_threads(|| BodyInfo::of(&self.prepared)))?;
+        bodies.iter().map(|body| to_dict(py, body)).collect()
     }
 
     /// Returns whether the faces close, the shells, and the edges where they do not.

@@ -60,7 +60,13 @@ pub(crate) fn run<T: Send>(
     is_cancelled: impl FnOnce(&T) -> bool,
 ) -> PyResult<T> {
     let mut caller = Caller { report, interval: None, raised: None, cancelled: false };
-    let result = py.detach(|| on_live_threads(|| compute(&mut caller)))?;
+    // What is cancelled already does not begin, however short it is.
+    caller.progress(0.0);
+    let result = if caller.cancelled {
+        Err(Error::Cancelled)
+    } else {
+        py.detach(|| on_live_threads(|| compute(&mut caller)))?
+    };
     let cancelled = || failure::exception(py, Error::Cancelled.code(), "cancelled", caller.interval);
     if let Some(raised) = caller.raised.take() {
         raised.set_cause(py, Some(cancelled()));

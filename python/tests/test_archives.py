@@ -60,7 +60,7 @@ def test_the_visible_shapes_of_a_document_are_one_model(tmp_path):
     faces = json.loads(model.to_json())["surfaces"]
     edges = [curve["edge"] for face in faces for loop in face.get("trim", []) for curve in loop]
     assert len(edges) == len(set(edges))
-    lower, upper = model.area()
+    lower, upper = model.area
     assert lower <= 2 <= upper
     again = pickle.loads(pickle.dumps(model))
     assert again.kind == "fcstd" and again.report == model.report

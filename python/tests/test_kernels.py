@@ -44,7 +44,7 @@ def test_shapes_and_builders_of_build123d_are_read():
         b3d.Box(*SIZE)
     for part in (b3d.Box(*SIZE), builder, b3d.Box(*SIZE).wrapped):
         model = nh.model(part)
-        lower, upper = model.area()
+        lower, upper = model.area
         assert model.face_count == 6 and lower <= 3800 <= upper and upper - lower < 1e-6
     assert pickle.loads(pickle.dumps(model)).kind == "brep"
     # Of different places: the shape's location counts.

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
+from importlib.metadata import version
 
 import numpy as np
 import pytest
@@ -39,7 +40,7 @@ def test_files_bytes_and_streams_are_the_same_model(tmp_path):
     for model in models:
         assert (model.kind, model.face_count, model.report.faces) == ("json", 1, 1)
         assert model.to_json() == text
-    lower, upper = models[0].area()
+    lower, upper = models[0].area
     assert lower <= upper and upper - lower < 1e-6 * upper
     with pytest.raises(nh.NurbsHausdorffError, match="nothing-here") as raised:
         nh.read(tmp_path / "nothing-here.step")
@@ -122,6 +123,19 @@ def test_cancelling_raises_with_the_interval():
     assert 0 <= lower < upper
 
 
+@pytest.mark.parametrize("measure", [nh.distance, nh.statistics, nh.clearance, nh.diff, nh.field])
+def test_what_is_cancelled_before_does_not_begin(measure):
+    event = threading.Event()
+    event.set()
+    with pytest.raises(nh.NurbsHausdorffError) as raised:
+        measure(sheet(), sheet(height=1.0), cancel=event)
+    assert raised.value.code == "CANCELLED"
+
+
+def test_the_version_is_that_of_the_package():
+    assert nh.__version__ == version("nurbs-hausdorff")
+
+
 def test_progress_is_that_of_tqdm():
     class Bar:
         total = 200.0
@@ -195,7 +209,7 @@ def test_a_histogram_has_the_area_of_the_model():
     axes = field.hist(Figure().add_subplot(), bins=20)
     drawn = sum(bar.get_height() for bar in axes.patches)
     assert len(axes.patches) == 20 and drawn == pytest.approx(field.statistics.area)
-    lower, upper = nh.model(sheet()).area()
+    lower, upper = nh.model(sheet()).area
     assert drawn == pytest.approx((lower + upper) / 2, rel=1e-3)
 
 

@@ -3,7 +3,6 @@
 import {
   chmodSync,
   copyFileSync,
-  cpSync,
   mkdirSync,
   mkdtempSync,
   readFileSync,
@@ -14,7 +13,6 @@ import { tmpdir } from "node:os";
 import { basename, dirname, join } from "node:path";
 import { inRoot } from "../paths.mjs";
 import { ask, Failure, must } from "../process.mjs";
-import { small } from "./wasm/small.mjs";
 
 /** The platforms with a command, as Node names them; those of `.github/workflows/release.yml`. */
 export const PLATFORMS = ["linux-x64", "linux-arm64", "darwin-x64", "darwin-arm64", "win32-x64"];
@@ -59,7 +57,7 @@ export function packCommand(platform, program, target) {
   });
 }
 
-/** Packs the package with its optimised modules; it is built before. */
+/** Packs the package, with the modules that were built before. */
 export function packPackage(target) {
   const listed = ask("npm", ["pack", "--dry-run", "--json", "--ignore-scripts"]);
   if (listed === undefined) throw new Failure("npm cannot list the files of the package");
@@ -70,8 +68,6 @@ export function packPackage(target) {
       mkdirSync(dirname(join(folder, path)), { recursive: true });
       copyFileSync(inRoot(path), join(folder, path));
     }
-    rmSync(join(folder, "dist", "wasm"), { recursive: true });
-    cpSync(small, join(folder, "dist", "wasm"), { recursive: true });
     const complete = { ...published, optionalDependencies: Object.fromEntries(versions) };
     writeFileSync(join(folder, "package.json"), JSON.stringify(complete, null, 2));
   });

@@ -5,7 +5,7 @@
 //! sum of `|c_j|` for j > n is an upper bound on the error of its truncation to degree n
 //! (lemma T4 of docs/trimming.md).
 
-use glam::{DVec3, DVec4};
+use super::bernstein::{Linear, binomial, elevated};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::OnceLock;
 
@@ -36,26 +36,6 @@ fn cosines(count: usize) -> &'static [f64] {
 pub(crate) fn nodes(count: usize) -> impl Iterator<Item = f64> {
     let table = cosines(count);
     (0..count).map(move |k| 0.5 + 0.5 * table[2 * k + 1])
-}
-
-/// A value that interpolation forms linear combinations of.
-pub(crate) trait Linear:
-    Copy + std::ops::Add<Output = Self> + std::ops::Mul<f64, Output = Self>
-{
-    /// The value 0.
-    const ZERO: Self;
-}
-
-impl Linear for f64 {
-    const ZERO: Self = 0.0;
-}
-
-impl Linear for DVec3 {
-    const ZERO: Self = Self::ZERO;
-}
-
-impl Linear for DVec4 {
-    const ZERO: Self = Self::ZERO;
 }
 
 /// Returns the Chebyshev coefficients of the polynomial of degree below
@@ -89,24 +69,6 @@ fn bernstein_matrix(degree: usize) -> &'static [Vec<f64>] {
             })
             .collect()
     })
-}
-
-/// Returns `C(n, k)`, exact for n up to 30.
-pub(crate) fn binomial(n: usize, k: usize) -> f64 {
-    (0..k).fold(1.0, |value, i| value * (n - i) as f64 / (i + 1) as f64)
-}
-
-/// Returns the Bernstein coefficients of the same polynomial in a degree at least as high.
-fn elevated(mut row: Vec<f64>, degree: usize) -> Vec<f64> {
-    while row.len() <= degree {
-        let raised = row.len() as f64;
-        let at = |i: usize| if i < row.len() { row[i] } else { 0.0 };
-        let before = |i: usize| if i > 0 { row[i - 1] } else { 0.0 };
-        row = (0..=row.len())
-            .map(|i| i as f64 / raised * before(i) + (1.0 - i as f64 / raised) * at(i))
-            .collect();
-    }
-    row
 }
 
 /// Returns the Bernstein coefficients, of degree `degree`, of the Chebyshev series

@@ -1,4 +1,7 @@
-//! Functions near given values: Chebyshev interpolation, and least squares.
+//! Polynomials in Bernstein form, Chebyshev interpolation, least squares, linear systems.
 
+pub(crate) mod bernstein;
 pub(crate) mod chebyshev;
+#[cfg(feature = "shapes")]
+pub(crate) mod elimination;
 pub(crate) mod least_squares;

@@ -1,6 +1,7 @@
 //! The area density of a patch over a part of its parameters, as polynomials.
 
-use crate::approximation::chebyshev::{Linear, coefficients, nodes};
+use crate::approximation::bernstein::Linear;
+use crate::approximation::chebyshev::{coefficients, nodes};
 use crate::bezier::{HomogeneousTangents, Patch};
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;

@@ -29,6 +29,18 @@ impl Aabb {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
+    /// Returns whether both boxes have a point in common.
+    #[must_use]
+    pub fn meets(&self, other: &Self) -> bool {
+        self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
+    }
+
+    /// Returns whether the other box lies within this one.
+    #[must_use]
+    pub fn contains(&self, other: &Self) -> bool {
+        self.min.cmple(other.min).all() && other.max.cmple(self.max).all()
+    }
+
     /// Returns this box enlarged by `margin` on every side.
     #[must_use]
     pub fn grown(self, margin: f64) -> Self {

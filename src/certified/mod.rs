@@ -32,7 +32,7 @@ mod spread;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod testing;
 
-pub(crate) use audit::{Refutation, audit_whole};
+pub(crate) use audit::{Refutation, SpreadRefutation, audit_whole};
 pub(crate) use cell::{Cell, MAX_ASPECT};
 pub(crate) use faces::TrimmedFaces;
 pub(crate) use generatrix::Generatrix;

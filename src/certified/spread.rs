@@ -12,7 +12,7 @@ use super::rounding::{MOVED_JET_ROUNDINGS, UNIT_ROUNDOFF, closest_point_error, g
 use super::{Cell, Pair};
 use crate::axis::Axis;
 use crate::closest::closest_above;
-use crate::rounding::upper_min;
+use crate::rounding::{upper_max, upper_min};
 use glam::DVec3;
 
 /// The part of the width aimed at that a query for a distance may leave open.
@@ -75,17 +75,36 @@ pub(crate) struct Spreads<'a> {
     /// Cells within this distance of B are not looked at more closely.
     sufficient: f64,
     rounding: f64,
+    /// Whether the lemmas were refuted: cells have the bounds of their centre and their radius then.
+    is_struck: bool,
 }
 
 impl<'a> Spreads<'a> {
     pub(crate) fn new(pair: Pair<'a>, density: Density, sufficient: f64) -> Self {
         let rounding = point_error(&pair) + closest_point_error(&pair);
-        Self { nearest: NearestPoint::new(pair.b), pair, density, sufficient, rounding }
+        Self { nearest: NearestPoint::new(pair.b), pair, density, sufficient, rounding, is_struck: false }
+    }
+
+    pub(crate) fn pair(&self) -> &Pair<'a> {
+        &self.pair
+    }
+
+    /// Bounds cells from now on by the triangle inequality alone.
+    pub(crate) fn strike(&mut self) {
+        self.is_struck = true;
     }
 
     /// What is to be added to both sides of every bound.
     pub(crate) fn rounding(&self) -> f64 {
         self.rounding
+    }
+
+    /// An upper bound on the distance of every point of A from B: both are in the hulls of their control points.
+    pub(crate) fn farthest(&self) -> f64 {
+        let (a, b) = (self.pair.a.control_box, self.pair.b.control_box);
+        let center = self.pair.transform.apply(a.center());
+        let far = b.max_distance_squared(center).sqrt() + 0.5 * a.diagonal();
+        far * (1.0 + MEAN_ROUNDINGS * UNIT_ROUNDOFF) + 2.0 * self.rounding
     }
 
     /// The first start: the apex is farther than A and B are from each other.
@@ -97,6 +116,9 @@ impl<'a> Spreads<'a> {
     /// Returns the bounds of a cell, which rounding has not been added to.
     pub(crate) fn of(&self, cell: Cell, start: &SpreadStart) -> CellSpread {
         let mut context = CellContext::new(&self.pair, &self.nearest, cell, &start.foot);
+        if self.is_struck {
+            return self.by_center(&context, *start);
+        }
         let mut upper = bounds::with_any_foot(&mut context, self.sufficient).upper;
         if !(upper <= self.sufficient) {
             let query = Query { target: context.jet.point, known: context.foot(), sufficient: 0.0 };
@@ -165,6 +187,22 @@ impl<'a> Spreads<'a> {
             axis: if s >= t { Axis::U } else { Axis::V },
             start,
         }
+    }
+
+    /// The bounds by the distance of the cell's centre and its radius.
+    fn by_center(&self, context: &CellContext<'_>, mut start: SpreadStart) -> CellSpread {
+        let mut least = 0.0;
+        start.foot = context.foot();
+        if let Some((lower, foot)) = self.query(context.jet.point, context.foot()) {
+            let distance = context.jet.point.distance(self.nearest_point(&foot));
+            start.foot = Foot { distance_squared: distance * distance, ..foot };
+            least = upper_max(least, lower - context.radius);
+        }
+        let all = [least, start.foot.distance() + context.radius];
+        let first = context.patch_bounds().first;
+        let longer_along_u = context.cell.half[0] * first[0] >= context.cell.half[1] * first[1];
+        let axis = if longer_along_u { Axis::U } else { Axis::V };
+        CellSpread { all, mean: all, square: all.map(|bound| bound * bound), axis, start }
     }
 
     fn gap(&self) -> f64 {
@@ -275,6 +313,40 @@ mod tests {
                 "{square} {found:?}"
             );
         }
+    }
+
+    /// The audit refutes a range that a point of the cell is beyond, by either end, and a mean that is off by a
+    /// hundredth; what the lemmas state it does not refute, nor what the triangle inequality states without them.
+    #[test]
+    fn an_audit_refutes_what_is_wrong_and_nothing_else() {
+        let center = DVec3::new(0.25, -0.125, 0.5);
+        let [a, b] =
+            [sphere(DVec3::ZERO, 1.0), sphere(center, 2.0)].map(|model| Surfaces::of(&model.unwrap()));
+        let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
+        let mut spreads = Spreads::new(pair, Density::OfPatch, SUFFICIENT);
+        let cell = Cell { patch: 1, center: [0.375, 0.5], half: [0.125; 2] };
+        for is_struck in [false, true] {
+            if is_struck {
+                spreads.strike();
+            }
+            let CellSpread { all, mean, .. } = spreads.of(cell, &spreads.start());
+            assert_eq!(spreads.refutation(&cell, all, 3), None);
+            assert_eq!(spreads.refutation_of_mean(&cell, all, mean), None);
+        }
+        let distances: Vec<f64> = [-1.0, 0.0, 1.0]
+            .into_iter()
+            .flat_map(|s| [-1.0, 0.0, 1.0].map(|t| [s, t]))
+            .map(|place| 2.0 - pair.point_of_a(cell.patch, cell.at(place)).distance(center))
+            .collect();
+        let ends = [f64::min, f64::max].map(|fold| distances.iter().copied().reduce(fold).unwrap());
+        let range = ends[1] - ends[0];
+        for wrong in [[ends[0] + 0.05 * range, 3.0], [0.0, ends[1] - 0.05 * range]] {
+            let found = spreads.refutation(&cell, wrong, 3).unwrap();
+            assert!(found.stated == wrong && !found.is_mean, "{found:?}");
+        }
+        let mean = distances.iter().sum::<f64>() / distances.len() as f64;
+        let off = [mean + 0.2 * range, mean + 0.3 * range];
+        assert!(spreads.refutation_of_mean(&cell, ends, off).is_some_and(|found| found.is_mean));
     }
 
     /// Halving a cell thrice makes the width of its mean about 64 times less, where that of all distances is 8 times.

@@ -5,6 +5,7 @@ use super::prepared::BodyParts;
 use crate::facts::Orientation;
 use crate::model::face_path;
 use serde::Serialize;
+use std::collections::HashSet;
 
 /// A body: an outer shell and its voids, a sheet, or a cloud of points.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -117,4 +118,15 @@ impl PreparedModel {
         }
         common.unwrap_or_default()
     }
+}
+
+/// Returns a name that no other body has: this one, with a number behind it where it is taken.
+pub(in crate::engine) fn unique_name(name: String, taken: &mut HashSet<String>) -> String {
+    let mut candidate = name.clone();
+    let mut number = 1;
+    while !taken.insert(candidate.clone()) {
+        number += 1;
+        candidate = format!("{name} ({number})");
+    }
+    candidate
 }

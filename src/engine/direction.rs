@@ -174,6 +174,7 @@ impl DirectedRun {
             adapter: self.adapter,
             diagonal: self.diagonal,
             unit: self.unit,
+            hint: None,
             gap: self.gap,
             gap_proven: self.is_gap_proven,
             with_gaps: WithGaps::new(Interval { lower, upper }, self.gap, self.limit),

@@ -1,6 +1,7 @@
 //! The engine: the choice of the backend, and recovery from lost devices.
 
 use super::direction::{DirectedRun, Direction};
+use super::hint::hint;
 use super::{Backend, Computation, DistanceOptions, DistanceResult, Method, MethodName, PreparedModel};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
@@ -112,7 +113,7 @@ impl Engine {
         })
     }
 
-    async fn distance_of(
+    pub(super) async fn distance_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,
@@ -120,6 +121,7 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<DistanceResult> {
         options.validate()?;
+        let hint = hint(a, b);
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
         let mut progress = Progress::new(monitor, options.symmetric);
@@ -127,13 +129,13 @@ impl Engine {
         let forward = self.directed(&forward, options, &mut progress).await?.into_forward();
         if !options.symmetric {
             progress.finish();
-            return Ok(forward);
+            return Ok(DistanceResult { hint, ..forward });
         }
         let reverse = Direction { from: b, to: a, transform: options.transform.inverse() };
         progress.second_half();
         let reverse = self.directed(&reverse, options, &mut progress).await?.into_reverse(options);
         progress.finish();
-        Ok(DistanceResult::symmetric(forward, reverse))
+        Ok(DistanceResult { hint, ..DistanceResult::symmetric(forward, reverse) })
     }
 
     /// Runs one direction, and samples the field if the options request it; method

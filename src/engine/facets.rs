@@ -1,5 +1,6 @@
 //! One direction from or to a mesh or a cloud, within its budgets.
 
+use super::certified::deadline;
 use super::certified::fraction;
 use super::direction::{DirectedRun, Direction};
 use super::options::CertifiedOptions;
@@ -164,6 +165,9 @@ async fn search_within(
     progress: &mut Progress<'_>,
 ) -> Result<Stop> {
     let started = Instant::now();
+    if let Some(deadline) = deadline(started, budgets.max_seconds) {
+        search.stop_at(deadline);
+    }
     progress.section(0.0, 1.0);
     let interval = |search: &FacetSearch<'_>| {
         let [lower, upper] = search.interval();

@@ -4,6 +4,7 @@
 mod best_fit;
 mod bodies;
 mod certified;
+mod check;
 mod clearance;
 mod computation;
 mod diff;
@@ -12,24 +13,34 @@ mod dispatch;
 mod facets;
 mod field;
 mod hierarchy;
+mod hint;
 mod info;
 mod iteration;
 mod options;
+mod overlap;
 mod points;
 mod prepared;
 mod result;
+mod score;
+mod section;
 mod signs;
 mod solid;
 mod statistics;
 
 pub use best_fit::{BestFit, BestFitOptions, FitPose, FitStart, LeftOut};
 pub use bodies::{Body, BodyKind};
+pub use check::{
+    BodyPair, CheckOptions, CheckResult, CheckRules, CheckedBody, NamedModel, NamesOfPair, PairState,
+    RequiredDistance, Rule, UnkeptRule,
+};
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,
     OverlapUnknown,
 };
 pub use computation::Computation;
-pub use diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
+pub use diff::{
+    DiffOptions, DiffResult, FaceDifference, FaceState, PartDifference, PartFaces, PartMotion, PartState,
+};
 pub use dispatch::Engine;
 pub use field::{DeviationField, FaceDeviations, FieldOptions, Statistics};
 pub use info::{BodyInfo, Counts, FaceInfo, ModelInfo};
@@ -37,6 +48,7 @@ pub use options::{
     Backend, CertifiedOptions, DistanceOptions, HierarchyOptions, IterationOptions, Method, MethodName,
     NamedOptions,
 };
+pub use overlap::{OverlapOptions, OverlapResult, OverlapVolumes, VolumesUnknown};
 pub use points::{
     ClosestPointOptions, ClosestPoints, Grid, GridOptions, Precision, SignedDistanceOptions, SignedDistances,
 };
@@ -45,8 +57,12 @@ pub use result::{
     AuditReport, Bounds, CertifiedDetails, Details, DistanceResult, HierarchyDetails, IterationDetails,
     Lemma, Lemmas, PatchCounts, Processor, Seconds, Stop, WithGaps, Witness,
 };
+pub use score::{
+    AtThreshold, Difference, FaceCounts, HausdorffScore, Placement, Requirement, Score, ScoreAlignment,
+    ScoreNumber, ScoreOptions, ScoredModel, SurfaceScore,
+};
 pub use signs::Signs;
 pub use solid::{FreeEdge, Shell, Solid};
-pub use statistics::{Beyond, Bounded, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
+pub use statistics::{Beyond, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
 
 pub(crate) use prepared::{PreparedSampling, PreparedTarget};

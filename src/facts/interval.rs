@@ -115,6 +115,44 @@ impl Interval {
         }
     }
 
+    /// Returns the interval of the smaller of two numbers.
+    pub(crate) fn smaller(self, other: Self) -> Self {
+        -(-self).larger(-other)
+    }
+
+    /// Returns the interval of the absolute values.
+    pub(crate) fn absolute(self) -> Self {
+        self.larger(-self).not_negative()
+    }
+
+    /// Returns the interval of the roots of numbers that are not negative.
+    pub(crate) fn root(self) -> Self {
+        let Self { lower, upper } = self.not_negative();
+        Self { lower: lower.sqrt().next_down(), upper: upper.sqrt().next_up() }.not_negative()
+    }
+
+    /// Returns the numbers that both intervals contain, of which there must be one.
+    pub(crate) fn within(self, other: Self) -> Self {
+        Self {
+            lower: if other.lower > self.lower { other.lower } else { self.lower },
+            upper: if other.upper < self.upper { other.upper } else { self.upper },
+        }
+    }
+
+    /// Returns the numbers of the interval from `least` to `most`, of which there must be one.
+    pub(crate) fn clamped(self, least: f64, most: f64) -> Self {
+        let within = |bound: f64| {
+            if bound < least {
+                least
+            } else if bound > most {
+                most
+            } else {
+                bound
+            }
+        };
+        Self { lower: within(self.lower), upper: within(self.upper) }
+    }
+
     /// Returns the numbers of the interval that are not negative, of which there must be one.
     pub(crate) fn not_negative(self) -> Self {
         let raised = |bound: f64| if bound < 0.0 { 0.0 } else { bound };
@@ -208,6 +246,20 @@ mod tests {
         assert_eq!(b.over(a), Interval::ALL);
         assert_eq!(Interval::about(f64::NAN, 1.0), Interval::ALL);
         assert_eq!(Interval::about(1.0, f64::NAN), Interval::ALL);
+    }
+
+    #[test]
+    fn maps_of_intervals_hold_the_images_of_their_numbers() {
+        let of = |lower: f64, upper: f64| Interval { lower, upper };
+        assert_eq!(of(-3.0, 2.0).absolute(), of(0.0, 3.0));
+        assert_eq!(of(-3.0, -2.0).absolute(), of(2.0, 3.0));
+        assert_eq!(of(1.0, 4.0).smaller(of(2.0, 3.0)), of(1.0, 3.0));
+        assert_eq!(of(1.0, 4.0).within(of(2.0, 5.0)), of(2.0, 4.0));
+        assert!(of(2.0, 2.0).root().contains(std::f64::consts::SQRT_2));
+        let root = of(2.0, 9.0).root();
+        assert!(root.lower * root.lower < 2.0 && root.upper * root.upper > 9.0, "{root:?}");
+        assert_eq!(of(0.0, 0.0).root().lower, 0.0);
+        assert_eq!(Interval::ALL.absolute(), of(0.0, f64::INFINITY));
     }
 
     #[test]

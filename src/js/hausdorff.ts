@@ -19,7 +19,9 @@ import type { DistanceEngine } from "./measure/engine.js";
 import type { DeviationField, FieldOptions } from "./measure/field.js";
 import type { BestFit, BestFitOptions } from "./measure/fit.js";
 import { type Backend, type DistanceOptions, split } from "./measure/options.js";
+import type { OverlapOptions, OverlapResult } from "./measure/overlap.js";
 import type { Results } from "./measure/result.js";
+import type { Score, ScoreOptions } from "./measure/score.js";
 import type {
   Precision,
   SignedDistanceOptions,
@@ -213,6 +215,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#inTurn(options, (engine, call) => engine.statistics(...models, call));
   }
 
+  async score(
+    candidate: NurbsModel,
+    truth: NurbsModel,
+    options: ScoreOptions = {},
+  ): Promise<Score> {
+    const models = [prepared(candidate, "candidate"), prepared(truth, "truth")] as const;
+    return this.#inTurn(options, (engine, call) => engine.score(...models, call));
+  }
+
   async clearance(
     a: NurbsModel,
     b: NurbsModel,
@@ -220,6 +231,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
   ): Promise<ClearanceResult> {
     const models = [prepared(a, "a"), prepared(b, "b")] as const;
     return this.#inTurn(options, (engine, call) => engine.clearance(...models, call));
+  }
+
+  async overlap(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: OverlapOptions = {},
+  ): Promise<OverlapResult> {
+    const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    return this.#inTurn(options, (engine, call) => engine.overlap(...models, call));
   }
 
   async gaps(a: NurbsModel, b: NurbsModel, options: GapOptions = {}): Promise<GapsResult> {

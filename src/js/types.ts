@@ -17,7 +17,14 @@ export type {
   OverlapUnknown,
 } from "./measure/clearance.js";
 export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
-export type { DiffOptions, DiffResult, FaceDifference, FaceState } from "./measure/diff.js";
+export type {
+  DiffOptions,
+  DiffResult,
+  FaceDifference,
+  FaceState,
+  PartDifference,
+  PartState,
+} from "./measure/diff.js";
 export type { DistanceEngine } from "./measure/engine.js";
 export type { DeviationField, FieldOptions } from "./measure/field.js";
 export type { BestFit, BestFitOptions, FitPose, Rigid } from "./measure/fit.js";
@@ -32,6 +39,7 @@ export type {
   Transform,
   Vector3,
 } from "./measure/options.js";
+export type { OverlapOptions, OverlapResult, VolumesUnknown } from "./measure/overlap.js";
 export type { OnProgress } from "./measure/progress.js";
 export type {
   AuditReport,
@@ -47,17 +55,37 @@ export type {
   WithGaps,
 } from "./measure/result.js";
 export type {
+  AtThreshold,
+  Difference,
+  FaceCounts,
+  HausdorffScore,
+  Placement,
+  Requirement,
+  Score,
+  ScoredModel,
+  ScoreNumber,
+  ScoreOptions,
+  SurfaceScore,
+} from "./measure/score.js";
+export type {
   Precision,
   SignedDistanceOptions,
   SignedDistances,
 } from "./measure/signed-distances.js";
 export type {
-  Bounded,
   CertifiedStatistics,
   StatisticsOptions,
 } from "./measure/statistics.js";
 export type { Area, ModelArea } from "./model/area.js";
 export { facePath } from "./model/face-path.js";
+export type {
+  Body,
+  Facts,
+  Interval,
+  Intervals3,
+  Orientation,
+  VolumeUnknown,
+} from "./model/facts.js";
 export type { MeshArrays, MeshGroup } from "./model/mesh.js";
 export type { UpdateOptions } from "./model/model.js";
 export type { FreeEdge, Solid } from "./model/solid.js";

@@ -83,6 +83,13 @@ impl Soup {
         self.push_note(Note { face: FaceId::Name(one_line(part)), code: NOT_MEASURED, why: why.into() });
     }
 
+    /// Says of so many bytes behind the elements that a file counts that they are not read: the count may be damaged.
+    pub(super) fn note_rest(&mut self, bytes: usize) {
+        if bytes > 0 {
+            self.note("end", format!("{bytes} bytes after the last element that is counted are not read"));
+        }
+    }
+
     /// Appends a note.
     pub(super) fn push_note(&mut self, note: Note) {
         push_remark(&mut self.notes, note);

@@ -1,6 +1,6 @@
 //! The continuation of a surface beyond its domain.
 
-use super::{NurbsSurface, SurfaceArrays};
+use super::{NurbsSurface, SurfaceArrays, blossom};
 use crate::axis::Axis;
 use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -69,10 +69,10 @@ fn continued(mut arrays: SurfaceArrays, axis: Axis, start: f64) -> Option<Surfac
             })
             .collect();
         for control in 0..degree {
-            let argument = |level: usize| {
-                if level <= degree - control { start } else { knots[control + level] }
+            let argument = |index: usize| {
+                if index < degree - control { start } else { knots[control + 1 + index] }
             };
-            let value = blossom(&knots, controls.clone(), argument);
+            let value = blossom(&knots, degree, degree, &controls, argument);
             if value.w.is_nan() || value.w <= 0.0 {
                 return None;
             }
@@ -82,17 +82,4 @@ fn continued(mut arrays: SurfaceArrays, axis: Axis, start: f64) -> Option<Surfac
     }
     arrays.knots[axis][..=degree].fill(start);
     Some(arrays)
-}
-
-/// Returns the blossom of the first span's polynomial at `argument(1)` to `argument(p)`.
-fn blossom(knots: &[f64], mut controls: Vec<DVec4>, argument: impl Fn(usize) -> f64) -> DVec4 {
-    let degree = controls.len() - 1;
-    for level in 1..=degree {
-        for index in 0..=degree - level {
-            let (low, high) = (knots[level + index], knots[degree + 1 + index]);
-            let fraction = (argument(level) - low) / (high - low);
-            controls[index] = (1.0 - fraction) * controls[index] + fraction * controls[index + 1];
-        }
-    }
-    controls[0]
 }

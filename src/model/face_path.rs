@@ -8,7 +8,6 @@
 const SEPARATOR: &str = "/";
 
 /// Returns the name of one level as it stands in a joined name.
-#[cfg(feature = "cad")]
 pub(crate) fn level(name: &str) -> String {
     let words = name.split(' ');
     let escaped = words.map(|word| if is_slashes(word) { format!("{word}/") } else { word.to_owned() });

@@ -16,9 +16,8 @@ pub mod trim;
 pub use arrays::{IDENTITY, InstanceArrays, ModelArrays};
 pub use face::Face;
 pub use face_path::face_path;
-#[cfg(feature = "cad")]
 pub(crate) use face_path::level;
-pub(crate) use knots::{Span, blossom, breaks, multiplicities, spans};
+pub(crate) use knots::{Span, blossom, blossom_coefficients, breaks, multiplicities, spans};
 pub use rigid_transform::RigidTransform;
 pub use surface::{NurbsSurface, SurfaceArrays};
 
@@ -152,6 +151,17 @@ impl Model {
         self.unit
     }
 
+    /// Returns the model with coordinates in units of this many metres, whatever it stated. Nothing is scaled.
+    ///
+    /// # Errors
+    /// [`Error::UnitInvalid`].
+    pub fn with_unit(self, metres: f64) -> Result<Self> {
+        if !is_unit(metres) {
+            return Err(Error::UnitInvalid { found: metres });
+        }
+        Ok(Self { unit: Some(metres), ..self })
+    }
+
     /// Returns the surfaces, at least one, each whole; [`Model::faces`] have their trims.
     #[must_use]
     pub fn surfaces(&self) -> &[NurbsSurface] {
@@ -200,9 +210,17 @@ impl Model {
         if !UNITS.contains(&unit) {
             return Err(Error::UnitInvalid { found: unit });
         }
-        let map = AffineMap::scaling(own / unit);
+        self.scaled(own / unit, Some(unit))
+    }
+
+    /// Returns the model with all coordinates times a positive factor, in this unit.
+    ///
+    /// # Errors
+    /// [`Error::NumberTooLarge`] for scaled coordinates.
+    pub(crate) fn scaled(&self, factor: f64, unit: Option<f64>) -> Result<Self> {
+        let map = AffineMap::scaling(factor);
         let images = self.surfaces.iter().enumerate().map(|(index, surface)| map.apply(index, surface));
-        Ok(self.with_images(images.collect::<Result<_>>()?, map.stretch(), Some(unit)))
+        Ok(self.with_images(images.collect::<Result<_>>()?, map.stretch(), unit))
     }
 
     /// Returns the box of all control points, which contains the model. O(control points).

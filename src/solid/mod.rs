@@ -22,5 +22,6 @@ pub(crate) use edges::Edges;
 pub(crate) use enclosing::{Enclosing, Relation};
 pub(crate) use joints::Boundary;
 pub(crate) use orientation::Joined;
+pub(crate) use parity::longer_axis;
 pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;

@@ -75,7 +75,7 @@ fn normal([_, q]: [usize; 2], controls: &[DVec4]) -> DVec3 {
 
 /// Returns the axis along which the longest polygon of control points is longer. Corners alone would not
 /// tell: those of a patch that closes in u coincide along u.
-fn longer_axis([p, q]: [usize; 2], controls: &[DVec4]) -> Axis {
+pub(crate) fn longer_axis([p, q]: [usize; 2], controls: &[DVec4]) -> Axis {
     let columns = q + 1;
     let step = |from: usize, to: usize| local(&controls[from]).distance(local(&controls[to]));
     let along_u = |j: usize| (0..p).map(|i| step(i * columns + j, (i + 1) * columns + j)).sum::<f64>();

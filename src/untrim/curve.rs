@@ -1,6 +1,6 @@
 //! Rational Bézier curves in the parameter plane.
 
-use crate::approximation::chebyshev::binomial;
+use crate::approximation::bernstein::binomial;
 use glam::{DVec2, DVec3};
 
 /// A rational Bézier curve with homogeneous controls `(w u, w v, w)`, w > 0.
@@ -152,23 +152,6 @@ pub(super) fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
         *sum /= binomial(m + n, k);
     }
     sums
-}
-
-/// Returns the controls of the same curve in a degree at least as high.
-pub(super) fn elevated(controls: &[DVec3], degree: usize) -> Vec<DVec3> {
-    let mut controls = controls.to_vec();
-    while controls.len() <= degree {
-        let raised = controls.len() as f64;
-        let last = controls.len() - 1;
-        let mut next = vec![controls[0]];
-        for i in 1..=last {
-            let share = i as f64 / raised;
-            next.push(share * controls[i - 1] + (1.0 - share) * controls[i]);
-        }
-        next.push(controls[last]);
-        controls = next;
-    }
-    controls
 }
 
 pub(super) fn divided(homogeneous: DVec3) -> DVec2 {

@@ -3,8 +3,9 @@
 use super::failure::to_object;
 use crate::engine::{
     BestFitOptions, ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions,
-    DistanceOptions, DistanceResult, FaceDeviations, FieldOptions, GapOptions, Grid, NamedOptions, Precision,
-    SignedDistanceOptions, SignedDistances, Signs, Statistics, StatisticsOptions,
+    DistanceOptions, DistanceResult, FaceDeviations, FieldOptions, GapOptions, Grid, NamedOptions,
+    OverlapOptions, Precision, ScoreOptions, SignedDistanceOptions, SignedDistances, Signs, Statistics,
+    StatisticsOptions,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -49,6 +50,16 @@ pub(super) fn clearance_options(options: &JsValue, transform: &JsValue) -> Resul
     Ok(ClearanceOptions { transform, ..options })
 }
 
+/// The options of an overlap, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn overlap_options(options: &JsValue, transform: &JsValue) -> Result<OverlapOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: OverlapOptions = properties(options).map_err(invalid)?;
+    Ok(OverlapOptions { transform, ..options })
+}
+
 /// The options of statistics, as [`options`].
 ///
 /// # Errors
@@ -57,6 +68,16 @@ pub(super) fn statistics_options(options: &JsValue, transform: &JsValue) -> Resu
     let transform = rigid_transform(transform)?;
     let options: StatisticsOptions = properties(options).map_err(invalid)?;
     Ok(StatisticsOptions { transform, ..options })
+}
+
+/// The options of a score, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn score_options(options: &JsValue, transform: &JsValue) -> Result<ScoreOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: ScoreOptions = properties(options).map_err(invalid)?;
+    Ok(ScoreOptions { transform, ..options })
 }
 
 /// The options of gaps, as [`options`].

@@ -83,6 +83,13 @@ impl Engine {
         })
     }
 
+    /// The score of `a` against the truth `b`.
+    pub fn score(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
+        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
+        let options = call.options(convert::score_options);
+        call.run(async move |monitor| to_object(&engine.score(&a, &b, &options?).monitored(monitor).await?))
+    }
+
     /// The least distance of two models, and whether solids overlap.
     pub fn clearance(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
@@ -90,6 +97,13 @@ impl Engine {
         call.run(async move |monitor| {
             to_object(&engine.clearance(&a, &b, &options?).monitored(monitor).await?)
         })
+    }
+
+    /// The volumes that two solids have in common and apart.
+    pub fn overlap(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
+        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
+        let options = call.options(convert::overlap_options);
+        call.run(async move |monitor| to_object(&engine.overlap(&a, &b, &options?).monitored(monitor).await?))
     }
 
     /// The pairs of faces of two models that come near each other.

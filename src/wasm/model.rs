@@ -5,6 +5,7 @@ use super::failure::to_object;
 use super::surfaces::Surfaces;
 use crate::area::Area;
 use crate::engine;
+use crate::engine::BodyInfo;
 use crate::error::{Error, Result};
 use crate::facets::{Facets, MeshGroup, PointCloud, TriangleMesh};
 use crate::model::Model;
@@ -217,6 +218,16 @@ impl PreparedModel {
     /// Whether the faces close, the shells and the free edges.
     pub fn solid(&self) -> std::result::Result<JsValue, JsValue> {
         to_object(&self.prepared.solid())
+    }
+
+    /// Volume, area, extents and the like as intervals.
+    pub fn facts(&self) -> std::result::Result<JsValue, JsValue> {
+        to_object(self.prepared.facts())
+    }
+
+    /// The bodies with their facts.
+    pub fn bodies(&self) -> std::result::Result<JsValue, JsValue> {
+        to_object(&BodyInfo::of(&self.prepared))
     }
 
     /// Triangles to display, by a plain object of options.

@@ -195,8 +195,8 @@ fn files_over_the_limit_are_not_read() {
     std::fs::OpenOptions::new().write(true).open(&path).unwrap().set_len(Model::MAX_JSON_BYTES + 1).unwrap();
     assert_refused(&run(&["info", &path]), "FILE_TOO_LARGE", &[&path, &Model::MAX_JSON_BYTES.to_string()]);
     // A mesh may be larger, by the ending of its name.
-    let path = file("large.stl", b"");
-    std::fs::OpenOptions::new().write(true).open(&path).unwrap().set_len(MeshFile::MAX_BYTES + 1).unwrap();
+    let path = file("large", b"").replace(".json", ".stl");
+    std::fs::File::create(&path).unwrap().set_len(MeshFile::MAX_BYTES + 1).unwrap();
     assert_refused(&run(&["info", &path]), "FILE_TOO_LARGE", &[&path, &MeshFile::MAX_BYTES.to_string()]);
 }
 

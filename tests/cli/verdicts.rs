@@ -165,7 +165,9 @@ fn directories_have_one_verdict() {
 
 #[test]
 fn short_help_fits_a_screen_and_long_help_has_every_option() {
-    for command in ["distance", "diff", "clearance", "statistics", "align", "batch", "info", "convert"] {
+    for command in
+        ["distance", "diff", "clearance", "overlap", "statistics", "align", "batch", "info", "convert"]
+    {
         let short = text(&run(&[command, "-h"]));
         let lines = short.lines().count();
         assert!(lines <= SCREEN, "{command}: {lines}");

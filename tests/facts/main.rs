@@ -6,6 +6,10 @@
 mod support;
 
 mod bodies;
+mod check;
 mod exact;
 mod formulas;
+mod hints;
 mod models;
+mod overlap;
+mod revisions;

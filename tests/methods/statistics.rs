@@ -1,9 +1,10 @@
 //! Statistics as intervals, where integrals and order statistics have formulas.
 
 use glam::DVec3;
+use nurbs_hausdorff::options::Audit;
 use nurbs_hausdorff::shapes::sphere;
 use nurbs_hausdorff::{
-    Bounded, CertifiedStatistics, Engine, Facets, Measure, Model, PointCloud, PreparedModel, RigidTransform,
+    CertifiedStatistics, Engine, Facets, Interval, Measure, Model, PointCloud, PreparedModel, RigidTransform,
     StatisticsOptions, SurfaceArrays, TriangleMesh,
 };
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI, SQRT_2};
@@ -22,7 +23,7 @@ fn with_limit(limit: f64) -> StatisticsOptions {
 }
 
 /// Checks that an interval holds a number and is as narrow as requested.
-fn holds(of: Bounded, value: f64, width: f64) {
+fn holds(of: Interval, value: f64, width: f64) {
     assert!(of.lower <= value && value <= of.upper && of.upper - of.lower <= width, "{value} {of:?}");
 }
 
@@ -273,4 +274,52 @@ fn a_slope_of_triangles_above_a_surface_has_a_uniform_distance() {
     let found = statistics(&slope, &ground, &with_limit(0.25));
     are(&found, [0.5, (1.0 / 3.0_f64).sqrt(), 0.75], 1e-3, |part| part);
     holds(found.total, SQRT_2, 1e-12);
+}
+
+/// Where the time is over at once, nothing is measured and the intervals hold: of a cloud, of triangles and of surfaces,
+/// before surfaces and before triangles.
+#[test]
+fn without_time_the_intervals_still_hold() {
+    let (one, other) = (ball(1.0), ball(1.5));
+    let mesh = sheet([0.0, 0.25], 4, |_, _| 0.5);
+    let points = cloud(&[DVec3::X, DVec3::Y, DVec3::Z]);
+    let options = StatisticsOptions {
+        max_seconds: Some(f64::MIN_POSITIVE),
+        limit: Some(0.3),
+        ..StatisticsOptions::default()
+    };
+    for (a, b, mean) in [(&one, &other, 0.5), (&points, &other, 0.5), (&points, &mesh, f64::NAN)] {
+        let found = statistics(a, b, &options);
+        assert!(!found.converged, "{found:?}");
+        assert!(mean.is_nan() || found.mean.lower <= mean && mean <= found.mean.upper, "{found:?}");
+        assert_eq!((found.mean.lower, found.beyond.unwrap().part.upper), (0.0, 1.0));
+        assert!(found.mean.upper.is_finite() && found.mean.upper >= 0.5, "{found:?}");
+        assert_eq!(found.percentiles[0].distance.lower, 0.0);
+    }
+    for (a, b) in [(&mesh, &other), (&one, &mesh), (&mesh, &mesh)] {
+        let found = statistics(a, b, &options);
+        let measured = statistics(a, b, &with_limit(0.3));
+        assert!(!found.converged && found.mean.upper >= measured.mean.lower, "{found:?}");
+        assert!(found.cells < measured.cells || !found.converged);
+    }
+}
+
+/// The parts that a result rests on are audited: a share by default, all of them on request.
+#[test]
+fn parts_are_audited() {
+    let one = ball(1.0);
+    for other in [ball(1.5), sheet([-1.0, 1.0], 3, |x, y| x * y)] {
+        let share = statistics(&one, &other, &with_limit(0.3));
+        let options = StatisticsOptions { audit: Audit::All, ..with_limit(0.3) };
+        let all = statistics(&one, &other, &options);
+        assert!(share.audit.cells >= 8 && share.audit.cells < all.audit.cells, "{:?}", share.audit);
+        assert!(all.audit.cells <= all.cells && 2 * all.audit.cells > all.cells, "{:?}", all.audit);
+        assert!(share.audit.points > share.audit.cells && all.audit.points > 8 * all.audit.cells);
+        assert!(
+            share.notice.is_none() && all.notice.is_none() && all.audit.struck.is_empty(),
+            "{:?}",
+            all.notice
+        );
+        assert_eq!((share.mean, share.rms), (all.mean, all.rms));
+    }
 }

@@ -42,8 +42,12 @@ for (const { name, size, schemes } of screens) {
       }
       await page.locator("#limit").fill("0.1");
       await until("done", () => page.locator("#deviation").check());
+      // On a narrow screen the parts and faces are folded away at first.
+      if (name === "narrow") await page.locator("#side-toggle").click();
       await page.locator("#compare").click();
       await page.locator('#faces[data-state="done"]').waitFor();
+      // What is scrolled out of the panel does not lie behind the list of parts.
+      await page.locator("#panel").evaluate((panel) => panel.scrollTo(0, 0));
       await page.selectOption("#section-axis", "0");
       await page.locator("#canvas").focus();
       await page.keyboard.press("Enter");

@@ -45,15 +45,17 @@ test("Firefox measures the first preset", { skip }, async () => {
   assert.ok(await opened.evaluate(() => document.getElementById("error").hidden));
 });
 
-/** The share of a picture's left half, where the view is, that is of a colour. */
+/** The share of the view in a picture of the window that is of a colour. */
 async function coloured(picture) {
   const image = new Image();
   image.src = `data:image/png;base64,${picture}`;
   await image.decode();
   const canvas = document.createElement("canvas");
-  [canvas.width, canvas.height] = [image.width / 2, image.height];
+  const { left, top, width, height } = document.getElementById("stage").getBoundingClientRect();
+  const scale = image.width / innerWidth;
+  [canvas.width, canvas.height] = [width, height].map((size) => Math.floor(size * scale));
   const context = canvas.getContext("2d");
-  context.drawImage(image, 0, 0);
+  context.drawImage(image, -left * scale, -top * scale);
   const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
   let count = 0;
   for (let place = 0; place < data.length; place += 4) {

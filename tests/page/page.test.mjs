@@ -10,7 +10,8 @@ const numbers = (text) => text.split(" ").map(Number);
 let opened;
 
 before(async () => {
-  opened = await open();
+  // The view is about 910 × 800 pixels beside the panels.
+  opened = await open({ size: { width: 1530, height: 848 } });
   await opened.page.locator('#result[data-state="done"]').waitFor();
 });
 
@@ -101,7 +102,7 @@ test("the deviation of a plane below and above another is signed, coloured, and 
       "A: 99th percentile": "≈ 0.10000",
       "maximum of the map": "0.10000",
     });
-    assert.match(await page.locator("#estimates h2").textContent(), /estimates/);
+    assert.match(await page.locator("#estimates h3").textContent(), /estimates/);
     // The deviation has one sign, and so has the scale.
     assert.equal(await page.locator("#scale-low").textContent(), ends[0]);
     assert.equal(await page.locator("#scale-high").textContent(), ends[1]);

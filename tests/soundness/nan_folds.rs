@@ -8,14 +8,16 @@
 use std::path::{Path, PathBuf};
 
 /// The folders of code that forms bounds.
-const FOLDERS: [&str; 9] = [
+const FOLDERS: [&str; 11] = [
     "src/bezier",
     "src/certified",
     "src/clearance",
     "src/closest",
     "src/facets",
+    "src/facts",
     "src/hierarchy",
     "src/iteration",
+    "src/overlap",
     "src/solid",
     "src/symmetry",
 ];

@@ -6,6 +6,7 @@ use crate::fuzzer::check::{
 };
 use crate::fuzzer::clearance::{Subjects, check_clearance};
 use crate::fuzzer::facets::check_facets;
+use crate::fuzzer::solids::{Shapes, check_solid};
 use nurbs_hausdorff::result::Lemma;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -113,6 +114,23 @@ fn meshes_and_points_have_no_false_interval() {
 
 /// Poses of random models and of the shapes that ship.
 const CLEARANCES: u64 = 96;
+
+/// Solids whose facts, sides, grids and statistics are checked.
+const SOLIDS: u64 = 12;
+
+#[test]
+fn facts_sides_grids_and_statistics_are_those_of_second_ways() {
+    let shapes = Shapes::new();
+    let outcomes: Vec<Outcome> =
+        (1..=SOLIDS).into_par_iter().map(|seed| check_solid(seed, &shapes)).collect();
+    for outcome in &outcomes {
+        assert!(outcome.violations.is_empty(), "{:?}", outcome.violations);
+    }
+    let drawn = outcomes.iter().filter(|outcome| outcome.refusal.is_none()).count() as u64;
+    assert!(drawn > SOLIDS / 2, "{drawn} drawn");
+    let audited: usize = outcomes.iter().filter_map(|outcome| outcome.audited.get(&Lemma::Spread)).sum();
+    assert!(audited > 1000, "{audited} parts of statistics audited");
+}
 
 #[test]
 fn clearances_contain_what_brute_force_finds() {

@@ -55,6 +55,19 @@ fn nothing_beside_a_square_is_silent() {
     }
 }
 
+/// A number that is damaged makes a placement of what is to be a transformation; both uses stood at one place before.
+#[test]
+fn a_placement_is_no_transformation() {
+    let Some(content) = content("nauo_without_place.step") else { return };
+    let text = String::from_utf8(content).unwrap();
+    let damaged = text.replace("_WITH_TRANSFORMATION(#81)", "_WITH_TRANSFORMATION(#71)");
+    assert_ne!(damaged, text);
+    let (model, report) = Model::from_step(damaged.as_bytes()).unwrap();
+    assert_eq!(model.faces().count(), 1);
+    assert_eq!(named(&report), [("STEP_ENTITY", Some(82)), ("STEP_PLACE", Some(90))]);
+    assert!(report.skipped[0].why.contains("#71 is AXIS2_PLACEMENT_3D"), "{report:?}");
+}
+
 #[test]
 fn what_writers_do_otherwise_is_read() {
     for (file, total, height) in [

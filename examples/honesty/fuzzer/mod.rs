@@ -15,5 +15,6 @@ mod partners;
 mod refits;
 mod reparametrized;
 mod sheet;
+pub(crate) mod solids;
 mod surfaces;
 pub(crate) mod trims;

@@ -84,6 +84,7 @@ class ClearanceResult:
     overlap: Overlap | None = None
     overlap_unknown: OverlapUnknown | None = None
     unit: float | None = None
+    hint: str | None = None
 
     def _repr_html_(self) -> str:
         rows = [
@@ -129,6 +130,7 @@ class GapsResult:
     gap_proven: bool
     seconds: Seconds
     unit: float | None = None
+    hint: str | None = None
 
     def _repr_html_(self) -> str:
         rows = [("pairs below", f"{len(self.pairs)} below {self.below!r}")]

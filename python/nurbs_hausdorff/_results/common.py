@@ -57,6 +57,17 @@ class Seconds:
     compile: float = 0.0
 
 
+@dataclass(frozen=True)
+class Audit:
+    """Numbers of cells and points at which upper bounds were checked, and the sections of the
+    lemmas that were refuted: none, unless the library has a fault. The interval is valid without
+    them."""
+
+    cells: int
+    points: int
+    struck: list[str]
+
+
 def place(at: SurfacePoint) -> str:
     """Return the face or the facet of a point, and its coordinates."""
     if at.index is not None:

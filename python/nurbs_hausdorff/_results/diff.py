@@ -43,6 +43,68 @@ class FaceDifference:
     cells: int
 
 
+PartState = Literal[
+    "same", "renamed", "moved", "mirrored", "changed", "movedAndChanged", "added", "removed", "undecided"
+]
+
+
+@dataclass(frozen=True)
+class PartMotion:
+    """A turn about an axis through the origin, then a move.
+
+    Attributes
+    ----------
+    translation : tuple of float
+        The move after the turn.
+    axis : tuple of float
+        Direction of the axis, of length 1.
+    angle : float
+        Angle in degrees, 0 to 180.
+    shift : tuple of float
+        The displacement of the centre of the part's box.
+    """
+
+    translation: tuple[float, float, float]
+    axis: tuple[float, float, float]
+    angle: float
+    shift: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class PartFaces:
+    """The faces of a part that certainly changed, by their indices in the models."""
+
+    of_a: tuple[int, ...]
+    of_b: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class PartDifference:
+    """What became of a part.
+
+    Attributes
+    ----------
+    name_of_a, name_of_b : str or None
+        Names in both models; None where it is in one model only.
+    state : str
+        "same", "moved" and "mirrored" are proven to the limit.
+    motion : PartMotion or None
+        The motion of parts that moved or are mirrored, of these after the change of the sign of x.
+    lower, upper : float or None
+        Interval of the Hausdorff distance after the motion.
+    faces : PartFaces
+        The faces that changed.
+    """
+
+    name_of_a: str | None
+    name_of_b: str | None
+    state: PartState
+    motion: PartMotion | None
+    lower: float | None
+    upper: float | None
+    faces: PartFaces
+
+
 @dataclass(frozen=True)
 class DiffResult:
     """The states of both models' faces at a limit.
@@ -53,6 +115,8 @@ class DiffResult:
         State of both models together.
     faces_of_a, faces_of_b : tuple of FaceDifference
         Every face, in order, compared with the other model.
+    parts : tuple of PartDifference
+        What became of each body: what moved, changed, was added or removed.
     """
 
     state: State
@@ -65,6 +129,8 @@ class DiffResult:
     diagonal: float
     gap: float
     unit: float | None = None
+    parts: tuple[PartDifference, ...] = ()
+    hint: str | None = None
 
     @property
     def changed(self) -> tuple[tuple[FaceDifference, ...], tuple[FaceDifference, ...]]:
@@ -104,5 +170,15 @@ def diff_result(data: dict[str, Any]) -> DiffResult:
         data[name] = tuple(
             FaceDifference(**{**face, "witness": witness(face["witness"])}) for face in data[name]
         )
+    data["parts"] = tuple(_part(part) for part in data["parts"])
     data["seconds"] = Seconds(**data["seconds"])
     return DiffResult(**data)
+
+
+def _part(data: dict[str, Any]) -> PartDifference:
+    motion = data["motion"]
+    if motion is not None:
+        vectors = {name: tuple(motion[name]) for name in ("translation", "axis", "shift")}
+        motion = PartMotion(**{**motion, **vectors})
+    faces = PartFaces(**{name: tuple(of) for name, of in data["faces"].items()})
+    return PartDifference(**{**data, "motion": motion, "faces": faces})

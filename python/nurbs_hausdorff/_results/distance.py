@@ -6,7 +6,7 @@ import dataclasses
 from dataclasses import dataclass
 from typing import Any
 
-from .common import Seconds, Stop, Witness, place, table, witness
+from .common import Audit, Seconds, Stop, Witness, place, table, witness
 from .field import Field, Statistics, field_parts
 
 
@@ -18,17 +18,6 @@ class WithGaps:
     lower: float
     upper: float
     within: bool | None = None
-
-
-@dataclass(frozen=True)
-class Audit:
-    """Numbers of cells and points at which upper bounds were checked, and the sections of the
-    lemmas that were refuted: none, unless the library has a fault. The interval is valid without
-    them."""
-
-    cells: int
-    points: int
-    struck: list[str]
 
 
 @dataclass(frozen=True)
@@ -77,6 +66,7 @@ class DistanceResult:
     seconds: Seconds
     patches: dict[str, int]
     unit: float | None = None
+    hint: str | None = None
     within: bool | None = None
     stop: Stop | None = None
     tolerance: float | None = None

@@ -5,15 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from .common import Seconds, table
-
-
-@dataclass(frozen=True)
-class Bounded:
-    """Interval that contains a number."""
-
-    lower: float
-    upper: float
+from .._interval import Interval
+from .common import Audit, Seconds, table
 
 
 @dataclass(frozen=True)
@@ -21,7 +14,7 @@ class Beyond:
     """Part of A that is farther than a limit, between 0 and 1."""
 
     limit: float
-    part: Bounded
+    part: Interval
 
 
 @dataclass(frozen=True)
@@ -32,31 +25,38 @@ class CertifiedStatistics:
     ----------
     over : {"count", "area"}
         What they are over: the points of a cloud, each once, or the area.
-    total : Bounded
+    total : Interval
         The number of points, or the area in squares of the model unit.
-    mean, rms : Bounded
+    mean, rms : Interval
         The mean distance and the root of the mean square.
-    percentiles : dict of float to Bounded
+    percentiles : dict of float to Interval
         For each part of A the least distance that it is within.
     beyond : Beyond or None
         With ``limit``, the part of A that is farther than it.
     converged : bool
         Whether all intervals are as narrow as requested. A percentile at which distances jump stays
         as wide as the jump.
+    audit : Audit
+        Parts whose bounds were compared with certified distances of their points.
+    notice : str or None
+        A bound that the audit refuted: a fault of the library. The intervals are valid.
     """
 
     over: Literal["count", "area"]
-    total: Bounded
-    mean: Bounded
-    rms: Bounded
-    percentiles: dict[float, Bounded]
+    total: Interval
+    mean: Interval
+    rms: Interval
+    percentiles: dict[float, Interval]
     converged: bool
     tolerance: float
     diagonal: float
     cells: int
+    audit: Audit
     seconds: Seconds
     beyond: Beyond | None = None
     unit: float | None = None
+    notice: str | None = None
+    hint: str | None = None
 
     def _repr_html_(self) -> str:
         named = [("mean", self.mean), ("rms", self.rms)]
@@ -69,12 +69,13 @@ class CertifiedStatistics:
 def statistics_result(data: dict[str, Any]) -> CertifiedStatistics:
     """Make the result of a native dictionary in snake case."""
     for name in ("total", "mean", "rms"):
-        data[name] = Bounded(**data[name])
+        data[name] = Interval(**data[name])
     data["percentiles"] = {
-        found["part"]: Bounded(**found["distance"]) for found in data["percentiles"]
+        found["part"]: Interval(**found["distance"]) for found in data["percentiles"]
     }
     beyond = data.pop("beyond", None)
+    data["audit"] = Audit(**data["audit"])
     data["seconds"] = Seconds(**data["seconds"])
     if beyond is not None:
-        beyond = Beyond(limit=beyond["limit"], part=Bounded(**beyond["part"]))
+        beyond = Beyond(limit=beyond["limit"], part=Interval(**beyond["part"]))
     return CertifiedStatistics(**data, beyond=beyond)

@@ -68,7 +68,7 @@ impl Interpolation {
     /// Returns the Bernstein coefficients of the polynomial with these values at the nodes.
     /// O(degree²).
     #[cfg(any(test, feature = "cad"))]
-    pub(crate) fn coefficients<T: crate::approximation::chebyshev::Linear>(&self, values: &[T]) -> Vec<T> {
+    pub(crate) fn coefficients<T: crate::approximation::bernstein::Linear>(&self, values: &[T]) -> Vec<T> {
         let combined = |weights: &[f64]| {
             weights.iter().zip(values).fold(T::ZERO, |sum, (&weight, &value)| sum + value * weight)
         };

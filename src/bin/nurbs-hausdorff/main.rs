@@ -14,7 +14,10 @@ mod reports;
 
 fn main() -> std::process::ExitCode {
     use arguments::Command;
-    use commands::{align, clearance, completions, convert, diff, distance, grid, info, statistics};
+    use commands::{
+        align, check, clearance, completions, convert, diff, distance, grid, info, overlap, score,
+        statistics, summary,
+    };
     let arguments = match arguments::usage::arguments() {
         Ok(arguments) => arguments,
         Err(status) => return status,
@@ -24,7 +27,11 @@ fn main() -> std::process::ExitCode {
         Command::Convert(arguments) => convert::run(&arguments).map(|()| 0),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Clearance(arguments) => clearance::run(&arguments),
+        Command::Overlap(arguments) => overlap::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
         Command::Statistics(arguments) => statistics::run(&arguments).map(|()| 0),
+        Command::Score(arguments) => score::run(&arguments),
+        Command::Summary(arguments) => summary::run(&arguments).map(|()| 0),
         Command::Align(arguments) => align::run(&arguments),
         Command::Grid(arguments) => grid::run(&arguments).map(|()| 0),
         Command::Batch(arguments) => batch::run(&arguments),

@@ -23,5 +23,5 @@ pub(crate) use nearest::nearest_parameter;
 pub(crate) use net::SurfaceNet;
 pub(crate) use parameter_map::ParameterMap;
 pub(crate) use part::CurvePart;
-pub(crate) use spline::{Spline, elevated, project};
+pub(crate) use spline::{Spline, project};
 pub(crate) use surface::{SplineSurface, Surface};

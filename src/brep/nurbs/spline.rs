@@ -1,6 +1,8 @@
 //! Rational B-spline curves in homogeneous coordinates.
 
-use crate::approximation::chebyshev::binomial;
+use crate::approximation::bernstein::binomial;
+use crate::limits::MAX_FILE_DEGREE;
+use crate::model::blossom;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The distance of the ends of a closed curve or surface relative to its coordinates: the
@@ -176,23 +178,6 @@ pub(crate) fn taylor(knots: &[f64], degree: usize, span: usize, controls: &mut [
     }
 }
 
-/// Returns the Bernstein coefficients of the same polynomial in a degree at least as high.
-///
-/// A control point of degree n + 1 is the mean of two neighbours of degree n: `P'_i = i / (n + 1)
-/// P_(i-1) + (1 - i / (n + 1)) P_i` (Piegl and Tiller, *The NURBS Book*, 5.5).
-pub(crate) fn elevated(mut points: Vec<DVec4>, degree: usize) -> Vec<DVec4> {
-    while points.len() <= degree {
-        let count = points.len() as f64;
-        let mean = |index: usize| {
-            let part = index as f64 / count;
-            let before = if index == 0 { DVec4::ZERO } else { points[index - 1] };
-            part * before + (1.0 - part) * points.get(index).copied().unwrap_or(DVec4::ZERO)
-        };
-        points = (0..=points.len()).map(mean).collect();
-    }
-    points
-}
-
 /// Returns the point of homogeneous coordinates.
 pub(crate) fn project(point: DVec4) -> DVec3 {
     point.xyz() / point.w
@@ -209,69 +194,6 @@ pub(crate) fn span(knots: &[f64], degree: usize, count: usize, parameter: f64) -
         span += 1;
     }
     span
-}
-
-/// Returns the polar form of the polynomial of a span with these degree + 1 active
-/// control points, at `argument(0)`, …, `argument(degree - 1)`.
-pub(crate) fn blossom(
-    knots: &[f64],
-    degree: usize,
-    span: usize,
-    controls: &[DVec4],
-    argument: impl Fn(usize) -> f64,
-) -> DVec4 {
-    // Most degrees are small: loops of a known length are unrolled, and clearing unused control
-    // points takes longer than the rest.
-    match degree {
-        1 => blossom_of::<2>(knots, span, controls, argument),
-        2 => blossom_of::<3>(knots, span, controls, argument),
-        3 => blossom_of::<4>(knots, span, controls, argument),
-        0 | 4..=7 => blossom_within::<8>(knots, degree, span, controls, argument),
-        _ => blossom_within::<MAX_ORDER>(knots, degree, span, controls, argument),
-    }
-}
-
-/// [`blossom`] for the degree N - 1.
-fn blossom_of<const N: usize>(
-    knots: &[f64],
-    span: usize,
-    controls: &[DVec4],
-    argument: impl Fn(usize) -> f64,
-) -> DVec4 {
-    let mut work: [DVec4; N] = std::array::from_fn(|index| controls[index]);
-    // The knots on both sides of the span that the arguments are between.
-    let around = &knots[span + 2 - N..span + N];
-    for level in 1..N {
-        let parameter = argument(level - 1);
-        for index in 0..N - level {
-            let (low, high) = (around[level + index - 1], around[N - 1 + index]);
-            let fraction = (parameter - low) / (high - low);
-            work[index] = (1.0 - fraction) * work[index] + fraction * work[index + 1];
-        }
-    }
-    work[0]
-}
-
-/// [`blossom`] for a degree below N.
-fn blossom_within<const N: usize>(
-    knots: &[f64],
-    degree: usize,
-    span: usize,
-    controls: &[DVec4],
-    argument: impl Fn(usize) -> f64,
-) -> DVec4 {
-    let mut work = [DVec4::ZERO; N];
-    work[..=degree].copy_from_slice(controls);
-    for level in 1..=degree {
-        let parameter = argument(level - 1);
-        for index in 0..=degree - level {
-            let low = knots[span - degree + level + index];
-            let high = knots[span + 1 + index];
-            let fraction = (parameter - low) / (high - low);
-            work[index] = (1.0 - fraction) * work[index] + fraction * work[index + 1];
-        }
-    }
-    work[0]
 }
 
 /// Returns the point of a tensor product surface with these control points.
@@ -309,8 +231,8 @@ fn tensor_within<const N: usize>(
     project(blossom(knots_u, p, row, &across[..=p], |_| u))
 }
 
-/// One more than the highest degree that the reader accepts.
-const MAX_ORDER: usize = 26;
+/// The largest number of control points of a span.
+const MAX_ORDER: usize = MAX_FILE_DEGREE + 1;
 
 /// Returns, for every control point over the new clamped knots, the span of the old
 /// knots whose polynomial gives it.

@@ -3,7 +3,8 @@
 use super::basis::Basis;
 use super::curve::Curve;
 use super::frame::Frame;
-use super::spline::{self, CLOSED, Spline, blossom, project, span, tensor_point};
+use super::spline::{self, CLOSED, Spline, project, span, tensor_point};
+use crate::model::blossom;
 use glam::{DVec3, DVec4};
 use std::f64::consts::{FRAC_PI_2, TAU};
 

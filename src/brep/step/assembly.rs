@@ -236,6 +236,10 @@ impl<'a> Assembly<'a> {
                 }
                 maps[1] * maps[0].inverse()
             }
+            // A placement in its place, as of a damaged number, is no transformation.
+            kind if !kind.starts_with("CARTESIAN_TRANSFORMATION_OPERATOR") => {
+                return Err(entity.unknown("a transformation"));
+            }
             _ => operator(file, operation, &self.scale(related[1])?)?,
         };
         Ok(if swapped { map.inverse() } else { map })

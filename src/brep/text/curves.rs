@@ -3,14 +3,12 @@
 use super::lexer::{Dimension, Lexer};
 use crate::brep::nurbs::{Basis, Conic, Curve, SplineCurve};
 use crate::error::Result;
+use crate::limits::MAX_FILE_DEGREE;
 use glam::{DVec3, DVec4};
 
 /// The deepest nesting of trimmed and offset curves and surfaces. OpenCASCADE writes
 /// at most a few levels; the limit keeps a damaged file from exhausting the stack.
 pub(super) const MAX_NESTING: usize = 32;
-
-/// The highest degree of a B-spline that OpenCASCADE accepts.
-const MAX_FILE_DEGREE: usize = 25;
 
 /// Reads the section `keyword` of curves; index 0 of the result is number 1 of the file.
 pub(super) fn read(lexer: &mut Lexer<'_>, keyword: &str, dimension: Dimension) -> Result<Vec<Curve>> {

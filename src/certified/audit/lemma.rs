@@ -4,7 +4,7 @@ use serde::ser::SerializeSeq;
 use serde::{Serialize, Serializer};
 use std::fmt::{Display, Formatter};
 
-/// A lemma of section 3 of `docs/method.md` that an upper bound rests on.
+/// A lemma that a bound rests on: of section 3 of `docs/method.md` where none other is named.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Lemma {
@@ -40,11 +40,15 @@ pub enum Lemma {
     DifferenceByPieces,
     /// 3.11, surfaces of revolution reduced to a generatrix.
     Generatrix,
+    /// S1 to S3 of `docs/meshes.md`, statistics of cells before surfaces.
+    Spread,
+    /// F8 and F12 of `docs/meshes.md`, statistics of triangles before facets.
+    SpreadToFacets,
 }
 
 impl Lemma {
     /// All of them.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 18] = [
         Self::ModelBoxes,
         Self::TreeNode,
         Self::SameNet,
@@ -61,9 +65,11 @@ impl Lemma {
         Self::OneSpline,
         Self::DifferenceByPieces,
         Self::Generatrix,
+        Self::Spread,
+        Self::SpreadToFacets,
     ];
 
-    /// Returns the sections of `docs/method.md` that state and prove it.
+    /// Returns the sections that state and prove it, of `docs/method.md` or by letters of `docs/meshes.md`.
     #[must_use]
     pub fn sections(self) -> &'static str {
         match self {
@@ -83,6 +89,8 @@ impl Lemma {
             Self::OneSpline => "3.16",
             Self::DifferenceByPieces => "3.14",
             Self::Generatrix => "3.11",
+            Self::Spread => "S1 to S3",
+            Self::SpreadToFacets => "F8 and F12",
         }
     }
 

@@ -9,11 +9,13 @@
 mod ledger;
 mod lemma;
 mod points;
+mod spread;
 
 pub(in crate::certified) use ledger::Ledger;
 pub use lemma::{Lemma, Lemmas};
 pub(in crate::certified) use points::{Auditor, CellBound};
 pub(crate) use points::{Refutation, audit_whole};
+pub(crate) use spread::SpreadRefutation;
 
 use serde::{Deserialize, Serialize};
 
@@ -51,13 +53,13 @@ impl AuditReport {
         self.by_lemma[lemma as usize] as usize
     }
 
-    pub(in crate::certified) fn count(&mut self, lemma: Lemma, points: usize) {
+    pub(crate) fn count(&mut self, lemma: Lemma, points: usize) {
         self.cells += 1;
         self.points += points;
         self.by_lemma[lemma as usize] = self.by_lemma[lemma as usize].saturating_add(1);
     }
 
-    pub(in crate::certified) fn strike(&mut self, lemma: Lemma) {
+    pub(crate) fn strike(&mut self, lemma: Lemma) {
         self.struck.insert(lemma);
     }
 

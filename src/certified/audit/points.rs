@@ -11,7 +11,7 @@ use crate::closest::closest_above;
 const CERTIFICATE_PART: f64 = 1e-3;
 
 /// A cell's middle and its corners, by their places in it.
-const REGULAR: [[f64; 2]; 5] = [[0.0, 0.0], [-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]];
+pub(super) const REGULAR: [[f64; 2]; 5] = [[0.0, 0.0], [-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]];
 
 /// The steps of an additive sequence of low discrepancy in the square: powers of the inverse of the plastic number
 /// (Roberts 2018).
@@ -47,6 +47,11 @@ pub(in crate::certified) struct Auditor<'a> {
     pub(in crate::certified) rounding: f64,
 }
 
+/// Places within a cell besides the regular ones.
+pub(super) fn inner(count: usize) -> impl Iterator<Item = [f64; 2]> {
+    (0..count).map(|index| SEQUENCE.map(|step| 2.0 * ((index + 1) as f64 * step).fract() - 1.0))
+}
+
 /// The patches of a model that are looked at.
 const PATCHES: usize = 16;
 
@@ -73,9 +78,7 @@ pub(crate) fn audit_whole(pair: &Pair<'_>, upper: f64, lemma: Lemma) -> (AuditRe
 impl Auditor<'_> {
     /// Looks at the corners of a cell, its middle and `further` points of it. O(points) closest points.
     pub(in crate::certified) fn cell(&self, bound: &CellBound, further: usize) -> Option<Refutation> {
-        let inner =
-            (0..further).map(|index| SEQUENCE.map(|step| 2.0 * ((index + 1) as f64 * step).fract() - 1.0));
-        REGULAR.into_iter().chain(inner).find_map(|place| self.point(bound, bound.cell.at(place)))
+        REGULAR.into_iter().chain(inner(further)).find_map(|place| self.point(bound, bound.cell.at(place)))
     }
 
     /// The number of points that [`Self::cell`] looks at.

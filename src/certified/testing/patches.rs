@@ -1,6 +1,6 @@
 //! Models of single patches, given by their nets.
 
-use crate::approximation::chebyshev::binomial;
+use crate::approximation::bernstein::binomial;
 use crate::bezier::{LocalDerivativeBounds, Patch, PatchSet, relative};
 use crate::certified::cell_context::{CellContext, UpperBound};
 use crate::certified::nearest::{Foot, NearestPoint};

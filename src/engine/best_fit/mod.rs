@@ -74,7 +74,7 @@ impl Engine {
         })
     }
 
-    async fn best_fit_of(
+    pub(super) async fn best_fit_of(
         a: &PreparedModel,
         b: &PreparedModel,
         options: &BestFitOptions,

@@ -55,11 +55,14 @@ pub(super) enum CommonPoint {
 
 impl Solids<'_> {
     /// Looks for a point inside both solids: about the place where they are nearest, in the box that
-    /// both reach into, and behind some hundred patches of both. There may be such points where none is
+    /// both reach into, and behind some hundred patches of both, down to half the tolerance behind them: a layer
+    /// between two faces as thick as the tolerance has points there. There may be such points where none is
     /// found. O(points √patches).
-    pub(super) fn common_point(&self, nearest: &Nearest) -> CommonPoint {
+    pub(super) fn common_point(&self, nearest: &Nearest, tolerance: f64) -> CommonPoint {
         let Some(common) = self.common_box() else { return CommonPoint::NotFound };
-        let behind = |points: Vec<BoundaryPoint>| self.behind(points, common.diagonal());
+        let depths = || DEPTHS.map(|depth| depth * common.diagonal()).into_iter().chain([0.5 * tolerance]);
+        let steps: Vec<f64> = depths().flat_map(|depth| [depth, -depth]).collect();
+        let behind = |points: Vec<BoundaryPoint>| self.behind(points, &steps);
         if let Some(found) = behind(self.about(nearest)) {
             return CommonPoint::Found(found);
         }
@@ -93,12 +96,11 @@ impl Solids<'_> {
 
     /// Returns a point inside both solids behind one of these points, or before it: normals may point
     /// either way.
-    fn behind(&self, points: Vec<BoundaryPoint>, scale: f64) -> Option<DVec3> {
+    fn behind(&self, points: Vec<BoundaryPoint>, steps: &[f64]) -> Option<DVec3> {
         for BoundaryPoint { point, normal, is_of_a } in points {
             let other = if is_of_a { self.b.side_within(point, 0.0) } else { self.side_of_a(point) };
             let Some(normal) = normal.filter(|_| other != Side::Outside) else { continue };
-            let steps = DEPTHS.iter().flat_map(|depth| [depth * scale, -depth * scale]);
-            let mut inner = steps.map(|step| point + step * normal);
+            let mut inner = steps.iter().map(|&step| point + step * normal);
             if let Some(found) = inner.find(|&point| self.common_side(point) == Side::Inside) {
                 return Some(found);
             }

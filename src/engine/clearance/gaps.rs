@@ -5,6 +5,7 @@ use super::{run, witness};
 use crate::certified::Interval;
 use crate::clearance::{Goal, Search};
 use crate::engine::direction::Direction;
+use crate::engine::hint::hint;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Stop, Witness};
 use crate::error::Result;
 use crate::progress::{Monitor, Progress};
@@ -49,9 +50,13 @@ pub struct GapsResult {
     /// Metres per unit of every length here, if A or B states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
+    /// What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+    /// units have. Nothing was scaled for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
     /// The sum of both models' gaps, as in [`crate::DistanceResult::gap`].
     pub gap: f64,
-    /// Whether that is an upper bound, as far as both models' readers know.
+    /// Whether `gap` is an upper bound by what both readers have proven.
     pub gap_proven: bool,
     /// Where the time went.
     pub seconds: Seconds,
@@ -85,6 +90,7 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<GapsResult> {
         options.validate()?;
+        let hint = hint(a, b);
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
         let started = Instant::now();
@@ -126,6 +132,6 @@ impl Engine {
         let solve = started.elapsed().as_secs_f64() - prepare;
         let seconds = Seconds { prepare, compile: 0.0, solve };
         let (below, tolerance) = (options.below, goal.tolerance);
-        Ok(GapsResult { below, tolerance, pairs, complete, diagonal, unit, gap, gap_proven, seconds })
+        Ok(GapsResult { below, tolerance, pairs, complete, diagonal, unit, hint, gap, gap_proven, seconds })
     }
 }

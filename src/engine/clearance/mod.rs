@@ -8,11 +8,12 @@ mod with_gaps;
 
 pub use gaps::{FaceGap, GapsResult};
 pub use options::{ClearanceOptions, GapOptions};
-use overlap::Solids;
+pub(in crate::engine) use overlap::Solids;
 pub use overlap::{Overlap, OverlapUnknown};
 pub use with_gaps::ClearanceWithGaps;
 
 use super::direction::Direction;
+use super::hint::hint;
 use super::{Computation, Engine, PreparedModel, PreparedTarget, Seconds, Stop, Witness};
 use crate::certified::Interval;
 use crate::clearance::{Body, Goal, Nearest, Search};
@@ -59,9 +60,13 @@ pub struct ClearanceResult {
     /// Metres per unit of every length here, if A or B states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
+    /// What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+    /// units have. Nothing was scaled for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
     /// The sum of both models' gaps, as in [`super::DistanceResult::gap`].
     pub gap: f64,
-    /// Whether that is an upper bound, as far as both models' readers know.
+    /// Whether `gap` is an upper bound by what both readers have proven.
     pub gap_proven: bool,
     /// What holds for the sources, which differ from the models by up to their gaps.
     pub with_gaps: ClearanceWithGaps,
@@ -105,6 +110,7 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<ClearanceResult> {
         options.validate()?;
+        let hint = hint(a, b);
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
         let started = Instant::now();
@@ -139,6 +145,7 @@ impl Engine {
             witness: witness([a, b], [&targets[0], &targets[1]], &nearest),
             diagonal,
             unit: direction.unit(),
+            hint,
             gap: direction.gap(),
             gap_proven: direction.is_gap_proven(),
             with_gaps: ClearanceWithGaps::new(interval, direction.gap(), options.limit, at_least),
@@ -192,7 +199,7 @@ fn witness(models: [&PreparedModel; 2], targets: [&PreparedTarget; 2], nearest: 
 
 impl PreparedTarget {
     /// Returns the patches, which must have been cut from those of `model`, for a clearance.
-    pub(super) fn body<'a>(&'a self, model: &'a PreparedModel) -> Body<'a> {
+    pub(in crate::engine) fn body<'a>(&'a self, model: &'a PreparedModel) -> Body<'a> {
         Body { target: &self.target, control_box: model.control_box(), point_error: self.point_error(model) }
     }
 }

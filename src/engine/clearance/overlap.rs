@@ -68,7 +68,7 @@ pub enum OverlapUnknown {
 }
 
 /// Two solids, the one of A moved.
-pub(super) struct Solids<'a> {
+pub(in crate::engine) struct Solids<'a> {
     pub(super) a: &'a PreparedModel,
     pub(super) b: &'a PreparedModel,
     pub(super) transform: RigidTransform,
@@ -77,7 +77,7 @@ pub(super) struct Solids<'a> {
 impl<'a> Solids<'a> {
     /// # Errors
     /// Which of the models is not closed.
-    pub(super) fn new(
+    pub(in crate::engine) fn new(
         [a, b]: [&'a PreparedModel; 2],
         transform: RigidTransform,
     ) -> Result<Self, OverlapUnknown> {
@@ -97,7 +97,7 @@ impl<'a> Solids<'a> {
     ///
     /// # Errors
     /// Why it is not known.
-    pub(super) fn overlap(
+    pub(in crate::engine) fn overlap(
         &self,
         interval: Interval,
         goal: Goal,
@@ -111,7 +111,7 @@ impl<'a> Solids<'a> {
         if strips_apart > self.error() {
             return self.of_disjoint().ok_or(OverlapUnknown::Side);
         }
-        match self.common_point(nearest) {
+        match self.common_point(nearest, goal.tolerance) {
             CommonPoint::Found(point) => return Ok(Overlap::Intersecting { inside_both: point.to_array() }),
             CommonPoint::NotFound if interval.upper <= goal.tolerance => return Ok(Overlap::Touching),
             CommonPoint::Undecided if interval.upper <= goal.tolerance => return Err(OverlapUnknown::Side),

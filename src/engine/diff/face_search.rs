@@ -84,8 +84,9 @@ impl FaceSearch<'_> {
 
     /// Bounds no cell from this moment on.
     pub(super) fn stop_at(&mut self, deadline: Instant) {
-        if let Self::Patches(search) = self {
-            search.stop_at(deadline);
+        match self {
+            Self::Patches(search) => search.stop_at(deadline),
+            Self::Facets(search, _) => search.stop_at(deadline),
         }
     }
 

@@ -3,7 +3,10 @@
 mod face;
 mod face_search;
 mod pair;
+mod parts;
 mod search;
+
+pub use parts::{PartDifference, PartFaces, PartMotion, PartState};
 
 use super::{PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
@@ -126,9 +129,13 @@ pub struct DiffResult {
     /// Metres per unit of every length here, if A or B states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
+    /// What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+    /// units have. Nothing was scaled for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
     /// The sum of both models' gaps, as in [`super::DistanceResult::gap`].
     pub gap: f64,
-    /// Whether the gaps are upper bounds, as far as both models' readers know.
+    /// Whether the gaps are upper bounds by what both readers have proven.
     pub gap_proven: bool,
     /// The state of both models' sources together.
     pub with_gaps: FaceState,
@@ -136,6 +143,9 @@ pub struct DiffResult {
     pub faces_of_a: Vec<FaceDifference>,
     /// Every face of B, in order, compared with A.
     pub faces_of_b: Vec<FaceDifference>,
+    /// The parts of both: what moved, changed, was added or removed. None of clouds, and of models of more than
+    /// 2,000 bodies.
+    pub parts: Vec<PartDifference>,
     /// Where the time went.
     pub seconds: Seconds,
 }

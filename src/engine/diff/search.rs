@@ -5,6 +5,8 @@ use super::pair::PairParts;
 use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::certified::{Interval, Limit};
 use crate::engine::certified::deadline;
+use crate::engine::hint::hint;
+use crate::engine::section::Section;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -62,8 +64,27 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<DiffResult> {
         options.validate()?;
+        let hint = hint(a, b);
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
+        let started = Instant::now();
+        let mut result = self.diff_of_faces(a, b, options, monitor).await?;
+        result.hint = hint;
+        // The progress is that of the faces.
+        let mut section = Section { whole: monitor, part: [1.0, 0.0] };
+        result.parts = self.parts([a, b], options, &result, started, &mut section).await?;
+        result.seconds.solve = started.elapsed().as_secs_f64() - result.seconds.prepare;
+        Ok(result)
+    }
+
+    /// Compares the faces of models of one unit, without their parts and hints.
+    pub(in crate::engine) async fn diff_of_faces(
+        &self,
+        a: &PreparedModel,
+        b: &PreparedModel,
+        options: &DiffOptions,
+        monitor: &mut dyn Monitor,
+    ) -> Result<DiffResult> {
         let mut progress = Progress::new(monitor, true);
         let started = Instant::now();
         let of_pair = PairParts::new([a, b]);
@@ -92,11 +113,13 @@ impl Engine {
             with_gaps: largest(|face| face.with_gaps),
             limit: options.limit,
             unit: a.unit().or(b.unit()),
+            hint: None,
             gap: a.gap() + b.gap(),
             gap_proven: a.is_gap_proven() && b.is_gap_proven(),
             diagonal: a.bounding_box().diagonal().max(b.bounding_box().diagonal()),
             faces_of_a: of_a,
             faces_of_b: of_b,
+            parts: Vec::new(),
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
         })
     }
@@ -133,12 +156,13 @@ impl<'a> Side<'a> {
             let first = found.len();
             let count = FACES_AT_ONCE.min(self.faces.len() - first);
             let limits: Vec<Limit> = (first..first + count).map(|face| self.limit(face, options)).collect();
-            let (faces, transform) = (&self.faces, self.transform);
+            let (faces, transform, budget) = (&self.faces, self.transform, self.budget);
             let searches = map(count, |index| {
                 let limit = limits[index];
                 let tolerance = DECISION_PART * limit.at;
                 let mut search = faces.search(first + index, transform, tolerance, Some(limit));
-                search.advance(FIRST_CELLS);
+                // Each face has an interval, however late it is.
+                search.advance(if budget.is_over() { 1 } else { FIRST_CELLS });
                 search
             });
             for search in searches {

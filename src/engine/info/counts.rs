@@ -49,6 +49,11 @@ impl Counts {
         counts
     }
 
+    /// Counts what a prepared model consists of. O(size).
+    pub(in crate::engine) fn of_prepared(prepared: &PreparedModel) -> Self {
+        Self::new(prepared.source(), prepared)
+    }
+
     fn count_faces(&mut self, model: &Model) {
         let mut known: HashMap<[u64; 3], Vec<Face<'_>>> = HashMap::new();
         for face in model.faces() {

@@ -126,8 +126,6 @@ impl ModelInfo {
         let facts = prepared.facts().clone();
         let bounding_box = [facts.min.map(|low| low.lower), facts.max.map(|high| high.upper)];
         let [min, max] = bounding_box.map(DVec3::from_array);
-        let facts_of_bodies = prepared.body_facts().cloned();
-        let bodies = prepared.bodies().into_iter().zip(facts_of_bodies);
         Self {
             name: prepared.name().map(str::to_owned),
             unit: prepared.unit(),
@@ -140,9 +138,18 @@ impl ModelInfo {
             diagonal: min.distance(max),
             area: prepared.area(),
             facts,
-            bodies: bodies.map(|(body, facts)| BodyInfo { body, facts }).collect(),
+            bodies: BodyInfo::of(prepared),
             counts,
         }
+    }
+}
+
+impl BodyInfo {
+    /// Returns the bodies of a model with their facts.
+    #[must_use]
+    pub fn of(prepared: &PreparedModel) -> Vec<Self> {
+        let bodies = prepared.bodies().into_iter().zip(prepared.body_facts().cloned());
+        bodies.map(|(body, facts)| Self { body, facts }).collect()
     }
 }
 

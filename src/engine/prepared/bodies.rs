@@ -127,7 +127,7 @@ impl PreparedModel {
 
 /// Returns whether a box lies within another one and is no copy of it.
 fn is_inside(inner: &Aabb, outer: &Aabb) -> bool {
-    outer.min.cmple(inner.min).all() && inner.max.cmple(outer.max).all() && inner != outer
+    outer.contains(inner) && inner != outer
 }
 
 /// Joins voids to the bodies that have them.

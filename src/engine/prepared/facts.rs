@@ -6,6 +6,7 @@ use crate::bezier::{BezierModel, PatchGrid};
 use crate::bvh::Aabb;
 use crate::error::{Error, Result};
 use crate::facets::PreparedFacets;
+use crate::model::Model;
 use crate::pieces::FacePieces;
 use crate::solid::{Boundary, Edges, Joined};
 use crate::threads::computed;
@@ -16,6 +17,11 @@ impl PreparedModel {
     #[must_use]
     pub fn name(&self) -> Option<&str> {
         self.name.as_deref()
+    }
+
+    /// Returns the model itself; none of a mesh or a cloud.
+    pub(in crate::engine) fn source(&self) -> Option<&Model> {
+        self.source.as_ref()
     }
 
     /// Returns the distance, in model units, between the model and its source as its reader states

@@ -10,9 +10,10 @@ use crate::facts::{
     Facts, Interval, IntervalMoments, Mass, Moments, Orientation, VolumeUnknown, area_of_triangle, largest,
     largest_of_points, of_patch, of_triangle, shifted,
 };
+use crate::model::RigidTransform;
 use crate::threads::computed;
 use crate::threads::parallel::{map, map_ranges};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 /// The width of a coordinate's largest value, relative to the diagonal.
 const RELATIVE_WIDTH: f64 = 1e-10;
@@ -24,6 +25,9 @@ pub(in crate::engine) struct MeasuredBody {
     pub(in crate::engine) facts: Facts,
     /// The moments about the middle of its box, if it has a volume.
     moments: Option<IntervalMoments>,
+    /// Whether the surfaces of each shell, as they agree with its first one, are to be turned over so that their normals
+    /// are out of the body; none where that is not known.
+    pub(in crate::engine) turned: Vec<Option<bool>>,
 }
 
 /// A shell with its moments, as its first surface is oriented.
@@ -54,6 +58,20 @@ impl PreparedModel {
                 return Facts::within(min, max, VolumeUnknown::Points);
             }
             self.facts_of_all(self.measured_bodies())
+        })
+    }
+
+    /// Returns the lengths along x, y and z of the model moved by a transform.
+    pub(in crate::engine) fn moved_extents(&self, transform: &RigidTransform) -> [Interval; 3] {
+        let rotation = transform.rotation();
+        if rotation == DQuat::IDENTITY {
+            return self.facts().extents;
+        }
+        let turned = RigidTransform::about(rotation, DVec3::ZERO, DVec3::ZERO);
+        // Each end is off by the rounding of the direction, times the distance from the middle.
+        let rounding = 2.0 * turned.rounding(self.control_box.diagonal());
+        DVec3::AXES.map(|axis| {
+            self.extent(None, rotation.inverse() * axis) + Interval { lower: -rounding, upper: rounding }
         })
     }
 
@@ -127,17 +145,18 @@ impl PreparedModel {
         } else {
             summed(&shells)
         };
+        let turned = shells.iter().enumerate().map(|(index, shell)| shell.is_turned(index > 0)).collect();
         // Which of a sliver's two long edges joins a neighbour is not known, and so not its side either.
         let is_guessed = orientation == Orientation::Mixed && self.trimmed_faces.is_some();
         let orientation = if is_guessed { Orientation::Undecided } else { orientation };
         let facts = Facts { area: Some(area), ..Facts::within(min, max, why.unwrap_or(VolumeUnknown::Open)) };
         if why.is_some() {
-            return MeasuredBody { orientation, facts, moments: None };
+            return MeasuredBody { orientation, facts, moments: None, turned };
         }
         let moments = moments.intervals();
         let facts = facts.with_mass(Mass::new(&moments, origin), |axis| self.extent(Some(parts), axis));
         let facts = Facts { volume_of_gap: Some(self.layer(parts) * area.upper), ..facts };
-        MeasuredBody { orientation, facts, moments: Some(moments) }
+        MeasuredBody { orientation, facts, moments: Some(moments), turned }
     }
 
     /// Returns the moments of a shell about `origin`, with all that closes it.
@@ -189,7 +208,7 @@ impl PreparedModel {
 
     /// Returns an upper bound on the distance of points of patches, at their parameters, from the exact ones,
     /// without that of trimmed faces.
-    fn moved(&self) -> f64 {
+    pub(in crate::engine) fn moved(&self) -> f64 {
         match &self.facets {
             Some(facets) => facets.error,
             None => self.bezier.point_error.after(0) - self.pieces.deviation(),
@@ -237,6 +256,12 @@ impl PreparedModel {
         [min, [0, 1, 2].map(|axis| at(axis) + largest(DVec3::AXES[axis]))]
     }
 
+    /// Returns the lengths of the model along x, y and z, to about their intervals' width.
+    pub(in crate::engine) fn lengths(&self) -> [f64; 3] {
+        let [min, max] = self.range(None);
+        [0, 1, 2].map(|axis| (max[axis] - min[axis]).middle())
+    }
+
     /// Returns the length of a body, or of the model, along a direction.
     fn extent(&self, parts: Option<&BodyParts>, direction: DVec3) -> Interval {
         let origin = self.aabb_of(parts).center();
@@ -248,7 +273,12 @@ impl PreparedModel {
     }
 
     /// Returns the largest n·(x − origin) of a body, or of the model.
-    fn largest(&self, parts: Option<&BodyParts>, direction: DVec3, origin: DVec3) -> Interval {
+    pub(in crate::engine) fn largest(
+        &self,
+        parts: Option<&BodyParts>,
+        direction: DVec3,
+        origin: DVec3,
+    ) -> Interval {
         let surfaces = || {
             parts.into_iter().flat_map(|parts| &parts.shells).flat_map(|shell| shell.surfaces.iter().copied())
         };
@@ -273,6 +303,16 @@ impl PreparedModel {
     }
 }
 
+impl MeasuredShell {
+    /// Returns whether the surfaces are to be turned over so that the volume is positive, or negative if the shell is a
+    /// void; `None` where its sign is not known.
+    fn is_turned(&self, is_void: bool) -> Option<bool> {
+        let volume = self.moments.volume();
+        let is_negative = volume.upper < 0.0;
+        (is_negative || volume.lower > 0.0).then_some(is_negative != is_void)
+    }
+}
+
 /// Returns the orientation of a body without a volume.
 fn orientation_of_sheet(shells: &[MeasuredShell], one_sided: bool) -> Orientation {
     if one_sided {
@@ -289,16 +329,12 @@ fn summed(shells: &[MeasuredShell]) -> (Moments, Orientation) {
     let mut sum = Moments::ZERO;
     let (mut agree, mut oppose, mut decided) = (true, true, true);
     for (index, shell) in shells.iter().enumerate() {
-        let is_void = index > 0;
-        let volume = shell.moments.volume();
-        let is_negative = volume.upper < 0.0;
-        if !(volume.lower > 0.0) && !is_negative {
+        let Some(is_turned) = shell.is_turned(index > 0) else {
             sum.add(&shell.moments.of_either_sign(), false);
             decided = false;
             agree &= shell.agrees[0] || shell.agrees[1];
             continue;
-        }
-        let is_turned = is_negative != is_void;
+        };
         sum.add(&shell.moments, is_turned);
         agree &= shell.agrees[usize::from(is_turned)];
         oppose &= shell.agrees[usize::from(!is_turned)];

@@ -4,8 +4,10 @@ mod bodies;
 mod facts;
 mod kept;
 mod measured;
+mod mirrored;
 mod points;
 mod shells;
+mod single;
 mod units;
 
 use crate::bezier::{BezierModel, PatchSet, PointError, extract, without_removable_knots};
@@ -24,6 +26,7 @@ use crate::untrim::Untrimmed;
 pub(in crate::engine) use bodies::BodyParts;
 use kept::Kept;
 pub(crate) use kept::{PreparedCells, PreparedSampling, PreparedTarget};
+pub(in crate::engine) use mirrored::mirror_image;
 pub(in crate::engine) use shells::Shells;
 use std::sync::Arc;
 
@@ -33,7 +36,7 @@ use std::sync::Arc;
 pub struct PreparedModel {
     name: Option<String>,
     unit: Option<f64>,
-    /// The model itself, kept if it states its unit, to be scaled to another.
+    /// The model itself, to be scaled, and to count copies of faces; none of a mesh or a cloud.
     source: Option<Model>,
     gap: f64,
     face_gaps: Vec<f64>,
@@ -148,7 +151,7 @@ impl PreparedModel {
         Self {
             name: model.name().map(str::to_owned),
             unit: model.unit(),
-            source: model.unit().map(|_| model.clone()),
+            source: Some(model.clone()),
             gap: model.gap(),
             face_gaps: model.faces().map(|face| face.gap()).collect(),
             is_gap_proven: model.is_gap_proven(),

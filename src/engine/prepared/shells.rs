@@ -72,10 +72,23 @@ impl Shells<'_> {
         }
     }
 
-    /// Returns how two shells lie, by the least distance of their points. They are apart only if their
-    /// strips are too.
+    /// Returns how two shells lie, by the least distance of their points.
     fn compared(&self, pair: [u32; 2]) -> Relation {
         let targets = pair.map(|shell| self.target(shell));
+        match self.are_apart(&targets) {
+            Some(true) => self.nested(pair, &targets),
+            Some(false) => Relation::Meeting,
+            None => Relation::Unknown,
+        }
+    }
+
+    /// Returns whether two shells, with their strips, have no point in common; `None` where that is not known.
+    /// Points count as common if their distance is within the rounding error.
+    pub(in crate::engine) fn is_apart(&self, pair: [u32; 2]) -> Option<bool> {
+        self.are_apart(&pair.map(|shell| self.target(shell)))
+    }
+
+    fn are_apart(&self, targets: &[Arc<Target>; 2]) -> Option<bool> {
         let point_error = self.bezier.point_error.after(0);
         let body = |target| Body { target, control_box: self.control_box, point_error };
         let bodies = [body(&*targets[0]), body(&*targets[1])];
@@ -85,13 +98,13 @@ impl Shells<'_> {
             let stop = search.advance(usize::MAX);
             let Interval { lower, upper } = search.interval();
             if self.boundary.clear_radius(self.boundary.clear_radius(lower)) > 0.0 {
-                return self.nested(pair, &targets);
+                return Some(true);
             }
             if upper <= search.min_tolerance() {
-                return Relation::Meeting;
+                return Some(false);
             }
             if stop.is_some() || search.pairs() >= MAX_PAIRS {
-                return Relation::Unknown;
+                return None;
             }
         }
     }

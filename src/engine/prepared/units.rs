@@ -3,6 +3,7 @@
 use super::PreparedModel;
 use crate::error::{Error, Result};
 use crate::limits::is_in_range;
+use crate::model::{Model, is_unit};
 use crate::rounding::gamma;
 use crate::threads::locked;
 use std::sync::Arc;
@@ -15,6 +16,20 @@ impl PreparedModel {
     #[must_use]
     pub fn unit(&self) -> Option<f64> {
         self.unit
+    }
+
+    /// Returns the model with coordinates in units of this many metres, whatever it stated. Nothing is scaled. `source`
+    /// is the model that it was prepared from, and none of a mesh or of points.
+    ///
+    /// # Errors
+    /// [`Error::UnitInvalid`].
+    pub fn with_unit(self, metres: f64, source: Option<&Model>) -> Result<Self> {
+        if !is_unit(metres) {
+            return Err(Error::UnitInvalid { found: metres });
+        }
+        let source = source.map(|model| model.clone().with_unit(metres)).transpose()?;
+        *locked(&self.kept.scaled) = None;
+        Ok(Self { unit: Some(metres), source, ..self })
     }
 
     /// Returns this model in the unit of `other` if both state different units, else
@@ -35,13 +50,21 @@ impl PreparedModel {
         if let Some(kept) = kept.filter(|kept| kept.unit == Some(a)) {
             return Ok(Some(kept));
         }
-        let prepared = Arc::new(self.scaled_by(b / a, a)?);
+        let prepared = Arc::new(self.scaled_by(b / a, Some(a))?);
         *locked(&self.kept.scaled) = Some(Arc::clone(&prepared));
         Ok(Some(prepared))
     }
 
-    /// Returns this model in the unit `unit`, which is `1 / factor` times as long.
-    fn scaled_by(&self, factor: f64, unit: f64) -> Result<Self> {
+    /// Returns this model with all lengths from the origin times a positive factor, in the same unit.
+    ///
+    /// # Errors
+    /// [`Error::PointOutOfRange`], [`Error::NumberTooLarge`]; those of [`PreparedModel::new`].
+    pub(in crate::engine) fn scaled(&self, factor: f64) -> Result<Self> {
+        self.scaled_by(factor, self.unit)
+    }
+
+    /// Returns this model with all lengths times `factor`, in the unit `unit`.
+    fn scaled_by(&self, factor: f64, unit: Option<f64>) -> Result<Self> {
         if let Some(facets) = &self.facets {
             let scaled = facets.scaled(factor);
             let length = scaled.target.bounding_box().farthest_from_origin();
@@ -53,10 +76,10 @@ impl PreparedModel {
             } else {
                 0.0
             };
-            return Ok(Self::with_facets(scaled, gap, Some(unit)));
+            return Ok(Self::with_facets(scaled, gap, unit));
         }
         let source = self.source.as_ref().ok_or(Error::EmptyModel)?;
-        let mut prepared = Self::new(&source.scaled_to_unit(unit)?)?;
+        let mut prepared = Self::new(&source.scaled(factor, unit)?)?;
         let rounding = gamma(SCALE_ROUNDINGS) * prepared.bounding_box.farthest_from_origin();
         prepared.bezier.point_error.include_deviation(rounding);
         Ok(prepared)

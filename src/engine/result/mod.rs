@@ -55,11 +55,15 @@ pub struct DistanceResult {
     /// Metres per unit of every length here, if A or B states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
+    /// What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+    /// units have. Nothing was scaled for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
     /// The sum of both models' gaps: how far the sources may be from what was measured, by
     /// what they state and by ends of trimming curves that were moved together. It is not
     /// part of the interval, which is that of the models as they are.
     pub gap: f64,
-    /// Whether the gap is an upper bound, as far as both models' readers know.
+    /// Whether the gap is an upper bound by what both readers have proven.
     pub gap_proven: bool,
     /// The interval, and the verdict, that hold for the sources of the models.
     pub with_gaps: WithGaps,

@@ -20,6 +20,7 @@ impl DistanceResult {
             adapter,
             diagonal,
             unit,
+            hint: None,
             gap,
             gap_proven,
             with_gaps: forward.with_gaps.of_both(&reverse.with_gaps),

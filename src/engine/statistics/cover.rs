@@ -2,7 +2,7 @@
 
 use crate::area::{Area, area_of_part};
 use crate::axis::Axis;
-use crate::certified::{Cell, CellSpread, Density, Pair, SpreadStart, Spreads};
+use crate::certified::{Cell, CellSpread, Density, Lemma, Pair, SpreadRefutation, SpreadStart, Spreads};
 use crate::facets::{FacetTarget, Parts, Spread, Start, Weighted, WeightedPart};
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
@@ -10,6 +10,10 @@ use std::ops::Range;
 
 /// Half of the width of a cell that float64 does not usefully halve further.
 const MIN_HALF_WIDTH: f64 = 1.0 / (1_u64 << 40) as f64;
+
+/// The points of a part that are always looked at in an audit: corners, and of a cell its middle.
+const CORNERS_OF_TRIANGLE: usize = 3;
+const CORNERS_OF_CELL: usize = 5;
 
 /// The roundings of the part of a triangle's area that a cell takes.
 const PART_ROUNDINGS: f64 = 8.0;
@@ -27,8 +31,24 @@ pub(super) trait Cover: Sync {
     /// Returns the bounds of a range of the first parts; `None` for a B without pieces.
     fn first(&self, range: Range<usize>) -> Option<Vec<Self::Part>>;
 
+    /// Returns the bounds of one of the first parts that hold without looking at B: where the time is over.
+    fn unmeasured(&self, index: usize) -> Self::Part;
+
     /// Returns the halves of a part; `None` for a part that float64 does not halve.
     fn halves(&self, part: &Self::Part) -> Option<[Self::Part; 2]>;
+
+    /// The lemma that the bounds rest on.
+    fn lemma(&self) -> Lemma;
+
+    /// The number of a part's corners, with its middle where that is looked at.
+    fn corners(&self) -> usize;
+
+    /// Looks at the corners of a part and `further` points of it, and where `mean` is set at the mean by a rule;
+    /// returns in words what refutes the part's bounds.
+    fn refutation(&self, part: &Self::Part, further: usize, mean: bool) -> Option<String>;
+
+    /// Bounds parts from now on without that lemma, by the triangle inequality.
+    fn strike(&mut self);
 }
 
 impl Cover for Parts<'_> {
@@ -53,8 +73,28 @@ impl Cover for Parts<'_> {
         range.map(&mut next).collect()
     }
 
+    fn unmeasured(&self, index: usize) -> WeightedPart {
+        Self::unmeasured(self, index as u32)
+    }
+
     fn halves(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
         Self::halves(self, part)
+    }
+
+    fn lemma(&self) -> Lemma {
+        Lemma::SpreadToFacets
+    }
+
+    fn corners(&self) -> usize {
+        CORNERS_OF_TRIANGLE
+    }
+
+    fn refutation(&self, part: &WeightedPart, further: usize, mean: bool) -> Option<String> {
+        Self::refutation(self, part, further, mean)
+    }
+
+    fn strike(&mut self) {
+        Self::strike(self);
     }
 }
 
@@ -132,6 +172,13 @@ impl Cover for Cells<'_> {
         Some(range.map(next).collect())
     }
 
+    fn unmeasured(&self, index: usize) -> WeightedCell {
+        let cell = Cell::whole(index as u32);
+        let spread = Spread::exact([0.0, self.spreads.farthest()]);
+        let (weight, start) = (self.area(&cell), self.spreads.start());
+        WeightedCell { cell, weight, spread, axis: Axis::U, start }
+    }
+
     fn halves(&self, part: &WeightedCell) -> Option<[WeightedCell; 2]> {
         let is_halved = [part.axis == Axis::U, part.axis == Axis::V];
         if part.cell.half[part.axis as usize] < MIN_HALF_WIDTH {
@@ -139,5 +186,30 @@ impl Cover for Cells<'_> {
         }
         let mut halves = part.cell.halves(is_halved).map(|cell| self.bounded(cell, &part.start));
         Some([halves.next()?, halves.next()?])
+    }
+
+    fn lemma(&self) -> Lemma {
+        Lemma::Spread
+    }
+
+    fn corners(&self) -> usize {
+        CORNERS_OF_CELL
+    }
+
+    fn refutation(&self, part: &WeightedCell, further: usize, mean: bool) -> Option<String> {
+        let Spread { lower, upper, mean: stated, .. } = part.spread;
+        let all = [lower, upper];
+        let of_points = self.spreads.refutation(&part.cell, all, further);
+        let of_mean = || self.spreads.refutation_of_mean(&part.cell, all, stated).filter(|_| mean);
+        let SpreadRefutation { patch, parameters, is_mean, stated, found } = of_points.or_else(of_mean)?;
+        let what = if is_mean { "mean about" } else { "point" };
+        let surface = self.pair.patch_of_a(patch).surface;
+        Some(format!(
+            "{stated:?} at the {what} {parameters:?} of patch {patch} of surface {surface}, found {found:?}"
+        ))
+    }
+
+    fn strike(&mut self) {
+        self.spreads.strike();
     }
 }

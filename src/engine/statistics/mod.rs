@@ -1,14 +1,19 @@
 //! Statistics of the distances of a model's points from another one, as intervals that hold them.
 
+mod audited;
 mod cover;
 mod search;
 mod sums;
 
 use super::Seconds;
+use crate::certified::{Audit, AuditReport};
 use crate::error::{Error, Result};
+use crate::facts::Interval;
 use crate::model::RigidTransform;
 use crate::tolerance::{PermittedWidth, positive};
+pub(in crate::engine) use search::Asked;
 use serde::{Deserialize, Serialize};
+pub(in crate::engine) use sums::Sums;
 
 /// The default width of the intervals of lengths, as a fraction of the diagonal.
 const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-4;
@@ -41,11 +46,14 @@ pub struct StatisticsOptions {
     /// The parts of A after which the intervals reached are returned, 1 or more. All facets or
     /// patches of A are bounded at least once.
     pub max_cells: usize,
-    /// Seconds after which the intervals reached are returned, positive.
+    /// Seconds after which the intervals reached are returned, positive. Facets and patches that were not looked at
+    /// then have the bounds of the models' boxes.
     pub max_seconds: Option<f64>,
     /// Whether B is scaled to the unit of A where both state different ones; else they are
     /// an error.
     pub scale_units: bool,
+    /// The parts whose bounds are audited at the end: a share of them, or all.
+    pub audit: Audit,
     /// Moves A before it is measured. It is not deserialized, because only
     /// [`RigidTransform::new`] makes one.
     #[serde(skip)]
@@ -63,6 +71,7 @@ impl Default for StatisticsOptions {
             max_cells: DEFAULT_MAX_CELLS,
             max_seconds: None,
             scale_units: false,
+            audit: Audit::default(),
             transform: RigidTransform::IDENTITY,
         }
     }
@@ -110,16 +119,6 @@ pub enum Measure {
     Area,
 }
 
-/// Bounds on a number.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Bounded {
-    /// A lower bound.
-    pub lower: f64,
-    /// An upper bound.
-    pub upper: f64,
-}
-
 /// A percentile of the distances.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -127,7 +126,7 @@ pub struct Percentile {
     /// The part of A that is at most this far, at least.
     pub part: f64,
     /// The least such distance.
-    pub distance: Bounded,
+    pub distance: Interval,
 }
 
 /// The part of A farther than a limit.
@@ -137,7 +136,7 @@ pub struct Beyond {
     /// The limit, in model units.
     pub limit: f64,
     /// The part, between 0 and 1.
-    pub part: Bounded,
+    pub part: Interval,
 }
 
 /// Statistics of the distances from the points of A to B.
@@ -151,11 +150,11 @@ pub struct CertifiedStatistics {
     /// What they are over.
     pub over: Measure,
     /// The area of A in squares of the model unit, or the number of its points.
-    pub total: Bounded,
+    pub total: Interval,
     /// The mean distance.
-    pub mean: Bounded,
+    pub mean: Interval,
     /// The root of the mean square distance.
-    pub rms: Bounded,
+    pub rms: Interval,
     /// The percentiles, in the order of the options.
     pub percentiles: Vec<Percentile>,
     /// The part beyond the limit, if there is one.
@@ -171,8 +170,17 @@ pub struct CertifiedStatistics {
     /// Metres per unit of every length here, if A or B states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
+    /// What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+    /// units have. Nothing was scaled for it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
     /// The number of parts bounded.
     pub cells: usize,
+    /// The parts whose bounds were compared with certified distances of their points.
+    pub audit: AuditReport,
+    /// What is to be known of the computation: a bound that its audit refuted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub notice: Option<String>,
     /// Where the time went.
     pub seconds: Seconds,
 }

@@ -1,14 +1,17 @@
 //! The refinement of parts until the intervals are as narrow as requested.
 
+use super::audited::audit;
 use super::cover::{Cells, Cover};
 use super::sums::Sums;
-use super::{Beyond, Bounded, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
+use super::{Beyond, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
 use crate::area::Area;
-use crate::certified::Pair;
+use crate::certified::{AuditReport, Pair};
 use crate::engine::direction::Direction;
+use crate::engine::hint::hint;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds};
 use crate::error::{Error, Result};
 use crate::facets::{Parts, PreparedFacets, Source, Spread, Start, Weighted};
+use crate::facts::Interval;
 use crate::progress::{Monitor, Progress};
 use crate::sorting::sort_by_number;
 use crate::threads::parallel::map_ranges;
@@ -45,8 +48,9 @@ const OPEN_ROUNDINGS: f64 = 2.5;
 /// the search then ends without convergence.
 const LEAST_ROOM: f64 = 0.125;
 
-/// The number of parts between two checkpoints.
+/// The number of parts between two checkpoints, and where there is a limit of time, which each of them looks at.
 const PARTS_AT_ONCE: usize = 4096;
+const TIMED_PARTS_AT_ONCE: usize = 256;
 
 impl Engine {
     /// Returns statistics of the distances from the points of A, moved by the options' transform, to
@@ -65,18 +69,26 @@ impl Engine {
         options: &'a StatisticsOptions,
     ) -> Computation<'a, CertifiedStatistics> {
         Computation::new(move |mut watched| {
-            Box::pin(async move { self.statistics_of(a, b, options, watched.monitor()).await })
+            Box::pin(async move {
+                let limits: Vec<f64> = options.limit.into_iter().collect();
+                let asked = Asked { options, limits: &limits, is_enough: &|_| false };
+                let (found, beyond) = self.statistics_of(a, b, asked, watched.monitor()).await?;
+                Ok(CertifiedStatistics { beyond: beyond.first().copied(), ..found })
+            })
         })
     }
 
-    async fn statistics_of(
+    /// As [`Engine::statistics`], with the parts beyond each of the limits asked for.
+    pub(in crate::engine) async fn statistics_of(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,
-        options: &StatisticsOptions,
+        asked: Asked<'_>,
         monitor: &mut dyn Monitor,
-    ) -> Result<CertifiedStatistics> {
+    ) -> Result<(CertifiedStatistics, Vec<Beyond>)> {
+        let options = asked.options;
         options.validate()?;
+        let hint = hint(a, b);
         let scaled = b.in_unit_of(a, options.scale_units)?;
         let b = scaled.as_deref().unwrap_or(b);
         let mut progress = Progress::new(monitor, false);
@@ -85,14 +97,14 @@ impl Engine {
         let diagonal = direction.diagonal();
         let tolerance = options.width(diagonal);
         let over = if a.is_cloud() { Measure::Count } else { Measure::Area };
-        let search = Search { over, tolerance, options, started };
+        let search = Search { over, tolerance, asked, started };
         let prepare = || started.elapsed().as_secs_f64();
-        let (prepare, (sums, converged, cells)) = if over == Measure::Area && b.facets().is_none() {
+        let (prepare, found) = if over == Measure::Area && b.facets().is_none() {
             let (from, to) = (a.certified_target(), b.certified_target());
             let pair = Pair { a: from.operand(a), b: to.operand(b), transform: options.transform };
             let triangles = a.facets().map(|facets| &facets.target);
-            let cover = Cells::new(pair, triangles, search.sufficient());
-            (prepare(), search.run(&cover, &mut progress).await?)
+            let mut cover = Cells::new(pair, triangles, search.sufficient());
+            (prepare(), search.audited(&mut cover, &mut progress).await?)
         } else {
             let patches = b.facets().is_none().then(|| b.certified_target());
             let measured = b.measured(patches.as_deref()).ok_or(Error::EmptyModel)?;
@@ -102,56 +114,85 @@ impl Engine {
                 }
                 None => a.patches_as_source(&a.bezier().patches),
             };
-            let parts = Parts::new(source, measured, options.transform, search.sufficient());
+            let mut parts = Parts::new(source, measured, options.transform, search.sufficient());
             let prepare = prepare();
             (
                 prepare,
                 match over {
                     Measure::Count => search.count(&parts, &mut progress).await?,
-                    Measure::Area => search.run(&parts, &mut progress).await?,
+                    Measure::Area => search.audited(&mut parts, &mut progress).await?,
                 },
             )
         };
         progress.finish();
-        Ok(CertifiedStatistics {
+        let Found { sums, converged, cells, audit, notice } = found;
+        let found = CertifiedStatistics {
             over,
-            total: Bounded { lower: sums.total.lower, upper: sums.total.upper },
+            total: Interval { lower: sums.total.lower, upper: sums.total.upper },
             mean: sums.mean,
             rms: sums.rms,
             percentiles: sums.percentiles,
-            beyond: sums.beyond,
+            beyond: None,
             converged,
             tolerance,
             diagonal,
             unit: direction.unit(),
+            hint,
             cells,
+            audit,
+            notice,
             seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
-        })
+        };
+        Ok((found, sums.beyond))
     }
+}
+
+/// A question about several limits.
+#[derive(Clone, Copy)]
+pub(in crate::engine) struct Asked<'a> {
+    /// The options, whose limit is not read.
+    pub(in crate::engine) options: &'a StatisticsOptions,
+    pub(in crate::engine) limits: &'a [f64],
+    /// Whether intervals suffice that are wider than requested.
+    pub(in crate::engine) is_enough: &'a (dyn Fn(&Sums) -> bool + Sync),
 }
 
 struct Search<'a> {
     over: Measure,
     tolerance: f64,
-    options: &'a StatisticsOptions,
+    asked: Asked<'a>,
     started: Instant,
 }
 
+/// Intervals, whether they are narrow enough, the number of parts, and what their audit found.
+struct Found {
+    sums: Sums,
+    converged: bool,
+    cells: usize,
+    audit: AuditReport,
+    notice: Option<String>,
+}
+
 impl Search<'_> {
-    /// The distance within which a part is near enough to be decided whole, and within the limit too.
+    /// The distance within which a part is near enough to be decided whole, and within every limit too.
     fn sufficient(&self) -> f64 {
-        let whole = WHOLE_PART * self.tolerance;
-        match self.options.limit {
-            Some(limit) if limit > 0.0 => limit.min(whole),
-            _ => whole,
-        }
+        let limits = self.asked.limits.iter().filter(|limit| **limit > 0.0);
+        limits.fold(WHOLE_PART * self.tolerance, |least, &limit| least.min(limit))
     }
 
-    /// Returns the intervals of a cloud, whether they are narrow enough, and the number of points.
-    async fn count(&self, parts: &Parts<'_>, progress: &mut Progress<'_>) -> Result<(Sums, bool, usize)> {
+    fn sums<T: Weighted>(&self, parts: &[T], known: Area) -> Sums {
+        Sums::of(parts, (self.asked.limits, &self.asked.options.percentiles), self.over, known)
+    }
+
+    /// Returns the intervals of a cloud. Points have certified distances of their own, which nothing is to be
+    /// compared with.
+    async fn count(&self, parts: &Parts<'_>, progress: &mut Progress<'_>) -> Result<Found> {
         let gap = POINT_PART * self.tolerance;
-        let points = bounded(parts.len(), progress, |range| {
+        let points = bounded(parts.len(), self.at_once(), progress, |range| {
             let mut start = Start::default();
+            if self.is_late() {
+                return Some(range.map(|_| parts.unmeasured_point()).collect());
+            }
             let next = |index: usize| {
                 let (point, found) = parts.point(index as u32, start, gap)?;
                 start = found;
@@ -161,39 +202,75 @@ impl Search<'_> {
         });
         let points = points.await?;
         let known = Area { lower: 0.0, upper: f64::INFINITY };
-        let sums = Sums::of(&points, self.options, self.over, known);
-        let is_narrow = self.is_narrow(&sums);
-        Ok((sums, is_narrow, points.len()))
+        let sums = self.sums(&points, known);
+        let converged = self.is_narrow(&sums);
+        let (cells, audit) = (points.len(), AuditReport::default());
+        Ok(Found { sums, converged, cells, audit, notice: None })
     }
 
-    /// Returns the intervals, whether they are narrow enough, and the number of parts bounded.
-    async fn run<C: Cover>(&self, cover: &C, progress: &mut Progress<'_>) -> Result<(Sums, bool, usize)> {
+    /// Returns the intervals, whose parts are audited: where one is refuted, those without the lemma.
+    async fn audited<C: Cover>(&self, cover: &mut C, progress: &mut Progress<'_>) -> Result<Found> {
+        let mut report = AuditReport::default();
+        let (parts, (sums, converged, cells)) = self.run(cover, progress).await?;
+        let notice = audit(cover, &parts, self.asked.options.audit, &mut report);
+        if notice.is_none() {
+            return Ok(Found { sums, converged, cells, audit: report, notice });
+        }
+        cover.strike();
+        let (_, (sums, converged, cells)) = self.run(cover, progress).await?;
+        Ok(Found { sums, converged, cells, audit: report, notice })
+    }
+
+    /// Returns the parts that the intervals rest on, the intervals, whether they are narrow enough, and the number
+    /// of parts bounded.
+    async fn run<C: Cover>(
+        &self,
+        cover: &C,
+        progress: &mut Progress<'_>,
+    ) -> Result<(Vec<C::Part>, (Sums, bool, usize))> {
         let mut known = Area { lower: 0.0, upper: f64::INFINITY };
-        let mut parts = bounded(cover.len(), progress, |range| cover.first(range)).await?;
+        let first = |range: Range<usize>| {
+            if self.is_late() {
+                Some(range.map(|index| cover.unmeasured(index)).collect())
+            } else {
+                cover.first(range)
+            }
+        };
+        let mut parts = bounded(cover.len(), self.at_once(), progress, first).await?;
         let mut cells = parts.len();
         loop {
-            let sums = Sums::of(&parts, self.options, self.over, known);
+            let sums = self.sums(&parts, known);
             known = sums.total;
             if !(known.lower > 0.0) {
                 return Err(Error::NoArea);
             }
             if self.is_narrow(&sums) {
-                return Ok((sums, true, cells));
+                return Ok((parts, (sums, true, cells)));
+            }
+            if (self.asked.is_enough)(&sums) {
+                return Ok((parts, (sums, false, cells)));
             }
             let mut halved = self.halved(&parts, cover.rounding(), &sums, LEVEL_PART);
             if halved.is_empty() {
                 halved = self.halved(&parts, cover.rounding(), &sums, 0.0);
             }
-            halved.truncate(self.options.max_cells.saturating_sub(cells) / 2);
-            let is_late =
-                self.options.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most);
-            if is_late || self.halve(cover, &mut parts, &halved, &mut cells, progress).await? == 0 {
-                return Ok((sums, false, cells));
+            halved.truncate(self.asked.options.max_cells.saturating_sub(cells) / 2);
+            if self.is_late() || self.halve(cover, &mut parts, &halved, &mut cells, progress).await? == 0 {
+                return Ok((parts, (sums, false, cells)));
             }
         }
     }
 
-    /// Halves the parts of these indices, and returns how many could be.
+    /// The number of parts between two looks at the time.
+    fn at_once(&self) -> usize {
+        if self.asked.options.max_seconds.is_some() { TIMED_PARTS_AT_ONCE } else { PARTS_AT_ONCE }
+    }
+
+    fn is_late(&self) -> bool {
+        self.asked.options.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most)
+    }
+
+    /// Halves the parts of these indices until the time is spent, and returns how many could be.
     async fn halve<C: Cover>(
         &self,
         cover: &C,
@@ -203,7 +280,10 @@ impl Search<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<usize> {
         let mut count = 0;
-        for page in indices.chunks(PARTS_AT_ONCE) {
+        for page in indices.chunks(self.at_once()) {
+            if self.is_late() {
+                break;
+            }
             let found = map_ranges(page.len(), |range: Range<usize>| {
                 page[range].iter().map(|&index| cover.halves(&parts[index])).collect::<Vec<_>>()
             });
@@ -213,7 +293,7 @@ impl Search<'_> {
                 parts.push(other);
                 count += 1;
             }
-            let spent = (*cells + 2 * count) as f64 / self.options.max_cells as f64;
+            let spent = (*cells + 2 * count) as f64 / self.asked.options.max_cells as f64;
             progress.checkpoint(spent.min(1.0)).await?;
         }
         *cells += 2 * count;
@@ -221,20 +301,23 @@ impl Search<'_> {
     }
 
     fn is_narrow(&self, sums: &Sums) -> bool {
-        let is_narrow = |of: &Bounded| of.upper - of.lower <= self.tolerance;
+        let is_narrow = |of: &Interval| of.upper - of.lower <= self.tolerance;
         is_narrow(&sums.mean)
             && is_narrow(&sums.rms)
             && sums.percentiles.iter().all(|percentile| is_narrow(&percentile.distance))
-            && sums
-                .beyond
-                .is_none_or(|beyond| beyond.part.upper - beyond.part.lower <= self.options.part_tolerance)
+            && sums.beyond.iter().all(|beyond| !self.is_open(beyond))
+    }
+
+    /// Whether the part beyond a limit is wider than requested.
+    fn is_open(&self, beyond: &Beyond) -> bool {
+        beyond.part.upper - beyond.part.lower > self.asked.options.part_tolerance
     }
 
     /// Returns the parts that widen the intervals which are too wide, those that widen them most first. Any
     /// choice is valid: it decides only the number of parts. Parts near percentiles are left alone where they have
     /// `level` of the tolerance of parts together.
     fn halved<T: Weighted>(&self, parts: &[T], rounding: f64, sums: &Sums, level: f64) -> Vec<usize> {
-        let wide = |of: &Bounded| of.upper - of.lower > self.tolerance;
+        let wide = |of: &Interval| of.upper - of.lower > self.tolerance;
         let share = |part: &T| part.weight().upper / sums.total.upper;
         let mut urgency = vec![0.0; parts.len()];
         let kept = KEPT_PART * self.room(2.0 * rounding);
@@ -254,16 +337,14 @@ impl Search<'_> {
             };
             take_widest(parts, width, kept, &mut urgency);
         }
-        if let Some(Beyond { limit, part }) = sums.beyond
-            && part.upper - part.lower > self.options.part_tolerance
-        {
+        for &Beyond { limit, .. } in sums.beyond.iter().filter(|beyond| self.is_open(beyond)) {
             let width = |part: &T| {
                 let Spread { lower, upper, .. } = part.spread();
                 // Halves of a part that is as narrow as its rounding are as open.
                 let is_open = lower <= limit && limit < upper;
                 if is_open && upper - lower > OPEN_ROUNDINGS * rounding { share(part) } else { 0.0 }
             };
-            take_widest(parts, width, KEPT_PART * self.options.part_tolerance, &mut urgency);
+            take_widest(parts, width, KEPT_PART * self.asked.options.part_tolerance, &mut urgency);
         }
         for Percentile { distance, .. } in sums.percentiles.iter().filter(|of| wide(&of.distance)) {
             let width = |part: &T| {
@@ -277,7 +358,7 @@ impl Search<'_> {
                 .min(0.5 * widest)
                 .max(LEAST_PERCENTILE_PART * self.tolerance);
             let open = |part: &T| if width(part) > kept { share(part) } else { 0.0 };
-            take_widest(parts, open, level * self.options.part_tolerance, &mut urgency);
+            take_widest(parts, open, level * self.asked.options.part_tolerance, &mut urgency);
         }
         let mut halved: Vec<(f64, usize)> =
             urgency.into_iter().zip(0..).filter(|(urgency, _)| *urgency > 0.0).collect();
@@ -294,15 +375,15 @@ impl Search<'_> {
 /// Returns the bounds of all points, facets or patches.
 async fn bounded<T: Send>(
     count: usize,
+    at_once: usize,
     progress: &mut Progress<'_>,
     bound: impl Fn(Range<usize>) -> Option<Vec<T>> + Sync,
 ) -> Result<Vec<T>> {
     let mut bounded = Vec::with_capacity(count);
     while bounded.len() < count {
         let first = bounded.len();
-        let found = map_ranges(PARTS_AT_ONCE.min(count - first), |range| {
-            bound(first + range.start..first + range.end)
-        });
+        let found =
+            map_ranges(at_once.min(count - first), |range| bound(first + range.start..first + range.end));
         for found in found {
             bounded.append(&mut found.ok_or(Error::EmptyModel)?);
         }

@@ -1,8 +1,9 @@
 //! The intervals of statistics, of parts with bounds (lemma F9 of docs/meshes.md).
 
-use super::{Beyond, Bounded, Measure, Percentile, StatisticsOptions};
+use super::{Beyond, Measure, Percentile};
 use crate::area::Area;
 use crate::facets::{Spread, Weighted};
+use crate::facts::Interval;
 use crate::rounding::{UNIT_ROUNDOFF, upper_max, upper_min};
 use crate::sorting::sort_pairs;
 
@@ -10,12 +11,13 @@ use crate::sorting::sort_pairs;
 const QUOTIENT_ROUNDINGS: f64 = 4.0;
 
 /// All intervals at one time.
-pub(super) struct Sums {
+pub(in crate::engine) struct Sums {
     pub(super) total: Area,
-    pub(super) mean: Bounded,
-    pub(super) rms: Bounded,
+    pub(in crate::engine) mean: Interval,
+    pub(in crate::engine) rms: Interval,
     pub(super) percentiles: Vec<Percentile>,
-    pub(super) beyond: Option<Beyond>,
+    /// The parts beyond the limits, in their order.
+    pub(in crate::engine) beyond: Vec<Beyond>,
 }
 
 /// A sum of numbers that are not negative, with bounds on its rounding.
@@ -44,7 +46,7 @@ impl Sums {
     /// parts.
     pub(super) fn of<T: Weighted>(
         parts: &[T],
-        options: &StatisticsOptions,
+        (limits, percentiles_of): (&[f64], &[f64]),
         over: Measure,
         known: Area,
     ) -> Self {
@@ -66,26 +68,27 @@ impl Sums {
         let mean = mean(&|part| part.spread().mean[0], &|part| part.spread().mean[1]);
         let root = |value: f64, up: f64| value.sqrt() * (1.0 + up * QUOTIENT_ROUNDINGS * UNIT_ROUNDOFF);
         // By Jensen's inequality the mean is at most the root mean square.
-        let rms = Bounded {
+        let rms = Interval {
             lower: upper_max(root(square.lower, -1.0), mean.lower),
             upper: root(square.upper, 1.0),
         };
-        let beyond = options.limit.map(|limit| {
+        let beyond = limits.iter().map(|&limit| {
             let weight = |is_beyond: bool, weight: f64| if is_beyond { weight } else { 0.0 };
             let lower = sum(&|part| weight(part.spread().lower > limit, part.weight().lower)).lower();
             // Not "at most the limit", so that NaN counts as beyond.
             let upper = sum(&|part| weight(!(part.spread().upper <= limit), part.weight().upper)).upper();
-            let Bounded { lower, upper } = quotients(lower, upper, total);
-            Beyond { limit, part: Bounded { lower, upper: upper_min(1.0, upper) } }
+            let Interval { lower, upper } = quotients(lower, upper, total);
+            Beyond { limit, part: Interval { lower, upper: upper_min(1.0, upper) } }
         });
-        let percentiles = percentiles(parts, &options.percentiles, total, over);
+        let beyond = beyond.collect();
+        let percentiles = percentiles(parts, percentiles_of, total, over);
         Self { total, mean, rms, percentiles, beyond }
     }
 }
 
 /// Returns bounds on the quotient by the total.
-fn quotients(lower: f64, upper: f64, total: Area) -> Bounded {
-    Bounded {
+fn quotients(lower: f64, upper: f64, total: Area) -> Interval {
+    Interval {
         lower: if total.upper > 0.0 {
             lower / total.upper * (1.0 - QUOTIENT_ROUNDINGS * UNIT_ROUNDOFF)
         } else {
@@ -130,7 +133,7 @@ fn percentiles<T: Weighted>(parts: &[T], of: &[f64], total: Area, over: Measure)
         }
         upper
     };
-    let percentile = |(&part, lower)| Percentile { part, distance: Bounded { lower, upper: upper(part) } };
+    let percentile = |(&part, lower)| Percentile { part, distance: Interval { lower, upper: upper(part) } };
     of.iter().zip(lower_bounds).map(percentile).collect()
 }
 
@@ -178,9 +181,7 @@ mod tests {
     }
 
     fn sums(parts: &[Part], over: Measure, known: Area, limit: f64, percentiles: &[f64]) -> Sums {
-        let percentiles = percentiles.to_vec();
-        let options = StatisticsOptions { limit: Some(limit), percentiles, ..StatisticsOptions::default() };
-        Sums::of(parts, &options, over, known)
+        Sums::of(parts, (&[limit], percentiles), over, known)
     }
 
     const UNKNOWN: Area = Area { lower: 0.0, upper: f64::INFINITY };
@@ -194,7 +195,7 @@ mod tests {
     }
 
     /// Checks that an interval is a given one but for a rounding that widens it.
-    fn is_about(Bounded { lower, upper }: Bounded, [low, high]: [f64; 2]) {
+    fn is_about(Interval { lower, upper }: Interval, [low, high]: [f64; 2]) {
         let rounding = 1e-14 * high;
         assert!(low - rounding <= lower && lower <= low, "{lower} {low}");
         assert!(high <= upper && upper <= high + rounding, "{upper} {high}");
@@ -209,18 +210,18 @@ mod tests {
         ];
         let found = |limit: f64| sums(&parts, Measure::Area, UNKNOWN, limit, &[0.125, 0.5, 0.875]);
         let Sums { total, mean, rms, percentiles, .. } = found(0.0);
-        is_about(Bounded { lower: total.lower, upper: total.upper }, [3.0, 6.0]);
+        is_about(Interval { lower: total.lower, upper: total.upper }, [3.0, 6.0]);
         // (1 · 2 + 2 · 5) / 6 and (2 · 3 + 4 · 6) / 3; of squares 76 / 6 and 228 / 3.
         is_about(mean, [2.0, 10.0]);
         is_about(rms, [(76.0_f64 / 6.0).sqrt(), 76.0_f64.sqrt()]);
         // Parts are at most 1, though 6 / 3 may be beyond 0.5, and 4 / 3 beyond 5.
         for (limit, expected) in [(0.5, [0.5, 1.0]), (2.0, [1.0 / 3.0, 1.0]), (5.0, [0.0, 1.0])] {
-            is_about(found(limit).beyond.unwrap().part, expected);
+            is_about(found(limit).beyond[0].part, expected);
         }
         let narrow = [part([1.0, 1.5], [1.0, 4.0], [2.0; 2], [4.0; 2]), at(2.0, 8.0)];
         let narrow = |limit: f64| sums(&narrow, Measure::Area, UNKNOWN, limit, &[0.25, 0.75]);
-        is_about(narrow(2.0).beyond.unwrap().part, [2.0 / 3.5, 1.0]);
-        is_about(narrow(4.0).beyond.unwrap().part, [2.0 / 3.5, 2.0 / 3.0]);
+        is_about(narrow(2.0).beyond[0].part, [2.0 / 3.5, 1.0]);
+        is_about(narrow(4.0).beyond[0].part, [2.0 / 3.5, 2.0 / 3.0]);
         // Within 1 there may be 2, which is 0.5 · 3 and more; then all.
         for (of, lower) in percentiles.iter().zip([1.0, 1.0, 3.0]) {
             // The second part may weigh 4, and 3 (1 − 0.125) is less than that.
@@ -235,10 +236,10 @@ mod tests {
     /// A part whose least distance is the limit may have no point beyond it.
     #[test]
     fn a_part_at_the_limit_is_not_beyond_it() {
-        let beyond = sums(&[at(1.0, 2.0)], Measure::Area, UNKNOWN, 2.0, &[]).beyond.unwrap().part;
+        let beyond = sums(&[at(1.0, 2.0)], Measure::Area, UNKNOWN, 2.0, &[]).beyond[0].part;
         assert_eq!((beyond.lower, beyond.upper), (0.0, 0.0));
         let nan = part([1.0; 2], [0.0, f64::NAN], [0.0; 2], [0.0; 2]);
-        assert_eq!(sums(&[nan], Measure::Area, UNKNOWN, 2.0, &[]).beyond.unwrap().part.upper, 1.0);
+        assert_eq!(sums(&[nan], Measure::Area, UNKNOWN, 2.0, &[]).beyond[0].part.upper, 1.0);
     }
 
     /// To 1, terms below half of the spacing of numbers add nothing, and those above it a whole one.
@@ -261,7 +262,7 @@ mod tests {
     #[test]
     fn quotients_hold_the_exact_ones() {
         for [a, b] in (1..40).flat_map(|a| (1..40).map(move |b| [a, b].map(f64::from))) {
-            let Bounded { lower, upper } = quotients(a, a, Area { lower: b, upper: b });
+            let Interval { lower, upper } = quotients(a, a, Area { lower: b, upper: b });
             holds(lower, &(exact(a) / exact(b)), upper);
         }
         is_about(quotients(1.0, 1.0, Area { lower: 2.0, upper: 4.0 }), [0.25, 0.5]);
@@ -289,7 +290,7 @@ mod tests {
             });
             let distance = reached.unwrap().spread.lower;
             assert!((1.0..=f64::from(LOST)).contains(&distance), "{distance}");
-            let Bounded { lower, upper } = percentile.distance;
+            let Interval { lower, upper } = percentile.distance;
             assert!(lower <= distance && distance <= upper, "{distance} [{lower}, {upper}]");
         };
         check(1.0, 0.5);

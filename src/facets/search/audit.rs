@@ -3,27 +3,12 @@
 
 use super::super::{Facet, FacetTarget};
 use super::part::TrianglePart;
+use super::sampled::WEIGHTS;
 use crate::rounding::lower_min;
 use crate::threads::locked;
 use glam::DVec3;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, OnceLock};
-
-/// The weights of the corners at sampled points: corners, points of the edges and of the interior.
-const WEIGHTS: [[f64; 3]; 12] = [
-    [1.0, 0.0, 0.0],
-    [0.0, 1.0, 0.0],
-    [0.0, 0.0, 1.0],
-    [0.5, 0.5, 0.0],
-    [0.0, 0.25, 0.75],
-    [0.61, 0.0, 0.39],
-    [0.34, 0.33, 0.33],
-    [0.92, 0.05, 0.03],
-    [0.06, 0.9, 0.04],
-    [0.02, 0.07, 0.91],
-    [0.48, 0.17, 0.35],
-    [0.21, 0.58, 0.21],
-];
 
 /// The most facets below a node of A's tree that are sampled.
 const MAX_SAMPLED: usize = 8;

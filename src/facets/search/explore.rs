@@ -61,7 +61,7 @@ impl FacetSearch<'_> {
                 explored.decide(node.upper);
                 continue;
             }
-            if explored.cells >= NODES_AT_ONCE {
+            if explored.cells >= NODES_AT_ONCE || self.is_late() {
                 explored.waiting.push(node);
                 continue;
             }

@@ -11,6 +11,7 @@ mod explore;
 mod node;
 mod part;
 mod patch_cell;
+mod sampled;
 mod source;
 mod spread;
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -39,6 +40,7 @@ use node::{Node, Region, Sample};
 use part::MAX_LEVELS;
 use patch_cell::PatchCell;
 use std::collections::BinaryHeap;
+use web_time::Instant;
 
 /// The nodes of the frontier that are bounded between two updates of the incumbent.
 const CHUNK: usize = 256;
@@ -119,6 +121,7 @@ pub(crate) struct FacetSearch<'a> {
     witness: Option<Witness>,
     exhausted: bool,
     work: Work,
+    deadline: Option<Instant>,
     #[cfg(any(test, feature = "internals"))]
     audit: Option<std::sync::Arc<Audit>>,
 }
@@ -144,6 +147,7 @@ impl<'a> FacetSearch<'a> {
             witness: None,
             exhausted: false,
             work: Work::default(),
+            deadline: None,
             #[cfg(any(test, feature = "internals"))]
             audit: audit::of_all(),
         };
@@ -159,6 +163,15 @@ impl<'a> FacetSearch<'a> {
             }
         }
         search
+    }
+
+    /// Bounds no node after this time: those that are left keep their bounds, and the interval holds.
+    pub(crate) fn stop_at(&mut self, deadline: Instant) {
+        self.deadline = Some(deadline);
+    }
+
+    fn is_late(&self) -> bool {
+        self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
     }
 
     /// Returns an upper bound on the distance of all of A, by its box (lemma F7 of docs/meshes.md): a

@@ -6,6 +6,7 @@ use super::Goal;
 use super::cover::cover_with_means;
 use super::part::{MAX_LEVELS, TrianglePart};
 use super::patch_cell::{MIN_LENGTH, PatchCell};
+use super::sampled;
 use super::source::{Measured, Source, Start};
 use crate::area::{Area, area_of_part};
 use crate::bezier::PatchSet;
@@ -76,6 +77,8 @@ pub(crate) struct Parts<'a> {
     rounding: f64,
     /// Parts within this distance of B are not looked at more closely.
     sufficient: f64,
+    /// Whether lemma F8 or F12 was refuted: triangles have the bounds of their middle and their radius then.
+    is_struck: bool,
 }
 
 impl Spread {
@@ -129,8 +132,7 @@ impl<'a> Parts<'a> {
     pub(crate) fn new(a: Source<'a>, b: Measured<'a>, transform: RigidTransform, sufficient: f64) -> Self {
         let goal = Goal::new(&a, &b, &transform, 0.0, None);
         let rounding = goal.bounds + goal.points + gamma(SPREAD_ROUNDINGS) * goal.length;
-        let sufficient = if sufficient > rounding { sufficient - rounding } else { 0.0 };
-        Self { a, b, transform, goal, rounding, sufficient }
+        Self { a, b, transform, goal, rounding, sufficient, is_struck: false }
     }
 
     /// The number of parts at first.
@@ -175,6 +177,34 @@ impl<'a> Parts<'a> {
         Some((part, Start { piece: part.start, ..start }))
     }
 
+    /// Returns bounds on a point of A, or on a triangle or a patch, that hold without looking at B: by the boxes of both.
+    pub(crate) fn unmeasured_point(&self) -> BoundedPoint {
+        BoundedPoint { lower: 0.0, upper: self.farthest() }
+    }
+
+    /// The same of a triangle or a patch.
+    pub(crate) fn unmeasured(&self, place: u32) -> WeightedPart {
+        let (region, weight) = match self.a {
+            Source::Facets { facets, .. } => {
+                let corner = |weights| self.transform.apply(facets.facet(place).point(weights));
+                let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(corner);
+                (WeightedRegion::Triangle(corners, 0), facets.area(place))
+            }
+            Source::Patches { patches, .. } => {
+                let cell = PatchCell::whole(place);
+                (WeightedRegion::Cell(cell), self.area(patches, &cell))
+            }
+        };
+        WeightedPart { region, weight, start: 0, spread: Spread::exact([0.0, self.farthest()]) }
+    }
+
+    /// An upper bound on the distance of every point of A from B.
+    fn farthest(&self) -> f64 {
+        let (a, b) = (self.a.bounding_box(), self.b.bounding_box());
+        let far = b.max_distance_squared(self.transform.apply(a.center())).sqrt() + 0.5 * a.diagonal();
+        far * (1.0 + gamma(SPREAD_ROUNDINGS)) + 2.0 * self.rounding
+    }
+
     /// Returns the halves of a part; `None` for a part that float64 does not halve.
     pub(crate) fn halves(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
         let Measured::Facets { facets: b, .. } = self.b else { return None };
@@ -200,6 +230,69 @@ impl<'a> Parts<'a> {
         Some([one?, other?])
     }
 
+    /// Bounds parts from now on by the triangle inequality alone.
+    pub(crate) fn strike(&mut self) {
+        self.is_struck = true;
+    }
+
+    /// Looks at the corners of a part and `further` points of it: the distance of each, by the closest point, is in
+    /// the range stated for all; and where `mean` is set, at the mean by a rule, whose error is estimated. Returns
+    /// in words what refutes the bounds.
+    pub(crate) fn refutation(&self, part: &WeightedPart, further: usize, mean: bool) -> Option<String> {
+        let Spread { lower, upper, mean: stated, .. } = part.spread;
+        let refuted = |what: &str, point: DVec3, stated: [f64; 2], found: [f64; 2]| {
+            let is_apart = found[1] < stated[0] || stated[1] < found[0];
+            is_apart.then(|| format!("{stated:?} at the {what} {point}, found {found:?}"))
+        };
+        let of_points = sampled::places(further).find_map(|weights| {
+            let point = self.point_of(part, weights);
+            refuted("point", point, [lower, upper], self.distance(point, part.start)?)
+        });
+        let of_mean = || {
+            let [fine, coarse] = sampled::RULES.map(|count| self.mean_by_rule(part, count));
+            let (fine, coarse) = (fine?, coarse?);
+            let error = sampled::rule_error(fine, coarse, upper - lower) + self.rounding;
+            refuted("mean about", self.point_of(part, [1.0 / 3.0; 3]), stated, [fine - error, fine + error])
+        };
+        of_points.or_else(|| if mean { of_mean() } else { None })
+    }
+
+    /// The point of a part at barycentric weights: of a cell of a patch that at the place of the same weights in one
+    /// half of its rectangle.
+    fn point_of(&self, part: &WeightedPart, weights: [f64; 3]) -> DVec3 {
+        match (part.region, self.a) {
+            (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => {
+                let ([s0, t0], [s1, t1]) = (cell.range.low(), cell.range.high());
+                let [_, along_s, along_t] = weights;
+                let at = [s0 + along_s * (s1 - s0), t0 + along_t * (t1 - t0)];
+                self.transform.apply(patches.patch(cell.patch as usize).point(at))
+            }
+            (WeightedRegion::Triangle(corners, _), _) => Facet::Triangle(corners).point(weights),
+            (WeightedRegion::Cell(_), _) => DVec3::NAN,
+        }
+    }
+
+    /// Bounds on the distance of a point of A, moved, with what rounding may add.
+    fn distance(&self, point: DVec3, start: u32) -> Option<[f64; 2]> {
+        let start = Start { piece: start, ..Start::default() };
+        let found = self.b.certified(point, start, 0.0, self.goal.length)?;
+        Some([found.lower - self.rounding, found.upper + self.rounding])
+    }
+
+    /// The mean over the middles of equal parts of a triangle; `None` for a cell of a patch.
+    fn mean_by_rule(&self, part: &WeightedPart, count: usize) -> Option<f64> {
+        if matches!(part.region, WeightedRegion::Cell(_)) {
+            return None;
+        }
+        let (mut sum, mut points) = (0.0, 0.0);
+        for weights in sampled::middles(count) {
+            let [lower, upper] = self.distance(self.point_of(part, weights), part.start)?;
+            sum += 0.5 * (lower + upper);
+            points += 1.0;
+        }
+        Some(sum / points)
+    }
+
     fn area(&self, patches: &PatchSet, cell: &PatchCell) -> Area {
         area_of_part(&patches.patch(cell.patch as usize), cell.range)
     }
@@ -207,6 +300,9 @@ impl<'a> Parts<'a> {
     fn bounded(&self, region: WeightedRegion, weight: Area, start: u32) -> Option<WeightedPart> {
         let Measured::Facets { facets: b, .. } = self.b else { return None };
         let spread = |corners: [DVec3; 3], start, sufficient| {
+            if self.is_struck {
+                return spread_by_middle(b, &corners, start);
+            }
             TriangleBounds { b, corners: &corners, allowance: self.rounding, sufficient }.spread(start)
         };
         let (spread, start) = match (region, self.a) {
@@ -224,6 +320,14 @@ impl<'a> Parts<'a> {
         };
         Some(WeightedPart { region, weight, start, spread: spread.widened(self.rounding) })
     }
+}
+
+/// Returns the bounds by the distance of a triangle's middle and its radius, and the facet nearest to the middle.
+fn spread_by_middle(b: &FacetTarget, corners: &[DVec3; 3], start: u32) -> (Spread, u32) {
+    let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    let radius = corners.iter().fold(0.0, |radius, corner| upper_max(radius, corner.distance(middle)));
+    let (foot, _, lower) = b.certified(middle, start);
+    (Spread::exact([lower - radius, foot.distance_squared.sqrt() + radius]), foot.facet)
 }
 
 /// A triangle whose distances are bounded, which rounding has not been added to.

@@ -86,9 +86,14 @@ export interface ClearanceResult {
   diagonal: number;
   /** Metres per unit of every length, if a model states its unit. */
   unit?: number;
+  /**
+   * What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+   * units have. Nothing was scaled for it.
+   */
+  hint?: string;
   /** The sum of both models' gaps, as in a distance. */
   gap: number;
-  /** Whether the gap is an upper bound, as far as both models' readers know. */
+  /** Whether the gap is an upper bound by what both readers have proven. */
   gapProven: boolean;
   /** What holds for the sources, which differ from the models by up to their gaps. */
   withGaps: { lower: number; upper: number; atLeast?: boolean };
@@ -127,6 +132,11 @@ export interface GapsResult {
   complete: boolean;
   diagonal: number;
   unit?: number;
+  /**
+   * What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+   * units have. Nothing was scaled for it.
+   */
+  hint?: string;
   gap: number;
   gapProven: boolean;
   seconds: { prepare: number; compile: number; solve: number };

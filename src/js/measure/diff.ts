@@ -46,6 +46,42 @@ export interface FaceDifference {
   cells: number;
 }
 
+/**
+ * What became of a part: `same`, `renamed`, `moved` and `mirrored` are proven to the limit, of `changed` and
+ * `movedAndChanged` faces certainly differ by more.
+ */
+export type PartState =
+  | "same"
+  | "renamed"
+  | "moved"
+  | "mirrored"
+  | "changed"
+  | "movedAndChanged"
+  | "added"
+  | "removed"
+  | "undecided";
+
+/** A part of A, of B or of both; the Hausdorff distance after its motion is in `[lower, upper]`. */
+export interface PartDifference {
+  nameOfA: string | null;
+  nameOfB: string | null;
+  state: PartState;
+  /**
+   * A turn by `angle` degrees about `axis` through the origin, then a move by `translation`; `shift` is
+   * the displacement of the centre of the part's box. Of mirrored parts it follows the change of the sign of every x.
+   */
+  motion: {
+    translation: [number, number, number];
+    axis: [number, number, number];
+    angle: number;
+    shift: [number, number, number];
+  } | null;
+  lower: number | null;
+  upper: number | null;
+  /** The indices of the faces that certainly changed. */
+  faces: { ofA: number[]; ofB: number[] };
+}
+
 /** The difference of two models, face by face. */
 export interface DiffResult {
   /** `changed` if a face is, else `undecided` if one is. */
@@ -56,9 +92,14 @@ export interface DiffResult {
   diagonal: number;
   /** Metres per unit of every length, if a model states its unit. */
   unit?: number;
+  /**
+   * What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+   * units have. Nothing was scaled for it.
+   */
+  hint?: string;
   /** The sum of both models' gaps, as in a distance. */
   gap: number;
-  /** Whether the gaps are upper bounds, as far as both models' readers know. */
+  /** Whether the gaps are upper bounds by what both readers have proven. */
   gapProven: boolean;
   /** The state of both models' sources together. */
   withGaps: FaceState;
@@ -66,6 +107,8 @@ export interface DiffResult {
   facesOfA: FaceDifference[];
   /** Every face of B, in order, compared with A. */
   facesOfB: FaceDifference[];
+  /** What became of each body; none of clouds of points, and of models of more than 2,000 bodies. */
+  parts: PartDifference[];
   /** Where the time went. */
   seconds: { prepare: number; compile: number; solve: number };
 }

@@ -7,7 +7,9 @@ import type { DiffOptions, DiffResult } from "./diff.js";
 import type { DeviationField, FieldOptions } from "./field.js";
 import type { BestFit, BestFitOptions } from "./fit.js";
 import type { DistanceOptions } from "./options.js";
+import type { OverlapOptions, OverlapResult } from "./overlap.js";
 import type { Results } from "./result.js";
+import type { Score, ScoreOptions } from "./score.js";
 import type { Precision, SignedDistanceOptions, SignedDistances } from "./signed-distances.js";
 import type { CertifiedStatistics, StatisticsOptions } from "./statistics.js";
 
@@ -77,6 +79,14 @@ export interface DistanceEngine<Model> {
   clearance(a: Model, b: Model, options?: ClearanceOptions): Promise<ClearanceResult>;
 
   /**
+   * The volumes that the solids `a`, moved by `transform`, and `b` have in common and apart, and their ratio, each an
+   * interval that holds it. Where a model has no volume, `volumesUnknown` says why.
+   *
+   * @throws {HausdorffError} as `clearance`.
+   */
+  overlap(a: Model, b: Model, options?: OverlapOptions): Promise<OverlapResult>;
+
+  /**
    * The pairs of faces of `a`, moved by `transform`, and of `b` that come nearer to each other than
    * `below`, each with the interval of its least distance and the two points.
    *
@@ -91,6 +101,14 @@ export interface DistanceEngine<Model> {
    * @throws {HausdorffError} as `field`; `NO_AREA` for an `a` whose area may be 0.
    */
   statistics(a: Model, b: Model, options?: StatisticsOptions): Promise<CertifiedStatistics>;
+
+  /**
+   * The score of a candidate against the truth: mean distances both ways, precision, recall and F1 by
+   * area, the Hausdorff distance, differences of facts and validity, each an interval that holds it.
+   *
+   * @throws {HausdorffError} as `statistics`.
+   */
+  score(candidate: Model, truth: Model, options?: ScoreOptions): Promise<Score>;
 
   /**
    * The closest points of `model` to `points` (x, y, z each, such as the vertices of

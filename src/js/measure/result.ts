@@ -94,11 +94,16 @@ interface Common {
   /** Metres per unit of every length, if a model states its unit. */
   unit?: number;
   /**
+   * What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+   * units have. Nothing was scaled for it.
+   */
+  hint?: string;
+  /**
    * The sum of both models' gaps: how far their sources may be from what was measured. It
    * stands beside the interval and is not part of it.
    */
   gap: number;
-  /** Whether the gap is an upper bound, as far as both models' readers know. */
+  /** Whether the gap is an upper bound by what both readers have proven. */
   gapProven: boolean;
   /** The interval, and the verdict, that hold for the sources of the models. */
   withGaps: WithGaps;

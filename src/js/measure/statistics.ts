@@ -1,5 +1,7 @@
+import type { Interval } from "../model/facts.js";
 import type { Transform } from "./options.js";
 import type { OnProgress } from "./progress.js";
+import type { AuditReport } from "./result.js";
 
 /** Options of `Hausdorff.statistics`. */
 export interface StatisticsOptions {
@@ -17,6 +19,8 @@ export interface StatisticsOptions {
   maxCells?: number;
   /** Seconds after which the intervals reached are the result. */
   maxSeconds?: number;
+  /** The parts whose bounds are compared with certified distances of their points at the end: a share if not given. */
+  audit?: "share" | "all";
   /** Whether B is scaled to A's unit where both state different ones; else that is an error. */
   scaleUnits?: boolean;
   /** Moves A before it is measured. */
@@ -27,25 +31,19 @@ export interface StatisticsOptions {
   onProgress?: OnProgress;
 }
 
-/** An interval. Guarantee: it holds the number that it stands for. */
-export interface Bounded {
-  lower: number;
-  upper: number;
-}
-
 /** Statistics of the distances from the points of A to B. Guarantee: every number is in its interval. */
 export interface CertifiedStatistics {
   /** What they are over: the points of a cloud, each once, or the area. */
   over: "count" | "area";
   /** The number of points, or the area in squares of the model unit. */
-  total: Bounded;
-  mean: Bounded;
+  total: Interval;
+  mean: Interval;
   /** The root of the mean square. */
-  rms: Bounded;
+  rms: Interval;
   /** For each percentile the least distance that this part of A is within. */
-  percentiles: { part: number; distance: Bounded }[];
+  percentiles: { part: number; distance: Interval }[];
   /** With a limit, the part of A that is farther than it, between 0 and 1. */
-  beyond?: { limit: number; part: Bounded };
+  beyond?: { limit: number; part: Interval };
   /**
    * Whether all intervals are as narrow as requested. A percentile at which distances jump stays as
    * wide as the jump.
@@ -57,8 +55,17 @@ export interface CertifiedStatistics {
   diagonal: number;
   /** Metres per unit of every length, if a model states its unit. */
   unit?: number;
+  /**
+   * What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+   * units have. Nothing was scaled for it.
+   */
+  hint?: string;
   /** Number of parts of A bounded. */
   cells: number;
+  /** The parts whose bounds were compared with certified distances of their points. */
+  audit: AuditReport;
+  /** A bound that the audit refuted: a fault of the library, without whose lemma the intervals were computed. */
+  notice?: string;
   /** Where the time went. */
   seconds: { prepare: number; compile: number; solve: number };
 }

@@ -6,6 +6,7 @@ import type { Vector3 } from "../measure/options.js";
 import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import type { ModelArea } from "./area.js";
 import { type FacetArrays, facetTessellation } from "./facet-tessellation.js";
+import type { Body, Facts } from "./facts.js";
 import type { Solid } from "./solid.js";
 import { controlPoints, type Numbers } from "./surface.js";
 import type { Tessellation, TessellationOptions } from "./tessellation.js";
@@ -129,6 +130,21 @@ export class NurbsModel {
   solid(): Solid {
     const prepared = this.prepared;
     return translating(() => prepared.solid() as Solid);
+  }
+
+  /**
+   * Volume, area, extents, centroid and inertia, each an interval that contains it. Computed at the
+   * first call.
+   */
+  facts(): Facts {
+    const prepared = this.prepared;
+    return translating(() => prepared.facts() as Facts);
+  }
+
+  /** The bodies, each with its facts: solids with their voids, sheets, or a cloud of points. */
+  bodies(): Body[] {
+    const prepared = this.prepared;
+    return translating(() => prepared.bodies() as Body[]);
   }
 
   /**

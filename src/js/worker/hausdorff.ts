@@ -19,7 +19,9 @@ import type { DistanceEngine } from "../measure/engine.js";
 import type { DeviationField, FieldOptions } from "../measure/field.js";
 import type { BestFit, BestFitOptions } from "../measure/fit.js";
 import { type DistanceOptions, split } from "../measure/options.js";
+import type { OverlapOptions, OverlapResult } from "../measure/overlap.js";
 import type { Results } from "../measure/result.js";
+import type { Score, ScoreOptions } from "../measure/score.js";
 import type {
   Precision,
   SignedDistanceOptions,
@@ -210,12 +212,29 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#measure("statistics", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
 
+  async score(
+    candidate: NurbsModel,
+    truth: NurbsModel,
+    options: ScoreOptions = {},
+  ): Promise<Score> {
+    const models = [this.#id(candidate, "candidate"), this.#id(truth, "truth")];
+    return this.#measure("score", models, options);
+  }
+
   async clearance(
     a: NurbsModel,
     b: NurbsModel,
     options: ClearanceOptions = {},
   ): Promise<ClearanceResult> {
     return this.#measure("clearance", [this.#id(a, "a"), this.#id(b, "b")], options);
+  }
+
+  async overlap(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: OverlapOptions = {},
+  ): Promise<OverlapResult> {
+    return this.#measure("overlap", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
 
   async gaps(a: NurbsModel, b: NurbsModel, options: GapOptions = {}): Promise<GapsResult> {
@@ -286,6 +305,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
       | DiffOptions
       | ClearanceOptions
       | GapOptions
+      | OverlapOptions
       | ClosestPointOptions
       | SignedDistanceOptions
       | BestFitOptions,

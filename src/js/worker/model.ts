@@ -3,6 +3,7 @@ import type { CadReport } from "../cad/report.js";
 import { HausdorffError } from "../error.js";
 import type { Vector3 } from "../measure/options.js";
 import type { ModelArea } from "../model/area.js";
+import type { Body, Facts } from "../model/facts.js";
 import type { UpdateOptions } from "../model/model.js";
 import type { Solid } from "../model/solid.js";
 import type { Numbers } from "../model/surface.js";
@@ -111,6 +112,20 @@ export class NurbsModel {
     const id = NurbsModel.id(this, this.#channel, "the model");
     const [result] = await this.#channel.call("solid", [id]);
     return result as Solid;
+  }
+
+  /** As the plain model's, in the worker. */
+  async facts(): Promise<Facts> {
+    const id = NurbsModel.id(this, this.#channel, "the model");
+    const [result] = await this.#channel.call("facts", [id]);
+    return result as Facts;
+  }
+
+  /** As the plain model's, in the worker. */
+  async bodies(): Promise<Body[]> {
+    const id = NurbsModel.id(this, this.#channel, "the model");
+    const [result] = await this.#channel.call("bodies", [id]);
+    return result as Body[];
   }
 
   /** As the plain model's, in the worker. */

@@ -105,6 +105,8 @@ class Server {
     },
     area: ([, model]) => this.#model(model).area(),
     solid: ([, model]) => this.#model(model).solid(),
+    facts: ([, model]) => this.#model(model).facts(),
+    bodies: ([, model]) => this.#model(model).bodies(),
     tessellate: ([, model, options]) => this.#model(model).tessellate(options as object),
     update: ([, id, face, points, options]) => {
       const model = this.#model(id);
@@ -119,6 +121,10 @@ class Server {
       this.#open.diff(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     statistics: ([, a, b, options], watch) =>
       this.#open.statistics(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
+    overlap: ([, a, b, options], watch) =>
+      this.#open.overlap(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
+    score: ([, a, b, options], watch) =>
+      this.#open.score(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     clearance: ([, a, b, options], watch) =>
       this.#open.clearance(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     gaps: ([, a, b, options], watch) =>

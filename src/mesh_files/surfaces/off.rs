@@ -77,6 +77,7 @@ pub(in crate::mesh_files) fn read(bytes: &[u8]) -> Result<Soup> {
             _ => soup.push_polygon(&corners, FORMAT)?,
         }
     }
+    soup.note_rest(lines.map(|(_, line)| line.len()).sum());
     Ok(soup)
 }
 

@@ -113,6 +113,8 @@ pub(in crate::mesh_files) fn read(bytes: &[u8]) -> Result<Soup> {
             soup.note("edge", format!("{} edges are no surface", element.count));
         }
     }
+    let end = usize::try_from(reader.get_ref().position()).unwrap_or(usize::MAX);
+    soup.note_rest(bytes.get(end..).unwrap_or_default().trim_ascii().len());
     faces.parts().try_for_each(|face| soup.push_polygon(face, FORMAT))?;
     strips.parts().for_each(|corners| soup.triangles.extend(strip(corners)));
     Ok(soup)

@@ -17,6 +17,27 @@ fn points(bytes: impl AsRef<[u8]>, format: MeshFormat) -> Vec<[f64; 3]> {
     }
 }
 
+/// A count that is smaller than what is there, as a damaged digit makes it, does not lose elements without a word.
+#[test]
+fn what_is_not_counted_is_noted() {
+    let off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n\n# the end\n";
+    let ply = ["ascii", "binary_little_endian", "binary_big_endian"].map(|encoding| {
+        let whole = ply(encoding);
+        let count = b"element face 4";
+        let at = whole.windows(count.len()).position(|found| found == count).unwrap();
+        let mut damaged = whole.clone();
+        damaged[at + count.len() - 1] = b'3';
+        (whole, damaged, MeshFormat::Ply)
+    });
+    let off = (off.into(), off.replace("4 2 0", "4 1 0").into_bytes(), MeshFormat::Off);
+    for (whole, damaged, format) in ply.into_iter().chain([off]) {
+        assert!(file(whole, format).notes.is_empty());
+        let notes = file(damaged, format).notes;
+        assert_eq!(notes.len(), 1, "{notes:?}");
+        assert!(notes[0].why.contains("are not read"), "{notes:?}");
+    }
+}
+
 #[test]
 fn off_has_polygons_and_colours() {
     let off = "OFF # a comment\n5 2 0\n\n0 0 0\n2 0 0 255 0 0\n2 2 0\n0 2 0\n5 5 5\n4 0 1 2 3 0.5 0.5 0.5\n3 0 1 2\n";

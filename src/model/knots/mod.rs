@@ -1,8 +1,10 @@
 //! Validation of knot vectors.
 
+mod blossom;
 mod spans;
 
-pub(crate) use spans::{Span, blossom, breaks, multiplicities, spans};
+pub(crate) use blossom::blossom;
+pub(crate) use spans::{Span, blossom_coefficients, breaks, multiplicities, spans};
 
 use crate::axis::Axis;
 use crate::error::{Error, Result};

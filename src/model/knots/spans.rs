@@ -19,7 +19,7 @@ pub(crate) fn spans(knots: &[f64], degree: usize, count: usize) -> Vec<Span> {
             first_control: index - degree,
             ends: [knots[index], knots[index + 1]],
             operator: (0..=degree)
-                .map(|k| blossom(knots, degree, index, [knots[index], knots[index + 1]], k))
+                .map(|k| blossom_coefficients(knots, degree, index, [knots[index], knots[index + 1]], k))
                 .collect(),
         })
         .collect()
@@ -51,7 +51,7 @@ pub(crate) fn multiplicities(spans: &[Span], degree: usize) -> Vec<u8> {
 /// relative error of three roundings (lemma R3 of docs/rounding.md). `1 - fraction`
 /// would not: near 1 the fraction's error is as large as the complement, and a
 /// control of small weight then moves by its whole weight ratio.
-pub(crate) fn blossom(
+pub(crate) fn blossom_coefficients(
     knots: &[f64],
     degree: usize,
     span: usize,

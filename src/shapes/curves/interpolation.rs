@@ -1,5 +1,6 @@
 //! Interpolating cubic splines.
 
+use crate::approximation::elimination::eliminated;
 use crate::shapes::PlaneCurve;
 use crate::shapes::curves::clamped_knots;
 use glam::DVec3;
@@ -47,32 +48,8 @@ impl UniformSpline {
 
     /// Returns the control points of the spline with these values at the sites. O(count²).
     pub(in crate::shapes) fn through(&self, values: Vec<DVec3>) -> Vec<DVec3> {
-        solve(self.rows.clone(), values)
+        eliminated(self.rows.clone(), values)
     }
-}
-
-/// Solves by Gaussian elimination. The matrix of values of B-splines is totally
-/// positive, so no pivoting is needed (de Boor and Pinkus, *Backward error
-/// analysis for totally positive linear systems*, 1977), and it has fewer than
-/// [`DEGREE`] diagonals on either side of the main one.
-fn solve(mut rows: Vec<Vec<f64>>, mut points: Vec<DVec3>) -> Vec<DVec3> {
-    let count = points.len();
-    for pivot in 0..count {
-        let (done, below) = rows.split_at_mut(pivot + 1);
-        for (offset, row) in below.iter_mut().take(DEGREE - 1).enumerate() {
-            let factor = row[pivot] / done[pivot][pivot];
-            for (value, above) in row.iter_mut().zip(&done[pivot]).skip(pivot) {
-                *value -= factor * above;
-            }
-            let known = points[pivot];
-            points[pivot + 1 + offset] -= factor * known;
-        }
-    }
-    for index in (0..count).rev() {
-        let known: DVec3 = (index + 1..count).map(|column| rows[index][column] * points[column]).sum();
-        points[index] = (points[index] - known) / rows[index][index];
-    }
-    points
 }
 
 /// The values of all `count` basis functions of one degree (algorithm A2.2).

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::error::Result;
-use crate::model::NurbsSurface;
+use crate::model::{NurbsSurface, blossom};
 use crate::refine::map_lines;
 use glam::DVec4;
 
@@ -24,9 +24,12 @@ pub fn elevate_degree(surface: &NurbsSurface, axis: Axis) -> Result<NurbsSurface
             .map(|index| {
                 let span = longest_span(&elevated[index..=index + degree + 2], knots, degree, line.len());
                 let arguments = &elevated[index + 1..=index + degree + 1];
-                let sum: DVec4 = (0..=degree)
-                    .map(|left_out| blossom(knots, degree, span, line, arguments, left_out))
-                    .sum();
+                let controls = &line[span - degree..=span];
+                let without = |left_out: usize| {
+                    let argument = |place: usize| arguments[place + usize::from(place >= left_out)];
+                    blossom(knots, degree, span, controls, argument)
+                };
+                let sum: DVec4 = (0..=degree).map(without).sum();
                 sum / (degree + 1) as f64
             })
             .collect()
@@ -57,25 +60,4 @@ fn longest_span(support: &[f64], knots: &[f64], degree: usize, count: usize) -> 
         .filter(|&span| knots[span] >= low && knots[span + 1] <= high)
         .max_by(|&a, &b| length(a).total_cmp(&length(b)))
         .unwrap_or(degree)
-}
-
-/// Returns the blossom of the polynomial piece on `span` at all `arguments` but one.
-fn blossom(
-    knots: &[f64],
-    degree: usize,
-    span: usize,
-    line: &[DVec4],
-    arguments: &[f64],
-    left_out: usize,
-) -> DVec4 {
-    let mut points = line[span - degree..=span].to_vec();
-    let kept = arguments.iter().enumerate().filter(|(index, _)| *index != left_out);
-    for (level, (_, argument)) in (1..=degree).zip(kept) {
-        for index in 0..=degree - level {
-            let (low, high) = (knots[span - degree + level + index], knots[span + 1 + index]);
-            let fraction = (argument - low) / (high - low);
-            points[index] = (1.0 - fraction) * points[index] + fraction * points[index + 1];
-        }
-    }
-    points[0]
 }

@@ -1,5 +1,6 @@
 //! Degree reduction.
 
+use crate::approximation::elimination::eliminated;
 use crate::axis::Axis;
 use crate::error::{Error, Result};
 use crate::model::NurbsSurface;
@@ -41,7 +42,7 @@ pub fn reduce_degree(surface: &NurbsSurface, axis: Axis) -> Result<NurbsSurface>
         let right = values.iter().map(|values| {
             values.iter().zip(line).fold(DVec4::ZERO, |sum, (value, &point)| sum + *value * point)
         });
-        solved(matrix.clone(), right.collect())
+        eliminated(matrix.clone(), right.collect())
     })
 }
 
@@ -55,31 +56,6 @@ fn reduced_knots(knots: &[f64], degree: usize, [start, end]: [f64; 2]) -> Vec<f6
     }
     reduced.extend(std::iter::repeat_n(end, degree));
     reduced
-}
-
-/// Returns the solution of a totally positive system by elimination without pivoting.
-fn solved(mut rows: Vec<Vec<f64>>, mut points: Vec<DVec4>) -> Vec<DVec4> {
-    let count = points.len();
-    for pivot in 0..count {
-        for below in pivot + 1..count {
-            let factor = rows[below][pivot] / rows[pivot][pivot];
-            if factor != 0.0 {
-                let (done, rest) = rows.split_at_mut(below);
-                rest[0]
-                    .iter_mut()
-                    .zip(&done[pivot])
-                    .skip(pivot)
-                    .for_each(|(value, above)| *value -= factor * above);
-                let known = points[pivot];
-                points[below] -= factor * known;
-            }
-        }
-    }
-    for index in (0..count).rev() {
-        let known: DVec4 = (index + 1..count).map(|column| rows[index][column] * points[column]).sum();
-        points[index] = (points[index] - known) / rows[index][index];
-    }
-    points
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]

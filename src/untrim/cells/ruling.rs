@@ -3,10 +3,11 @@
 use super::Cell;
 use super::sides::{ArcPart, follow, part};
 use super::unfolded::folds;
+use crate::approximation::bernstein::elevated;
 use crate::rounding::upper_max;
 use crate::untrim::boundary::graph::Graph;
 use crate::untrim::boundary::{Arc, Side};
-use crate::untrim::curve::{Curve, elevated, halves};
+use crate::untrim::curve::{Curve, halves};
 use crate::untrim::face::{UnitFace, V_ROUNDING};
 use glam::{DVec2, DVec3};
 
@@ -93,7 +94,7 @@ fn between(face: &UnitFace, cell: &Cell, sides: [&Side; 2]) -> Option<Ruling> {
 fn matched(face: &UnitFace, cell: &Cell, [left, right]: [ArcPart; 2], height: usize) -> Option<Ruling> {
     let degree = left.curve.degree().max(right.curve.degree());
     let moved = largest(left.moved, right.moved);
-    let [left, right] = [left, right].map(|part| elevated(&part.curve.controls, degree));
+    let [left, right] = [left, right].map(|part| elevated(part.curve.controls.clone(), degree));
     let difference: Vec<DVec2> = left.iter().zip(&right).map(|(l, r)| DVec2::new(r.x - l.x, l.z)).collect();
     let tolerance = CROSSING_PART * face.tolerances.crossing;
     let crossing = negative_part(&difference, tolerance)?;

@@ -1,10 +1,11 @@
 //! The sides of a cell: parts of arcs, whose distance from the arcs is proven from values.
 
+use crate::approximation::bernstein::elevated;
 use crate::approximation::chebyshev::{coefficients, node_factor, nodes, to_bernstein};
 use crate::rounding::upper_max;
 use crate::untrim::boundary::Side;
 use crate::untrim::boundary::graph::{Graph, residual};
-use crate::untrim::curve::{Curve, casteljau, divided, elevated};
+use crate::untrim::curve::{Curve, casteljau, divided};
 use glam::{DVec2, DVec3};
 
 /// A part of an arc as a curve.
@@ -94,7 +95,7 @@ pub(super) fn follow(graph: &Graph, height: &Curve, tolerance: f64) -> Option<Ar
         if error <= tolerance {
             let raised = own.max(degree);
             let x = x.iter().map(|&x| DVec3::new(x, 0.0, 0.0)).collect::<Vec<_>>();
-            let (x, height) = (elevated(&x, raised), elevated(&height.controls, raised));
+            let (x, height) = (elevated(x, raised), elevated(height.controls.clone(), raised));
             let controls = x.iter().zip(&height).map(|(x, h)| DVec3::new(x.x, h.y, h.z)).collect();
             return Some(ArcPart { curve: Curve { controls }, moved: [error, 0.0] });
         }

@@ -1,7 +1,7 @@
 // Progress, cancelling, and several distances at once.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { blocksAtMost, create, near, square, withCode } from "../support.mjs";
+import { create, givesWay, near, square, withCode } from "../support.mjs";
 
 let hd;
 let a;
@@ -95,9 +95,9 @@ test("the event loop turns while work is done", async () => {
 });
 
 test("method hierarchy gives way while it prepares and while it measures", async () => {
-  // Every grid but the last is prepared anew.
-  let grid = 128;
-  await blocksAtMost(50, () => {
+  // Every grid but the last is prepared anew. One so fine takes many times as long as the turns are apart.
+  let grid = 384;
+  await givesWay(() => {
     grid += 1;
     return hd.distance(a, b, { method: "hierarchy", grid, backend: "cpu" });
   });

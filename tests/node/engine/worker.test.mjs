@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import * as plain from "nurbs-hausdorff";
 import { Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
-import { blocksAtMost, createBoth, interchangeSquare, square, withCode } from "../support.mjs";
+import { createBoth, givesWay, interchangeSquare, square, withCode } from "../support.mjs";
 
 let hd;
 let direct;
@@ -176,7 +176,7 @@ test("work that was begun ends well after dispose, nothing begins", async () => 
   assert.throws(() => own.backend, withCode("DISPOSED"));
 });
 
-test("nothing blocks the caller's thread for more than 50 ms", async () => {
+test("nothing blocks the caller's thread for long", async () => {
   const names = ["wavy-sheet", "wavy-sheet-b"];
   const points = Float64Array.from({ length: 60_000 }, (_, index) => Math.sin(index));
   const work = async () => {
@@ -185,5 +185,5 @@ test("nothing blocks the caller's thread for more than 50 ms", async () => {
     await hd.distance(a, b, { method: "iteration", deviations: true });
     await hd.closestPoints(a, points, { relativeTolerance: 1e-3 });
   };
-  await blocksAtMost(50, work);
+  await givesWay(work);
 });

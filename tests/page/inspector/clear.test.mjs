@@ -45,13 +45,13 @@ for (const [screen, size] of Object.entries(SCREENS)) {
     await page.locator("#cut svg").waitFor();
     for (const view of ["back", "isometric"]) {
       await page.selectOption("#direction", view);
-      await keepsClear(`${screen}, ${view}`, "#legend", "#cut", "#tools");
+      await keepsClear(`${screen}, ${view}`, "#legend", "#cut", "#context");
     }
     // Nor is a control covered by the plot.
-    const [plot, tools] = await Promise.all(
-      ["#cut", "#tools"].map((selector) => page.locator(selector).boundingBox()),
+    const [plot, context] = await Promise.all(
+      ["#cut", "#context"].map((selector) => page.locator(selector).boundingBox()),
     );
-    assert.ok(tools.y + tools.height <= plot.y, screen);
+    assert.ok(context.y + context.height <= plot.y, screen);
     await opened.screenshot(`clear-${screen.replaceAll(" ", "-")}`);
     await page.selectOption("#section-axis", "");
   });

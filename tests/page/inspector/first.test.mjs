@@ -111,7 +111,6 @@ test("allowed deviations of both signs decide by measured points", async () => {
 });
 
 test("a face is hidden, isolated and found by its name", async () => {
-  await page.locator("#tree summary").click();
   await page.locator("#tree-filter").fill("bearing");
   const rows = page.locator("#tree-list li");
   assert.equal(await rows.count(), 2);
@@ -171,10 +170,10 @@ test("a section is capped, and its deviations are drawn along it", async () => {
   await page.selectOption("#section-axis", "1");
   await page.locator("#cut svg").waitFor();
   assert.ok((await page.locator("#cut polygon").count()) > 100);
-  // It is below the tools, of which there is a row more.
+  // It is below the controls of the section.
   await page.waitForFunction(
     () =>
-      document.getElementById("tools").getBoundingClientRect().bottom <
+      document.getElementById("context").getBoundingClientRect().bottom <
       document.getElementById("cut").getBoundingClientRect().top,
   );
   // The base reaches from 0 to 80 mm in A, and to 0.35 more in B.

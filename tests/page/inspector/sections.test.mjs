@@ -11,7 +11,8 @@ let opened;
 let page;
 
 before(async () => {
-  opened = await open({ path: "" });
+  // The view is about 910 × 800 pixels beside the panels.
+  opened = await open({ path: "", size: { width: 1530, height: 848 } });
   page = opened.page;
   await page.locator('#result[data-state="done"]').waitFor();
 });

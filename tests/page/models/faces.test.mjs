@@ -8,7 +8,7 @@ import { countPixels } from "../support/pixels.mjs";
 let opened;
 
 before(async () => {
-  opened = await open();
+  opened = await open({ size: { width: 1530, height: 848 } });
   await opened.page.locator('#result[data-state="done"]').waitFor();
 });
 
@@ -168,7 +168,6 @@ test("the faces of an assembly are listed by parts, which are hidden and isolate
   const { page } = opened;
   const bolt = ["bolt / head", "bolt / shaft"];
   await openPair(named("plate / top", "plate / side", ...bolt, ...bolt), named("single", "other"));
-  await page.locator("#tree > summary").click();
   const parts = page.locator("#tree-list .part > div");
   await parts.first().waitFor();
   const names = (selector) => page.locator(`#tree-list ${selector}`).allTextContents();

@@ -30,7 +30,7 @@ function launched(args) {
 export const PLAIN = "#symmetric=&deviation=";
 
 /**
- * Opens the page, all that it folds unfolded but the faces, or as users see it with `unfolded: false`, and without motion. `webgpu: false` disables WebGPU, `webgl: false` all 3D APIs;
+ * Opens the page, all that it folds unfolded, or as users see it with `unfolded: false`, and without motion. `webgpu: false` disables WebGPU, `webgl: false` all 3D APIs;
  * `touch: true` gives the device a touch screen; `path` selects another page than the main one, `outDir` another build, and `prepare` receives the
  * page before it is loaded.
  */
@@ -94,7 +94,6 @@ export async function open({
 
 function unfold() {
   document.addEventListener("DOMContentLoaded", () => {
-    for (const details of document.querySelectorAll("#panel details:not(#tree)"))
-      details.open = true;
+    for (const details of document.querySelectorAll("#panel details")) details.open = true;
   });
 }

@@ -1,9 +1,9 @@
 // Counting of pixels in pictures of the view.
 import { drawn } from "./drawn.mjs";
 
-/** What lies over the view and has colours of its own. */
+/** What lies over the view and has colours of its own, and the ring of the focus. */
 const OVER =
-  "#label, .end, #tools, #legend, #axes, #cut, #foot, #pins, #hover { visibility: hidden }";
+  "#label, .end, #tip, #context, #legend, #axes, #cut, #foot, #pins, #hover { visibility: hidden } #canvas { outline: none !important }";
 
 /** The number of pixels of the view for which `holds`, an expression of r, g and b, is true. */
 export async function countPixels(page, holds) {

@@ -12,7 +12,7 @@ export function farthestSide({ forward, reverse }: DistanceResult): Side {
 }
 
 /** The distance, in diagonals, below which no place is farther than another: that of a map's rounding. */
-const AGREEING = 5e-7;
+export const AGREEING = 5e-7;
 
 /** Whether models certainly agree but for rounding. */
 export const agrees = ({ upper, diagonal }: DistanceResult): boolean =>

@@ -7,11 +7,35 @@ const MAX_DIGITS = 100;
 /** Digits of a distance below the models' order of magnitude. */
 const RELATIVE_DIGITS = 5;
 
+/** What lengths are multiplied by where they are shown. */
+let factor = 1;
+/** The relative rounding of a product in float64, and of what is added to stay outside of it. */
+const ROUNDING = 2 ** -51;
+
+/** Shows lengths in a unit of which one of the models' units has so many. */
+export function setShownFactor(shownUnits: number): void {
+  factor = shownUnits;
+}
+
+/** A length of the models in the unit in which lengths are shown. */
+export const shownLength = (length: number): number => length * factor;
+
+/** An interval in the unit shown: wider by the rounding of that, or with `inside` narrower. */
+function shownInterval(lower: number, upper: number, inside = false): [number, number] {
+  if (factor === 1) return [lower, upper];
+  const [low, high] = [shownLength(lower), shownLength(upper)];
+  const side = inside ? -1 : 1;
+  const ends: [number, number] = [low * (1 - side * ROUNDING), high * (1 + side * ROUNDING)];
+  // An interval narrower than the rounding has no inside: either end is as near as float64 gets.
+  return ends[0] <= ends[1] ? ends : [Math.min(low, high), Math.max(low, high)];
+}
+
 /**
  * A distance, to `RELATIVE_DIGITS` digits below the order of magnitude of the diagonal. One
  * that would read 0, and is no rounding of the models' size, has two significant digits.
  */
-export function distanceText(distance: number, diagonal: number): string {
+export function distanceText(length: number, modelDiagonal: number): string {
+  const [distance, diagonal] = [shownLength(length), shownLength(modelDiagonal)];
   const size = magnitude(diagonal);
   const fixed = distance.toFixed(digitsAfterPoint(RELATIVE_DIGITS - size));
   const isSmall = Number(fixed) === 0 && Math.abs(distance) > 10 ** (size - SIGNIFICANT_DIGITS);
@@ -43,12 +67,16 @@ const isUpperBound = (lower: number, upper: number, diagonal: number): boolean =
  * for them. Where the interval states only an upper bound it is that bound, such as ≤ 1.1e-11.
  */
 export function certifiedText(
-  computed: number,
-  [lower, upper]: readonly [number, number],
-  diagonal: number,
+  found: number,
+  interval: readonly [number, number],
+  modelDiagonal: number,
 ): string {
+  const [lower, upper] = shownInterval(...interval, true);
+  const [computed, diagonal] = [shownLength(found), shownLength(modelDiagonal)];
   if (upper === 0) return "0";
-  if (isUpperBound(lower, upper, diagonal)) return `≤ ${upperText(upper)}`;
+  if (isUpperBound(lower, upper, diagonal)) {
+    return `≤ ${upperText(shownInterval(...interval)[1])}`;
+  }
   const narrow = upper > lower ? Math.floor(-Math.log10(upper - lower)) : MAX_DIGITS;
   // A wide interval holds what was computed too: two of its digits say more than one.
   const known = Math.max(narrow, 1 - magnitude(computed));
@@ -75,7 +103,8 @@ export function listedText(
   diagonal: number,
 ): string {
   const text = certifiedText(computed, interval, diagonal);
-  const shown = digitsAfterPoint(RELATIVE_DIGITS - magnitude(diagonal)) + MORE_DIGITS;
+  const size = magnitude(shownLength(diagonal));
+  const shown = digitsAfterPoint(RELATIVE_DIGITS - size) + MORE_DIGITS;
   const [whole = "", fraction = ""] = text.split(".");
   const isLong = /^\d+$/.test(fraction) && fraction.length > shown;
   return isLong ? `${whole}.${fraction.slice(0, shown - MORE_DIGITS)}…` : text;
@@ -96,7 +125,9 @@ export function signedText(distance: number, diagonal: number): string {
  * float64 has at the models' size. The ends are rounded outwards, so the
  * interval shown contains the certified one.
  */
-export function intervalText(lower: number, upper: number, diagonal: number): string {
+export function intervalText(from: number, to: number, modelDiagonal: number): string {
+  const [lower, upper] = shownInterval(from, to);
+  const diagonal = shownLength(modelDiagonal);
   if (isUpperBound(lower, upper, diagonal)) return `[${short(lower, -1)}, ${short(upper, 1)}]`;
   const width = upper - lower;
   const available = SIGNIFICANT_DIGITS - 1 - magnitude(Math.max(upper, diagonal));

@@ -45,7 +45,7 @@ export function onDisplay(onView: (view: StandardView) => void, onChange: () => 
   });
   const changed = () => {
     element("file-colors-note").hidden = !fileColors.checked;
-    border.hidden = !wiped.checked;
+    element("wipe-controls").hidden = !wiped.checked;
     const line = element("wipe-line");
     line.hidden = !wiped.checked;
     line.style.left = `${100 * border.valueAsNumber}%`;

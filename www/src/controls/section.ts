@@ -108,6 +108,11 @@ export function onSection(listener: SectionListener, onChange: () => void): void
   changed();
 }
 
+/** Ends the choice of a face to cut by. */
+export function endPicking(): void {
+  if (byFace.getAttribute("aria-pressed") === "true") byFace.click();
+}
+
 /** Shows where the section is, in model units: along its axis, or from the point that it goes through. */
 export function showOffset(models: Models): void {
   const range = rangeOf(models);

@@ -18,7 +18,8 @@ export interface ReportView {
 
 /** What the report shows without a view, and what its button says: those of the page. */
 const NONE = element("view-count").textContent;
-const ADD = element("add-view").textContent;
+const add = element("add-view").querySelector(".text");
+const ADD = add?.textContent ?? "";
 
 export class Views {
   readonly #view: View;
@@ -68,6 +69,6 @@ export class Views {
     element("view-count").textContent =
       length === 0 ? NONE : `${length} ${length === 1 ? "view" : "views"} in the report`;
     // The panel may be elsewhere.
-    element("add-view").textContent = length === 0 ? ADD : `${ADD} (${length})`;
+    if (add) add.textContent = length === 0 ? ADD : `${ADD} (${length})`;
   }
 }

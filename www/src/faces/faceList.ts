@@ -49,12 +49,13 @@ export class FaceList {
     this.#select(row === undefined ? undefined : this.#changes[row]);
   }
 
-  #row({ side, difference }: Change, row: number, diagonal: number): HTMLElement {
+  #row({ side, difference, kind }: Change, row: number, diagonal: number): HTMLElement {
     const button = document.createElement("button");
     button.type = "button";
     button.dataset.side = side;
     button.dataset.face = `${difference.face}`;
     button.dataset.state = difference.state;
+    button.dataset.kind = kind;
     button.setAttribute("aria-pressed", "false");
     const letter = document.createElement("b");
     letter.className = side;
@@ -63,6 +64,7 @@ export class FaceList {
     button.append(
       letter,
       part("name", difference.witness[side].faceName ?? `face ${difference.face}`),
+      part("kind", kind === "changed" || kind === "undecided" ? "" : kind),
       part(
         "size",
         difference.state === "undecided" ? "undecided" : heldText([lower, upper], diagonal),

@@ -4,7 +4,7 @@ import { grouped } from "../common/numbers.ts";
 import { onOwnLimits } from "../results/ownLimits.ts";
 import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { ownName, type Part, partsOf } from "./parts.ts";
-import { limitInput, rowParts, showLimits } from "./treeRows.ts";
+import { acts, limitInput, rowParts, showLimits } from "./treeRows.ts";
 
 /** Rows listed at once; the filter finds the others. */
 const MAX_ROWS = 300;
@@ -14,7 +14,6 @@ const SEPARATOR = " / ";
 const list = element("tree-list");
 const filter = element("tree-filter", HTMLInputElement);
 const onlyChanged = element("tree-changed", HTMLInputElement);
-const tree = element("tree", HTMLDetailsElement);
 
 export interface TreeListener {
   /** The faces to leave out of the view. */
@@ -39,6 +38,7 @@ export class FaceTree {
   #names: Sides<string[]> = {};
   #items: Sides<Part["items"]> = {};
   #changed: Sides<ReadonlySet<number>> = {};
+  #sizes: Sides<ReadonlyMap<number, string>> = {};
   #hidden: Record<Side, Set<number>> = { a: new Set(), b: new Set() };
   /** The parts that are unfolded. */
   #open = new Set<string>();
@@ -49,7 +49,6 @@ export class FaceTree {
       control.addEventListener("input", () => this.#draw());
     }
     element("tree-all").addEventListener("click", () => this.#hide({ a: new Set(), b: new Set() }));
-    tree.addEventListener("toggle", () => this.#draw());
     onOwnLimits(() => showLimits(list));
   }
 
@@ -60,15 +59,30 @@ export class FaceTree {
       this.#items[side] = partsOf(this.#names[side] ?? []);
     }
     this.#changed = {};
+    this.#sizes = {};
     this.#hidden = { a: new Set(), b: new Set() };
     this.#open.clear();
     this.#draw();
   }
 
-  /** The faces that are beyond what is allowed, for the filter. */
-  set changed(changed: Sides<ReadonlySet<number>>) {
+  /** Marks the faces that are beyond what is allowed, and says what each deviates by. */
+  mark(changed: Sides<ReadonlySet<number>>, sizes: Sides<ReadonlyMap<number, string>>): void {
     this.#changed = changed;
-    if (onlyChanged.checked) this.#draw();
+    this.#sizes = sizes;
+    if (onlyChanged.checked) {
+      this.#draw();
+      return;
+    }
+    // In place: a limit that is being typed stays.
+    for (const row of list.querySelectorAll<HTMLElement>(".face")) {
+      const [side, face] = [row.dataset.side as Side, Number(row.dataset.face)];
+      const [look, size] = [
+        row.querySelector<HTMLElement>(".name"),
+        row.querySelector(".deviation"),
+      ];
+      if (look) look.dataset.changed = `${changed[side]?.has(face) ?? false}`;
+      if (size) size.textContent = sizes[side]?.get(face) ?? "";
+    }
   }
 
   #hide(hidden: Record<Side, Set<number>>): void {
@@ -99,11 +113,6 @@ export class FaceTree {
   }
 
   #draw(): void {
-    // A list that is folded away is not made.
-    if (!tree.open) {
-      list.replaceChildren();
-      return;
-    }
     const rows: HTMLElement[] = [];
     let faces = 0;
     const budget = { left: MAX_ROWS };
@@ -196,7 +205,7 @@ export class FaceTree {
     count.className = "note";
     count.textContent = grouped(faces.size);
     const row = document.createElement("div");
-    row.append(unfold, box, letter, look, count, alone);
+    row.append(unfold, box, letter, look, count, acts(alone));
     const own = document.createElement("ul");
     own.append(...rows);
     own.hidden = !isOpen;
@@ -218,7 +227,11 @@ export class FaceTree {
     });
     const item = document.createElement("li");
     item.className = "face";
-    item.append(box, letter, look, limitInput(side, face, fullName), alone);
+    const size = document.createElement("span");
+    size.className = "deviation";
+    size.textContent = this.#sizes[side]?.get(face) ?? "";
+    Object.assign(item.dataset, { side, face });
+    item.append(box, letter, look, size, acts(limitInput(side, face, fullName), alone));
     return item;
   }
 }

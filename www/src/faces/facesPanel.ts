@@ -2,11 +2,13 @@
 import type { DiffResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { duration, grouped } from "../common/numbers.ts";
+import { modelUnit } from "../files/units.ts";
 import { ownLimits } from "../results/ownLimits.ts";
 import { allowed, onLimit } from "../results/verdict.ts";
 import { type DiffReply, SIDES, type Side } from "../worker/protocol.ts";
 import { type Change, changesOf, countsOf, facesOf } from "./changes.ts";
 import { FaceList } from "./faceList.ts";
+import { isOfSamePlace, kindsOf } from "./kinds.ts";
 
 /** The limit proposed where nothing is allowed yet, as a fraction of the diagonal. */
 const RELATIVE_LIMIT = 1e-5;
@@ -16,7 +18,7 @@ const PAUSE = 300;
 
 /** What the colours of compared faces mean. */
 const COLORS =
-  "Changed faces have the colour of their model, undecided ones are violet, others grey.";
+  "Changed faces have the colour of their model, those only extended or shortened a paler one; undecided ones are violet, others grey.";
 
 const section = element("faces");
 const limit = element("face-limit", HTMLInputElement);
@@ -156,10 +158,12 @@ export class FacesPanel {
     const table = SIDES.map((side) => {
       const { unchanged, changed, undecided } = countsOf(facesOf(result, side));
       const name = side.toUpperCase();
-      return `${name}: ${grouped(changed)} changed, ${grouped(undecided)} undecided, ${grouped(unchanged)} unchanged`;
+      const counts = `${name}: ${grouped(changed)} changed, ${grouped(undecided)} undecided, ${grouped(unchanged)} unchanged`;
+      return `${counts}${ofSamePlace(result, side)}`;
     });
     const own = ownLimits().length > 0 ? ", or than is allowed of it alone" : "";
-    const limit = `${result.limit}${own}`;
+    const unit = modelUnit();
+    const limit = `${result.limit}${unit === undefined ? "" : ` ${unit}`}${own}`;
     const verdict = {
       unchanged: `No face differs by more than ${limit}.`,
       changed: `Faces differ by more than ${limit}:`,
@@ -189,4 +193,11 @@ export class FacesPanel {
     delete section.dataset.result;
     element("compare-work").hidden = state !== "working";
   }
+}
+
+/** How many of the changed faces were only extended or shortened. */
+function ofSamePlace(result: DiffResult, side: Side): string {
+  const count = kindsOf(result, side).filter(isOfSamePlace).length;
+  if (count === 0) return "";
+  return `; ${grouped(count)} of the changed only ${side === "a" ? "shortened" : "extended"}`;
 }

@@ -39,6 +39,14 @@ export function rowParts(options: RowOptions) {
   return { box, letter, look, alone };
 }
 
+/** Returns what can be done with a row, shown where it is pointed at or has the focus. */
+export function acts(...controls: HTMLElement[]): HTMLElement {
+  const node = document.createElement("span");
+  node.className = "acts";
+  node.append(...controls);
+  return node;
+}
+
 /** Returns the field of what is allowed of a face alone. */
 export function limitInput(side: Side, face: number, name: string): HTMLInputElement {
   const input = document.createElement("input");

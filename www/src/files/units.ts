@@ -1,5 +1,6 @@
 // The unit beside each model: what its file states, or what the user says of one that states none.
 import { element } from "../common/elements.ts";
+import { setShownFactor } from "../common/numbers.ts";
 import { unitName } from "../common/units.ts";
 import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
 
@@ -19,6 +20,7 @@ const selects: Record<Side, HTMLSelectElement> = {
   b: element("unit-b", HTMLSelectElement),
 };
 const note = element("units-differ");
+const shown = element("shown-unit", HTMLSelectElement);
 const units: Sides<number | null> = {};
 const sizes: Sides<number> = {};
 
@@ -27,6 +29,24 @@ for (const select of Object.values(selects)) {
     new Option("unit?", ""),
     ...COMMON.map((metres) => new Option(unitName(metres), `${metres}`)),
   );
+}
+
+/** Calls back when the user wants lengths in another unit. */
+export function onShownUnit(callback: () => void): void {
+  shown.addEventListener("input", () => {
+    showFactor();
+    callback();
+  });
+}
+
+/** Shows lengths in the unit that the user wants, where that of the models is known. */
+function showFactor(): void {
+  const { a = null, b = null } = units;
+  const isKnown = a !== null && b !== null;
+  setShownFactor(isKnown && shown.value !== "" ? a / Number(shown.value) : 1);
+  element("shown-offer").hidden = !isKnown;
+  const fields = `in ${modelUnit() ?? "model units"}`;
+  for (const id of ["position-unit", "limit-unit"]) element(id).textContent = fields;
 }
 
 /** Shows the units of models that were loaded. */
@@ -50,7 +70,7 @@ export function showUnits(models: Sides<DisplayModel>): void {
   const text = textOf(units.a ?? null, units.b ?? null);
   note.hidden = text === "";
   note.textContent = text;
-  element("position-unit").textContent = `in ${commonUnit() ?? "model units"}`;
+  showFactor();
 }
 
 /** What the user has to know of the units of A and B; nothing where they are the same. */
@@ -93,8 +113,14 @@ export function unitScale(): number {
 /** Returns the metres in a unit of the scene, 1 where none is stated. */
 export const metresPerUnit = (): number => units.a ?? units.b ?? 1;
 
-/** Returns the unit of the results, or undefined where it is unknown of one of the models. */
+/** Returns the unit in which lengths are shown, or undefined where that of a model is unknown. */
 export function commonUnit(): string | undefined {
+  const known = modelUnit();
+  return known === undefined || shown.value === "" ? known : unitName(Number(shown.value));
+}
+
+/** Returns the unit of what is typed, A's, or undefined where it is unknown of one of the models. */
+export function modelUnit(): string | undefined {
   const { a = null, b = null } = units;
   return a === null || b === null ? undefined : unitName(a);
 }

@@ -4,12 +4,12 @@ import type { Models } from "../scene/models.ts";
 import { showCut } from "./cutPlot.ts";
 import { painted } from "./deviationPanel.ts";
 
-// The plot lies below the tools, which take more rows in a narrow window.
-const tools = element("tools");
+// The plot lies below what stands above the view, which takes more rows in a narrow window.
+const context = element("context");
 new ResizeObserver(() => {
-  const end = tools.offsetTop + tools.offsetHeight;
+  const end = context.offsetTop + context.offsetHeight;
   element("cut").style.setProperty("--tools-end", `${end}px`);
-}).observe(tools, { box: "border-box" });
+}).observe(context, { box: "border-box" });
 
 /** Draws the deviation along the section; without a section or a map, nothing. */
 export function drawCut(models: Models): void {

@@ -2,7 +2,7 @@
 // what is allowed.
 import type { DiffResult, DistanceResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
-import { distanceText } from "../common/numbers.ts";
+import { distanceText, shownLength } from "../common/numbers.ts";
 import { commonUnit } from "../files/units.ts";
 import { ownLimits } from "../results/ownLimits.ts";
 import { statisticsOf } from "../results/resultDetails.ts";
@@ -17,13 +17,14 @@ import {
 import type { MapDisplay } from "../worker/map/display.ts";
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { areaBeyond, totalArea } from "./cumulative.ts";
+import { showDistribution } from "./distributionPlot.ts";
 import { keepWithin } from "./faceBounds.ts";
 import { hideLegend, type Legend, showLegend } from "./legend.ts";
 
 /** The deviation that the map resolves, in diagonals: its vertices are in float32. */
 const POINT_ACCURACY = 5e-7;
 
-const section = element("estimates", HTMLDetailsElement);
+const section = element("estimates");
 const map = element("scale-map", HTMLSelectElement);
 const kind = element("scale-kind", HTMLSelectElement);
 const range = element("scale-range", HTMLInputElement);
@@ -70,11 +71,6 @@ export function onScale(callback: (painting: Painting) => void): void {
     control.addEventListener("input", () => setFocus(undefined));
   }
   unfocus.addEventListener("click", () => setFocus(undefined));
-  element("legend-controls").addEventListener("click", () => {
-    section.open = true;
-    map.scrollIntoView({ block: "center" });
-    map.focus();
-  });
 }
 
 /** Draws with the options as they are now. */
@@ -198,7 +194,9 @@ function legendOf({ maps, drawn, result, extent }: ShownMaps): Legend {
 function draw(now: ShownMaps): ColorScale {
   const { maps, result, extent } = now;
   const { diagonal } = result;
-  showLegend(legendOf(now), (from, to) => setFocus([from, to]));
+  const legend = legendOf(now);
+  showLegend(legend, (from, to) => setFocus([from, to]));
+  showDistribution(legend);
   element("beyond-limit").textContent = SIDES.flatMap((side) => {
     const text = beyond(maps[side], extent.largest, diagonal);
     return text === "" ? [] : [`${side.toUpperCase()}: ${text}`];
@@ -228,9 +226,11 @@ function beyond(map: MapDisplay | undefined, largest: number, diagonal: number):
   const isCloud = map.indices.length === 0;
   const size = isCloud
     ? `${area} of ${total}`
-    : `${distanceText(area, diagonal)}${unit === undefined ? "" : ` ${unit}²`}`;
+    : `${distanceText(shownLength(area), diagonal)}${unit === undefined ? "" : ` ${unit}²`}`;
   const what = isCloud ? "points are" : "area is";
-  const share = `≈ ${((100 * area) / total).toFixed(1)} % of the ${what} beyond (${size})`;
+  const out = ((100 * area) / total).toFixed(1);
+  const within = (100 - Number(out)).toFixed(1);
+  const share = `≈ ${out} % of the ${what} beyond (${size}), ${within} % within`;
   // Less area than the map resolves is not none.
   const isBeyond = largest > Math.max(limits.above, limits.below);
   return area === 0 && isBeyond && map.largest === largest

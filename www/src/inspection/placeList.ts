@@ -20,11 +20,6 @@ export class PlaceList {
   constructor(select: (place: Place) => void) {
     this.#select = select;
     button.addEventListener("click", () => this.next());
-    window.addEventListener("keydown", ({ key, target, ctrlKey, metaKey }) => {
-      if (key.toLowerCase() !== "n" || ctrlKey || metaKey) return;
-      if (target instanceof HTMLInputElement || target instanceof HTMLSelectElement) return;
-      this.next();
-    });
   }
 
   /** The places listed. */

@@ -1,4 +1,5 @@
 // The worst places of the maps shown: their list, the view of one, and the faces that are beyond.
+import { AGREEING } from "../common/direction.ts";
 import type { FaceTree } from "../faces/faceTree.ts";
 import { addMeasured, allowed, allowedOf } from "../results/verdict.ts";
 import type { View } from "../scene/view.ts";
@@ -47,7 +48,14 @@ export class PlaceView {
     this.#judge(all);
     const changed = (side: Side) =>
       new Set(all.filter((place) => place.side === side && beyond(place)).map(({ face }) => face));
-    this.#tree.changed = { a: changed("a"), b: changed("b") };
+    const { diagonal } = this.#view.models;
+    const sizes = (side: Side) =>
+      new Map(
+        all
+          .filter((place) => place.side === side && place.distance > AGREEING * diagonal)
+          .map((place) => [place.face, sizeText(place, diagonal)]),
+      );
+    this.#tree.mark({ a: changed("a"), b: changed("b") }, { a: sizes("a"), b: sizes("b") });
   }
 
   /** Adds the faces that the distance is about to the verdict. */

@@ -9,6 +9,8 @@ export type Interval = readonly [lower: number, upper: number];
 export interface Judgement {
   verdict: Verdict;
   text: string;
+  /** Whether something that the interval does not hold could change the verdict. */
+  isDoubtful?: boolean;
 }
 
 /** The extremes of the signed deviations of a face, in float32, and the largest distance. */
@@ -64,7 +66,7 @@ export function judge(judged: Judged, limits: readonly Allowed[]): Judgement {
   if (verdict === "undecided") return byFaces(judged, limits);
   const isDoubtful = verdictOn(withGaps, limits) !== verdict;
   const doubt = isDoubtful ? `, but the gaps of the files (${gap}) could change that` : "";
-  return { verdict, text: `${WORDS[verdict]}${doubt}` };
+  return { verdict, text: `${WORDS[verdict]}${doubt}`, isDoubtful };
 }
 
 /** The verdict where the interval alone does not decide: by measured deviations beyond a limit. */

@@ -5,6 +5,7 @@ import {
   distanceText,
   duration,
   grouped,
+  shownLength,
   signedText,
   twoDigits,
   upperText,
@@ -37,7 +38,7 @@ export function detailsOf(result: DistanceResult): Detail[] {
 
 /** How far the files themselves leave the models open, which is not part of the interval. */
 function gapOf({ gap }: DistanceResult): Detail[] {
-  return gap > 0 ? [["gaps of both files, at most", upperText(gap)]] : [];
+  return gap > 0 ? [["gaps of both files, at most", upperText(shownLength(gap))]] : [];
 }
 
 /** The directed distances of a symmetric result. */

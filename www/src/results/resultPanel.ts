@@ -4,12 +4,20 @@ import type { DistanceResult } from "nurbs-hausdorff";
 import { agrees, farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
 import { placeName } from "../common/names.ts";
-import { certifiedText, intervalText, twoDigits, upperText } from "../common/numbers.ts";
+import {
+  certifiedText,
+  intervalText,
+  shownLength,
+  twoDigits,
+  upperText,
+} from "../common/numbers.ts";
 import { skippedFaces } from "../files/fileNotes.ts";
 import { commonUnit } from "../files/units.ts";
 import { type Detail, detailsOf } from "./resultDetails.ts";
 import { showVerdict } from "./verdict.ts";
 
+/** What stands for a distance that is not known. */
+const NONE = "–";
 /** The meaning of the interval shown. */
 const SO_FAR = "certified so far";
 const STALLED = " · narrows slowly, may take long";
@@ -28,6 +36,9 @@ const width = element("width");
 const progress = element("progress", HTMLProgressElement);
 const error = element("error");
 const details = element("facts");
+const where = element("where");
+const stateText = element("state-text");
+let look: () => void = () => {};
 
 /** Shows that a new measurement of the same models was requested. */
 export function showPending(): void {
@@ -61,6 +72,8 @@ export function showResult(
   { last, pending }: { last: boolean; pending: boolean },
 ): void {
   kind.textContent = kindOf(result);
+  section.classList.remove("undistanced");
+  stateText.textContent = "";
   unit.textContent = commonUnit() ?? "model units";
   const ends = [result.lower, result.upper] as const;
   distance.textContent = certifiedText(result.computed, ends, result.diagonal);
@@ -73,8 +86,7 @@ export function showResult(
   });
   showDetails(details, detailsOf(result));
   const { a, b } = result.witness;
-  element("where").textContent = whereText(result);
-  element("where").title = whereText(result);
+  showWhere(result);
   element("doubts").textContent = doubtsText(result);
   Object.assign(section.dataset, {
     method: result.method,
@@ -87,6 +99,27 @@ export function showResult(
     from: farthestSide(result),
     state: stateOf(last, pending),
   });
+}
+
+/** Shows where the distance is attained: a link to the place, where there is one. */
+function showWhere(result: DistanceResult): void {
+  const text = whereText(result);
+  where.title = text;
+  if (agrees(result)) {
+    where.textContent = text;
+    return;
+  }
+  const link = document.createElement("button");
+  link.type = "button";
+  link.className = "link";
+  link.textContent = text;
+  link.addEventListener("click", () => look());
+  where.replaceChildren(link);
+}
+
+/** Calls back when the user follows the link to the farthest place. */
+export function onWhere(callback: () => void): void {
+  look = callback;
 }
 
 /** Where the distance is attained. */
@@ -118,7 +151,7 @@ function doubtsText(result: DistanceResult): string {
 /** The gap of both files, with its unit and whether it is proven. */
 function gapText({ gap, gapProven }: DistanceResult): string {
   const known = commonUnit();
-  return `${upperText(gap)}${known === undefined ? "" : ` ${known}`}${gapProven ? "" : ", measured"}`;
+  return `${upperText(shownLength(gap))}${known === undefined ? "" : ` ${known}`}${gapProven ? "" : ", measured"}`;
 }
 
 function stateOf(last: boolean, pending: boolean): string {
@@ -133,7 +166,7 @@ const CLEARED = {
   failed: "failed",
   lone: "one file is open: drop the one to compare it with",
   paused: "not measured while clearance and clash are",
-  working: "computing",
+  working: "measuring",
 };
 
 /**
@@ -142,21 +175,24 @@ const CLEARED = {
  */
 export function clearResult(state: keyof typeof CLEARED): void {
   kind.textContent = "Distance";
-  distance.textContent = "–";
+  distance.textContent = NONE;
   interval.textContent = CLEARED[state];
+  stateText.textContent = CLEARED[state];
   width.textContent = "";
   showVerdict();
   details.replaceChildren();
-  for (const id of ["where", "doubts"]) element(id).textContent = "";
+  for (const node of [where, element("doubts")]) node.textContent = "";
   for (const name of ["method", "computed", "lower", "upper", "converged", "a", "b", "from"]) {
     delete section.dataset[name];
   }
   section.dataset.state = state;
+  section.classList.toggle("undistanced", state !== "working");
 }
 
 /** Shows the interval that a cancelled measurement had reached. */
 export function showReached([lower, upper]: readonly [number, number], diagonal: number): void {
   showInterval(lower, upper, diagonal, REACHED);
+  stateText.textContent = `${REACHED}: in ${intervalText(lower, upper, diagonal)}`;
   Object.assign(section.dataset, { lower, upper });
 }
 
@@ -173,7 +209,7 @@ export function hideError(): void {
 
 function showInterval(lower: number, upper: number, diagonal: number, note: string): void {
   interval.textContent = intervalText(lower, upper, diagonal);
-  width.textContent = `${note} · width ${twoDigits(upper - lower)}`;
+  width.textContent = `${note} · width ${twoDigits(shownLength(upper - lower))}`;
   // One direction's interval decides nothing about the larger of both.
   showVerdict(note === ONE_DIRECTION ? undefined : { interval: [lower, upper] });
 }

@@ -3,6 +3,7 @@ import { element } from "../common/elements.ts";
 import { skippedFaces } from "../files/fileNotes.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
 import type { Side } from "../worker/protocol.ts";
+import { comparedText } from "./headline.ts";
 import { type Judged, type Judgement, judge, type Verdict } from "./judgement.ts";
 import { onOwnLimits, ownLimit, ownLimits } from "./ownLimits.ts";
 
@@ -10,6 +11,7 @@ const input = element("limit", HTMLInputElement);
 const inputBelow = element("limit-below", HTMLInputElement);
 const output = element("verdict");
 const badge = element("badge");
+const compared = element("compared");
 let current: Judged | undefined;
 
 /** Calls back when the user changes what is allowed. */
@@ -69,20 +71,24 @@ export function needsPrecision(): boolean {
 
 /** The verdict shown, and its words. */
 export function shownVerdict(): { verdict: Verdict | undefined; text: string } {
-  return { verdict: output.dataset.verdict as Verdict | undefined, text: output.textContent ?? "" };
+  const verdict = output.dataset.verdict as Verdict | undefined;
+  return { verdict, text: verdict === undefined ? "" : (output.textContent ?? "") };
 }
 
 function draw(): void {
   const limits = allowed();
   if (current === undefined || limits === undefined) {
-    output.textContent = "";
-    badge.textContent = "";
+    for (const node of [output, badge, compared]) node.textContent = "";
     for (const node of [output, badge]) delete node.dataset.verdict;
+    output.dataset.doubt = "false";
     return;
   }
-  const { verdict, text } = judgement(current, limits);
+  const { verdict, text, isDoubtful = false } = judgement(current, limits);
   output.textContent = text;
+  output.dataset.doubt = `${isDoubtful}`;
   badge.textContent = verdict.toUpperCase();
+  const distance = element("distance").textContent ?? "";
+  compared.textContent = /\d/.test(distance) ? comparedText(distance, limits, verdict) : "";
   for (const node of [output, badge]) node.dataset.verdict = verdict;
 }
 

@@ -1,12 +1,20 @@
 // The faces of one model, coloured by the class of each: one draw call a class.
 import type { Tessellation } from "nurbs-hausdorff";
-import { Box3, BufferAttribute, BufferGeometry, type Material, Mesh, Vector3 } from "three";
+import { Box3, BufferAttribute, BufferGeometry, Color, type Material, Mesh, Vector3 } from "three";
 import type { Side } from "../worker/protocol.ts";
 import { glass, satin } from "./material.ts";
 
-export type FaceClass = "plain" | "own" | "undecided" | "changed" | "near" | "clash";
+export type FaceClass = "plain" | "own" | "undecided" | "changed" | "extended" | "near" | "clash";
 
-const CLASSES: readonly FaceClass[] = ["plain", "own", "undecided", "changed", "near", "clash"];
+const CLASSES: readonly FaceClass[] = [
+  "plain",
+  "own",
+  "undecided",
+  "changed",
+  "extended",
+  "near",
+  "clash",
+];
 
 /** The colour of faces that need no attention, and of faces that the search did not decide. */
 const PLAIN = "#98a3ad";
@@ -14,6 +22,12 @@ const UNDECIDED = "#8a5cc2";
 /** The colours of faces that come near the other model, and of those that meet it. */
 const NEAR = "#f2a93b";
 const CLASH = "#d3122f";
+
+/** The part of the grey in the colour of faces that were only extended or shortened. */
+const PALER = 0.6;
+
+const paler = (color: string): string =>
+  `#${new Color(color).lerp(new Color(PLAIN), PALER).getHexString()}`;
 
 /** How far back coincident faces lie. */
 const OFFSETS: Readonly<Record<Side, number>> = { a: 1, b: 3 };
@@ -46,6 +60,7 @@ export class FaceColors {
       glass(color),
       satin(UNDECIDED, OFFSETS[side]),
       satin(color, OFFSETS[side]),
+      satin(paler(color), OFFSETS[side]),
       satin(NEAR, OFFSETS[side]),
       satin(CLASH, OFFSETS[side]),
     ]);

@@ -1,11 +1,10 @@
 // The view of the models and a result. Without WebGL it draws nothing.
 import type { DiffResult, DistanceResult, Vector3 as Point } from "nurbs-hausdorff";
 import { Box3, Vector3 } from "three";
-import { agrees, farthestSide } from "../common/direction.ts";
+import { agrees } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
-import { placeName } from "../common/names.ts";
-import { certifiedText, heldText } from "../common/numbers.ts";
-import { type Change, classesOf } from "../faces/changes.ts";
+import { heldText } from "../common/numbers.ts";
+import { type Change, classesOf, classOf } from "../faces/changes.ts";
 import { Pins } from "../inspection/pins/pins.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
 import { type DisplayModel, type Draft, SIDES, type Side, type Sides } from "../worker/protocol.ts";
@@ -21,6 +20,7 @@ import type { Visibility } from "./mesh.ts";
 import { Models } from "./models.ts";
 import { Arrow, type ArrowTexts } from "./overlays/arrow.ts";
 import { ProjectionLines } from "./overlays/projectionLines.ts";
+import { arrowOf } from "./overlays/resultArrow.ts";
 import type { Pose } from "./pose.ts";
 import type { Section } from "./section.ts";
 
@@ -106,7 +106,7 @@ export class View {
       this.#lines.b.lines,
     );
     this.#viewport = viewport;
-    viewport.keepClear(...["legend", "tools", "cut", "foot"].map((id) => element(id)));
+    viewport.keepClear(...["legend", "context", "cut", "foot"].map((id) => element(id)));
     this.#gizmo = new Gizmo(viewport, canvas, onGizmo);
     const cube = new ViewCube(element("axes", SVGSVGElement), (view) => this.look(view));
     viewport.onDraw = () => {
@@ -343,7 +343,7 @@ export class View {
     this.#diffSide = side;
     this.models.alone = diff === undefined ? undefined : side;
     this.models.classify(
-      diff === undefined ? {} : { a: classesOf(diff.facesOfA), b: classesOf(diff.facesOfB) },
+      diff === undefined ? {} : { a: classesOf(diff, "a"), b: classesOf(diff, "b") },
     );
     if (diff === undefined) this.#showArrow();
     else this.#arrow.hide();
@@ -364,11 +364,11 @@ export class View {
       this.showFaces(diff, this.#diffSide);
       return;
     }
-    const { side, difference } = change;
+    const { side, difference, kind } = change;
     this.models.alone = side;
     const { a, b } = difference.witness;
     const plain: Sides<FaceClass[]> = { a: [], b: [] };
-    this.models.classify({ ...plain, [side]: only(difference.face, classesOf([difference])) });
+    this.models.classify({ ...plain, [side]: only(difference.face, classOf(kind)) });
     const [from, to] = side === "a" ? [a.point, b.point] : [b.point, a.point];
     const { lower, upper } = difference;
     const texts = { length: heldText([lower, upper], diff.diagonal), from: "", to: "" };
@@ -390,16 +390,8 @@ export class View {
       this.#arrow.hide();
       return;
     }
-    const { witness, computed, lower, upper, diagonal } = this.#result;
-    const fromA = farthestSide(this.#result) === "a";
-    const [from, to] = fromA ? [witness.a, witness.b] : [witness.b, witness.a];
-    const [own, other] = fromA ? ["A", "B"] : ["B", "A"];
-    const texts = {
-      length: certifiedText(computed, [lower, upper], diagonal),
-      from: `${own}: ${placeName(from)}`,
-      to: `${other}: ${placeName(to)}`,
-    };
-    this.#arrow.show(from.point, to.point, texts, this.models.center);
+    const { from, to, texts } = arrowOf(this.#result);
+    this.#arrow.show(from, to, texts, this.models.center);
   }
 
   #hideMaps(): void {
@@ -409,7 +401,7 @@ export class View {
 }
 
 /** The classes of a model of whose faces only one has a class of its own. */
-function only(face: number, [own = "plain"]: FaceClass[]): FaceClass[] {
+function only(face: number, own: FaceClass): FaceClass[] {
   const classes: FaceClass[] = [];
   classes[face] = own;
   return classes;

@@ -11,6 +11,7 @@ use self::direction::Direction;
 use self::measurement::{is_refusal, measure};
 use super::attacks;
 use super::pairs::{Pair, pair, reparametrized_pair};
+use super::solids::violations_of_statistics;
 use super::trims;
 use fastrand::Rng;
 use nurbs_hausdorff::internals::engine::{DistanceOptions, DistanceResult};
@@ -23,6 +24,9 @@ use std::time::Instant;
 /// Samples of method `iteration` and cells of method `hierarchy` along each direction.
 const SAMPLES_OF_ITERATION: usize = 12;
 const GRID_OF_HIERARCHY: usize = 16;
+
+/// One pair in so many has its statistics checked.
+const STATISTICS_OF: u64 = 16;
 
 /// The refusal of a pair for which no valid model was drawn.
 const NOT_DRAWN: &str = "NOT_DRAWN";
@@ -145,6 +149,12 @@ fn check_pair(seed: u64, pair: &Pair) -> Outcome {
         .chain(decoy::violation(seed, pair))
         .chain(areas::violations(seed, pair))
         .collect();
+    let mut audited = audited(&result);
+    if seed % STATISTICS_OF < 2 && pair.exponent == 0 && !pair.a.is_trimmed() && !pair.b.is_trimmed() {
+        let (found, parts) = violations_of_statistics(&mut Rng::with_seed(seed), [&pair.a, &pair.b]);
+        violations.extend(found);
+        audited.extend(parts);
+    }
     let mut undecided = 0;
     for (directed, reversed) in directions {
         let Some(directed) = directed else { continue };
@@ -157,7 +167,7 @@ fn check_pair(seed: u64, pair: &Pair) -> Outcome {
         converged: result.converged,
         cells: result.certified().map_or(0, |details| details.cells),
         seconds,
-        audited: audited(&result),
+        audited,
         refusal: None,
         undecided,
         violations: violations

@@ -12,7 +12,7 @@ const DIRECTIONS: [[f64; 3]; 5] = [
 ];
 
 /// The triangles of a closed model.
-pub(super) struct Triangles {
+pub(crate) struct Triangles {
     corners: Vec<[DVec3; 3]>,
     /// The distance from the corners below which nothing is said: the triangles are off the faces by
     /// less.
@@ -25,7 +25,7 @@ impl Triangles {
     }
 
     /// Returns whether the point is inside; `None` near the triangles, or where rays disagree.
-    pub(super) fn contain(&self, point: DVec3) -> Option<bool> {
+    pub(crate) fn contain(&self, point: DVec3) -> Option<bool> {
         let near = self.corners.iter().any(|triangle| distance_to_box(point, triangle) < self.margin);
         if near {
             return None;

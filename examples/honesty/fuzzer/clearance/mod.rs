@@ -14,7 +14,7 @@ use nurbs_hausdorff::internals::engine::Engine;
 use nurbs_hausdorff::{ClearanceOptions, ClearanceResult, Overlap, RigidTransform, SurfacePoint};
 use poses::Posed;
 use std::time::{Duration, Instant};
-pub(crate) use subjects::Subjects;
+pub(crate) use subjects::{Subjects, triangles_of};
 
 /// The rounding error of coordinates, the motion's included, relative to the largest one.
 const COORDINATE_ROUNDING: f64 = 64.0 * f64::EPSILON;

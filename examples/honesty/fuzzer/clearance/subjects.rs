@@ -55,19 +55,7 @@ impl Subject {
         let along = (SAMPLES / sheets.len() as f64).sqrt().clamp(SAMPLES_ALONG[0], SAMPLES_ALONG[1]) as usize;
         let grids: Vec<Vec<Sample>> =
             sheets.iter().enumerate().map(|(index, sheet)| grid(index, sheet, along)).collect();
-        let triangles = prepared.solid().closed.then(|| {
-            let of_grid = |grid: &Vec<Sample>| {
-                let at = |i: usize, j: usize| grid[i * (along + 1) + j].point;
-                let cells = (0..along).flat_map(|i| (0..along).map(move |j| [i, j]));
-                let halves = |[i, j]: [usize; 2]| {
-                    let [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j), at(i + 1, j + 1)];
-                    [[a, b, c], [b, d, c]]
-                };
-                cells.flat_map(halves).collect::<Vec<_>>()
-            };
-            let margin = MARGIN * model.bounding_box().diagonal();
-            Triangles::new(grids.iter().flat_map(of_grid).collect(), margin)
-        });
+        let triangles = prepared.solid().closed.then(|| triangles(&model, &grids, along));
         let cloud = Cloud::new(grids.concat());
         let definition = OnceLock::new();
         Some(Self {
@@ -113,6 +101,28 @@ impl Subject {
     pub(super) fn is_inside(&self, point: DVec3) -> Option<bool> {
         self.triangles.as_ref()?.contain(point - self.origin)
     }
+}
+
+/// Returns the triangles of an untrimmed model, relative to the middle of its box.
+pub(crate) fn triangles_of(model: &Model) -> Triangles {
+    let sheets = sheets(model, model.bounding_box().center());
+    let along = (SAMPLES / sheets.len() as f64).sqrt().clamp(SAMPLES_ALONG[0], SAMPLES_ALONG[1]) as usize;
+    let grids: Vec<Vec<Sample>> =
+        sheets.iter().enumerate().map(|(index, sheet)| grid(index, sheet, along)).collect();
+    triangles(model, &grids, along)
+}
+
+fn triangles(model: &Model, grids: &[Vec<Sample>], along: usize) -> Triangles {
+    let of_grid = |grid: &Vec<Sample>| {
+        let at = |i: usize, j: usize| grid[i * (along + 1) + j].point;
+        let cells = (0..along).flat_map(|i| (0..along).map(move |j| [i, j]));
+        let halves = |[i, j]: [usize; 2]| {
+            let [a, b, c, d] = [at(i, j), at(i, j + 1), at(i + 1, j), at(i + 1, j + 1)];
+            [[a, b, c], [b, d, c]]
+        };
+        cells.flat_map(halves).collect::<Vec<_>>()
+    };
+    Triangles::new(grids.iter().flat_map(of_grid).collect(), MARGIN * model.bounding_box().diagonal())
 }
 
 /// Returns samples at evenly spaced parameters of a surface, its ends included.

@@ -2,7 +2,7 @@
 
 use crate::bezier::basis::{Interpolation, bernstein};
 use crate::limits::MAX_ORDER;
-use crate::model::{Span, blossom};
+use crate::model::{Span, blossom_coefficients};
 use crate::rounding::upper_max;
 use glam::{DVec4, Vec4Swizzles};
 use std::ops::Range;
@@ -201,7 +201,7 @@ impl Pieces<'_> {
         let mut largest = [0.0_f64; 2];
         for span in spans {
             for (k, operator) in span.operator.iter().enumerate() {
-                let restriction = blossom(&knots, self.degree, self.degree, span.ends, k);
+                let restriction = blossom_coefficients(&knots, self.degree, self.degree, span.ends, k);
                 sums.fill(DVec4::ZERO);
                 polynomials.add_combination(0, &restriction[..order], &mut sums);
                 sums.iter_mut().for_each(|sum| *sum = -*sum);

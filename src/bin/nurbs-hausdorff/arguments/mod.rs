@@ -14,21 +14,25 @@ macro_rules! named {
 }
 
 pub(crate) mod align;
+pub(crate) mod check;
 pub(crate) mod grid;
 pub(crate) mod motion;
+pub(crate) mod score;
 pub(crate) mod usage;
 
 use crate::reports::Format;
 use align::AlignArguments;
+use check::CheckArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use grid::GridArguments;
 use motion::{Rotation, Translation};
 use nurbs_hausdorff::options::{Audit, Culling, Flatness, Projection, SamplingRule};
 use nurbs_hausdorff::{
-    Backend, ClearanceOptions, DiffOptions, DistanceOptions, MethodName, NamedOptions, Precision, Result,
-    RigidTransform, StatisticsOptions,
+    Backend, ClearanceOptions, DiffOptions, DistanceOptions, MethodName, NamedOptions, OverlapOptions,
+    Precision, Result, RigidTransform, StatisticsOptions,
 };
+use score::{ScoreArguments, SummaryArguments};
 use std::path::PathBuf;
 
 /// How far apart are two NURBS models? Models are files of STEP, interchange JSON or BREP text.
@@ -59,6 +63,16 @@ pub(crate) enum Command {
     /// is less or solids overlap, 2 for bad input, 3 if --limit was not decided or
     /// faces were left out.
     Clearance(ClearanceArguments),
+    /// Computes the volumes that two solids have in common and apart, each as an interval.
+    ///
+    /// Exit status: 0 if they were computed, 2 for bad input, 3 if a model has no volume or faces were
+    /// left out.
+    Overlap(OverlapArguments),
+    /// Compares all pairs of bodies of a model, or of several: which clash, touch or come near.
+    ///
+    /// Exit status: 0 if no pair clashes and all rules are kept, 1 if a pair clashes or a rule is broken,
+    /// 2 for bad input, 3 if that could not be decided or faces were left out.
+    Check(CheckArguments),
     /// Computes statistics of the distances from A to B, each as an interval that holds it.
     ///
     /// Of a cloud of points they are over its points, else over the area of A: the mean, the root
@@ -66,6 +80,22 @@ pub(crate) enum Command {
     ///
     /// Exit status: 0 if they were computed, 2 for bad input.
     Statistics(StatisticsArguments),
+    /// Scores a candidate against the truth: every number an interval that holds it.
+    ///
+    /// Mean distances both ways, precision, recall and F1 by area, the Hausdorff distance, volume, area,
+    /// centroid, extents and validity. A number may be required by --at-least f1=0.99 or --at-most
+    /// hausdorff=0.1; names are valid, volume-ratio, area-ratio, centroid-distance, extent-difference,
+    /// precision, recall, f1, chamfer, chamfer-squared, hausdorff and iou. Work ends where one is missed.
+    ///
+    /// Exit status: 0 if the score was computed or all requirements are met, 1 if one is missed, 2 for bad
+    /// input, 3 if one is undecided or faces were left out.
+    Score(Box<ScoreArguments>),
+    /// Prints means, medians and the invalid ratio of the scores of a data set, as intervals that hold them.
+    ///
+    /// It reads the answers of batch to lines with the command score.
+    ///
+    /// Exit status: 0 if they were printed, 2 for bad input.
+    Summary(SummaryArguments),
     /// Lays A on B: finds the rigid motion of A that fits B best, from any pose.
     ///
     /// The last line printed measures the pair in that pose.
@@ -81,8 +111,8 @@ pub(crate) enum Command {
     Grid(GridArguments),
     /// Answers many pairs of files: lines of JSON in, lines of JSON out, in their order.
     ///
-    /// A line has an id, the files a and b, a command (distance, diff or clearance; distance if
-    /// none) and options by the names of the API, such as {"id": 1, "a": "a.step", "b": "b.step",
+    /// A line has an id, the files a and b, a command (distance, diff, clearance or score; distance
+    /// if none) and options by the names of the API, such as {"id": 1, "a": "a.step", "b": "b.step",
     /// "limit": 0.1}. The answer has the id and what the command prints with --json, or an error.
     ///
     /// Exit status: 0 if all pairs have a result, 1 if one has an error, 2 for bad usage, 130 if
@@ -319,6 +349,47 @@ impl ClearanceArguments {
             tolerance: self.tolerance,
             relative_tolerance: self.relative_tolerance,
             limit: self.limit,
+            max_seconds: self.max_seconds,
+            max_cells: self.max_cells,
+            scale_units: self.placement.scale_units,
+            transform: self.placement.transform()?,
+        })
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct OverlapArguments {
+    /// The one model; - is standard input.
+    pub(crate) a: PathBuf,
+    /// The other model; - is standard input.
+    pub(crate) b: PathBuf,
+    /// Permitted width of the common volume, as a fraction of the union's; 1e-3 if not given.
+    #[arg(long, value_name = "FRACTION")]
+    tolerance: Option<f64>,
+    /// Takes the faces that were read where others were left out; else the exit status is 3.
+    #[arg(long)]
+    pub(crate) allow_skipped: bool,
+    /// Seconds after which the intervals reached are the result.
+    #[arg(long, value_name = "SECONDS")]
+    max_seconds: Option<f64>,
+    /// Pieces of faces after which the intervals reached are the result; 400,000 if not given.
+    #[arg(long, hide_short_help = true, value_name = "CELLS")]
+    max_cells: Option<usize>,
+    #[command(flatten)]
+    placement: Placement,
+    /// Prints the result as one JSON object.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+impl OverlapArguments {
+    /// The library's options.
+    ///
+    /// # Errors
+    /// As [`RigidTransform::new`]; the library checks the ranges.
+    pub(crate) fn options(&self) -> Result<OverlapOptions> {
+        Ok(OverlapOptions {
+            tolerance: self.tolerance,
             max_seconds: self.max_seconds,
             max_cells: self.max_cells,
             scale_units: self.placement.scale_units,

@@ -224,6 +224,11 @@ impl Batch<'_> {
                 let asked = question.asked(result.state.into(), is_whole);
                 line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
             }
+            Question::Score(options) => {
+                let result = self.cpu.score(models.0, models.1, options).monitored(monitor).wait()?;
+                let asked = question.asked(Verdict::of(result.met), is_whole);
+                line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
+            }
             Question::Clearance(options) => {
                 let result = self.cpu.clearance(models.0, models.1, options).monitored(monitor).wait()?;
                 let asked = question.asked(Verdict::of(result.at_least), is_whole);

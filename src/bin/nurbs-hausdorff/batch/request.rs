@@ -4,7 +4,7 @@ use crate::output::json::Asked;
 use crate::reports::Verdict;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::{
-    ClearanceOptions, DiffOptions, DistanceOptions, Error, NamedOptions, Result, RigidTransform,
+    ClearanceOptions, DiffOptions, DistanceOptions, Error, NamedOptions, Result, RigidTransform, ScoreOptions,
 };
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -23,6 +23,7 @@ pub(super) enum Question {
     Distance(Box<DistanceOptions>),
     Diff(DiffOptions),
     Clearance(ClearanceOptions),
+    Score(Box<ScoreOptions>),
 }
 
 impl Question {
@@ -34,8 +35,13 @@ impl Question {
             // The result states the limit.
             Self::Diff(_) => ("diff", None, None),
             Self::Clearance(options) => ("clearance", options.limit, None),
+            Self::Score(_) => ("score", None, None),
         };
-        let is_judged = limit.is_some() || matches!(self, Self::Diff(_));
+        let is_judged = match self {
+            Self::Diff(_) => true,
+            Self::Score(options) => !options.at_least.is_empty() || !options.at_most.is_empty(),
+            _ => limit.is_some(),
+        };
         let verdict = if is_whole { verdict } else { Verdict::Undecided };
         Asked { command, verdict: is_judged.then_some(verdict), limit, symmetric }
     }
@@ -62,6 +68,7 @@ enum CommandName {
     Distance,
     Diff,
     Clearance,
+    Score,
 }
 
 /// A motion of A.
@@ -116,6 +123,12 @@ fn request(line: Line, max_seconds: Option<f64>) -> Result<Request> {
             options.max_seconds = options.max_seconds.or(max_seconds);
             options.validate()?;
             Question::Clearance(options)
+        }
+        CommandName::Score => {
+            let mut options = ScoreOptions { transform, ..named(options)? };
+            options.max_seconds = options.max_seconds.or(max_seconds);
+            options.validate()?;
+            Question::Score(Box::new(options))
         }
     };
     Ok(Request { a, b, question })

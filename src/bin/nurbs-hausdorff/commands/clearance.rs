@@ -8,6 +8,7 @@ use crate::output::headline::{self, GAPS_DECIDE, place};
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
+use crate::output::report::hint;
 use crate::reports::Verdict;
 use nurbs_hausdorff::result::Stop;
 use nurbs_hausdorff::{ClearanceResult, Engine, Overlap, OverlapUnknown, SurfacePoint};
@@ -104,6 +105,7 @@ fn lines(out: &mut String, result: &ClearanceResult) -> Result {
         _ => format!("unknown: {}", result.overlap_unknown.map_or("", reason)),
     };
     writeln!(out, "overlap    {overlap}")?;
+    hint(out, result.hint.as_deref())?;
     let stop = if result.converged { "converged" } else { "not converged" };
     writeln!(out, "search     {stop}, {} pairs of cells", result.cells)?;
     writeln!(out, "seconds    {:.3} prepare, {:.3} solve", result.seconds.prepare, result.seconds.solve)

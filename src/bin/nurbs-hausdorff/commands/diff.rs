@@ -6,6 +6,7 @@ use crate::input::{Input, is_judged};
 use crate::output::digits::{bounded, coordinates};
 use crate::output::headline::{self, GAPS_DECIDE};
 use crate::output::json::{Asked, OfFiles, raw};
+use crate::output::parts;
 use crate::output::progress::Bar;
 use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
@@ -129,12 +130,13 @@ fn summary(result: &DiffResult, a: &Input, b: &Input) -> String {
         format!("{} on {place}; ", bounded(face.lower, [face.lower, face.upper]))
     });
     let [a, b] = [&result.faces_of_a, &result.faces_of_b].map(|faces| counts(faces));
-    format!("{largest}faces of A: {a}; of B: {b}{}", doubt(result))
+    let parts = parts::summary(result).map_or(String::new(), |parts| format!("{parts}; "));
+    format!("{largest}{parts}faces of A: {a}; of B: {b}{}", doubt(result))
 }
 
 /// A line for each face that is not unchanged, those that changed first.
 fn findings(result: &DiffResult) -> Vec<String> {
-    let mut findings = Vec::new();
+    let mut findings: Vec<String> = result.hint.iter().map(|hint| format!("hint: {hint}")).collect();
     for state in [FaceState::Changed, FaceState::Undecided] {
         for (index, name) in ["A", "B"].into_iter().enumerate() {
             let faces = &result.faces_in(state)[index];
@@ -170,6 +172,9 @@ fn text(result: &DiffResult) -> String {
     }
     for finding in findings(result) {
         let _ = writeln!(out, "{finding}");
+    }
+    for part in parts::lines(result) {
+        let _ = writeln!(out, "part       {part}");
     }
     let _ =
         writeln!(out, "seconds    {:.3} prepare, {:.3} solve", result.seconds.prepare, result.seconds.solve);

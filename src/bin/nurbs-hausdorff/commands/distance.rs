@@ -73,7 +73,7 @@ impl Comparison for Distance<'_> {
             word: word.to_owned(),
             text: format!("{first}{found}{doubt}\n{}", report::text(&result)),
             summary: format!("{found}{gap}{doubt}"),
-            findings: Vec::new(),
+            findings: result.hint.iter().map(|hint| format!("hint: {hint}")).collect(),
             seconds: result.seconds.prepare + result.seconds.compile + result.seconds.solve,
             repeatable: result.converged || limit.is_some() && within.is_some(),
             json: raw(&OfFiles::new(asked, &result, a, b))?,

@@ -1,6 +1,7 @@
 //! The commands.
 
 pub(crate) mod align;
+pub(crate) mod check;
 pub(crate) mod clearance;
 pub(crate) mod completions;
 pub(crate) mod convert;
@@ -8,4 +9,7 @@ pub(crate) mod diff;
 pub(crate) mod distance;
 pub(crate) mod grid;
 pub(crate) mod info;
+pub(crate) mod overlap;
+pub(crate) mod score;
 pub(crate) mod statistics;
+pub(crate) mod summary;

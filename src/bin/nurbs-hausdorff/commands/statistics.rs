@@ -6,7 +6,8 @@ use crate::input::read;
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
-use nurbs_hausdorff::{Bounded, CertifiedStatistics, Engine, Measure};
+use crate::output::report::hint;
+use nurbs_hausdorff::{CertifiedStatistics, Engine, Interval, Measure};
 use std::fmt::{Result, Write};
 
 /// Computes the statistics and prints them.
@@ -30,7 +31,7 @@ pub(crate) fn run(arguments: &StatisticsArguments) -> std::result::Result<(), Fa
 }
 
 fn lines(out: &mut String, result: &CertifiedStatistics) -> Result {
-    let between = |Bounded { lower, upper, .. }: Bounded| format!("between {lower:?} and {upper:?}");
+    let between = |Interval { lower, upper }: Interval| format!("between {lower:?} and {upper:?}");
     let total = match result.over {
         Measure::Count => "points",
         _ => "area",
@@ -44,6 +45,10 @@ fn lines(out: &mut String, result: &CertifiedStatistics) -> Result {
     if let Some(beyond) = result.beyond {
         writeln!(out, "beyond     {:?}: a part {}", beyond.limit, between(beyond.part))?;
     }
+    if let Some(notice) = &result.notice {
+        writeln!(out, "notice     {notice}")?;
+    }
+    hint(out, result.hint.as_deref())?;
     let stop = if result.converged { "converged" } else { "not converged" };
     writeln!(out, "search     {stop}, {} parts", result.cells)?;
     writeln!(out, "seconds    {:.3} prepare, {:.3} solve", result.seconds.prepare, result.seconds.solve)

@@ -91,6 +91,33 @@ impl<'a, R> OfFile<'a, R> {
     }
 }
 
+/// A result of several files.
+#[derive(Serialize)]
+pub(crate) struct OfAllFiles<'a, R> {
+    #[serde(flatten)]
+    head: Head,
+    command: &'static str,
+    verdict: Verdict,
+    files: Vec<&'a Source>,
+    #[serde(flatten)]
+    result: &'a R,
+    /// The faces left out of each file.
+    skipped: Vec<&'a [Skipped]>,
+}
+
+impl<'a, R> OfAllFiles<'a, R> {
+    pub(crate) fn new(command: &'static str, verdict: Verdict, result: &'a R, inputs: &'a [Input]) -> Self {
+        Self {
+            head: Head::new(),
+            command,
+            verdict,
+            files: inputs.iter().map(|input| &input.source).collect(),
+            result,
+            skipped: inputs.iter().map(|input| input.report.read.skipped.as_slice()).collect(),
+        }
+    }
+}
+
 /// The reason for which there is no result.
 #[derive(Debug, Serialize)]
 pub(crate) struct Reason<'a> {

@@ -23,6 +23,7 @@ fn lines(out: &mut String, result: &DistanceResult) -> Result {
     if let Some(unit) = result.unit {
         writeln!(out, "unit       {unit:?} m")?;
     }
+    hint(out, result.hint.as_deref())?;
     point(out, "on A", &result.witness.a)?;
     point(out, "on B", &result.witness.b)?;
     for (name, directed) in [("A to B", &result.forward), ("B to A", &result.reverse)] {
@@ -41,6 +42,11 @@ fn lines(out: &mut String, result: &DistanceResult) -> Result {
     writeln!(out, "converged  {}", if result.converged { "yes" } else { "no" })?;
     writeln!(out, "patches    {} of A, {} of B", result.patches.a, result.patches.b)?;
     machine(out, result)
+}
+
+/// Writes what may be wrong with the units, if anything.
+pub(crate) fn hint(out: &mut String, hint: Option<&str>) -> Result {
+    hint.map_or(Ok(()), |hint| writeln!(out, "hint       {hint}"))
 }
 
 fn interval(out: &mut String, result: &DistanceResult) -> Result {

@@ -2,8 +2,9 @@
 
 use super::curves::Leaf;
 use super::placement::frame_before;
+use crate::approximation::bernstein::elevated;
 use crate::brep::iges::file::Found;
-use crate::brep::nurbs::{Curve, Spline, SplineCurve, elevated, project};
+use crate::brep::nurbs::{Curve, Spline, SplineCurve, project};
 use glam::DVec4;
 
 /// Returns curves head to tail as one curve, whose parameter counts the lengths of theirs from 0,

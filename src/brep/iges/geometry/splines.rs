@@ -3,10 +3,8 @@
 use super::Scale;
 use crate::brep::iges::file::{Entity, Found};
 use crate::brep::nurbs::{Basis, Curve, SplineCurve, SplineSurface, Surface};
+use crate::limits::MAX_FILE_DEGREE;
 use glam::{DVec3, DVec4};
-
-/// The highest degree that is read.
-const MAX_FILE_DEGREE: usize = 25;
 
 /// The highest upper index of control points. The parameters that follow bound it further.
 const MAX_INDEX: usize = 1 << 24;

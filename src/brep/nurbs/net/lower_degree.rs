@@ -1,8 +1,9 @@
 //! Surfaces of a degree above the model's, as pieces of a lower one with a proven distance.
 
 use super::super::conversion::Unconvertible;
-use super::super::spline::{Spline, elevated};
+use super::super::spline::Spline;
 use super::SurfaceNet;
+use crate::approximation::bernstein::elevated;
 use crate::bezier::Interpolation;
 use crate::limits::MAX_DEGREE;
 use glam::{DVec3, DVec4, Vec4Swizzles};

@@ -7,8 +7,8 @@ mod lower_degree;
 pub(super) use interpolation::curve as interpolated_curve;
 
 use super::parameter_map::ParameterMap;
-use super::spline::{blossom, project, support_spans, tensor_point};
-use crate::model::SurfaceArrays;
+use super::spline::{project, support_spans, tensor_point};
+use crate::model::{SurfaceArrays, blossom};
 use glam::{DAffine3, DVec3, DVec4, Vec4Swizzles};
 
 /// An exact NURBS and the maps from the parameters of the file to its own.

@@ -4,10 +4,8 @@ use super::{Scale, point};
 use crate::brep::nurbs::{Basis, SplineCurve, SplineSurface};
 use crate::brep::report::FaceFault;
 use crate::brep::step::exchange::{Entity, Exchange, Value, count, number, reference};
+use crate::limits::MAX_FILE_DEGREE;
 use glam::{DVec3, DVec4};
-
-/// The highest degree that is read.
-const MAX_FILE_DEGREE: usize = 25;
 
 /// The knots of an entity that states none.
 enum DefaultKnots {

@@ -2,7 +2,7 @@
 
 use super::super::piece::{TrimPiece, point_of};
 use super::WindingPiece;
-use crate::approximation::chebyshev::binomial;
+use crate::approximation::bernstein::binomial;
 use crate::approximation::least_squares::LeastSquares;
 use crate::axis::Axis;
 use crate::param_box::ParamBox;

@@ -4,7 +4,7 @@ import { placeName } from "../../common/names.ts";
 import { certifiedText, distanceText, intervalText, signedText } from "../../common/numbers.ts";
 import { unitName } from "../../common/units.ts";
 import { hashOf } from "../../files/identity.ts";
-import { commonUnit } from "../../files/units.ts";
+import { commonUnit, modelUnit } from "../../files/units.ts";
 import { isBeyond, sizeText } from "../../inspection/placeList.ts";
 import type { Place } from "../../inspection/places.ts";
 import { limitText } from "../../results/ownLimits.ts";
@@ -48,7 +48,10 @@ function verdictTerms({ result }: ExportedState): [string, string][] {
   const { lower, upper, computed, diagonal, gap, withGaps, witness } = result;
   const unit = commonUnit() ?? "model units";
   const limits = allowed();
-  const limit = limits === undefined ? "not stated" : `+${limits.above} / −${limits.below} ${unit}`;
+  const limit =
+    limits === undefined
+      ? "not stated"
+      : `+${limits.above} / −${limits.below} ${modelUnit() ?? "model units"}`;
   return [
     ["Measured", element("kind").textContent ?? ""],
     ["Allowed deviation", limit],

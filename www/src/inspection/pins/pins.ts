@@ -1,7 +1,7 @@
 // Points of the models with their distances: the one under the pointer, and those pinned.
 import { type Plane, Vector3 } from "three";
 import { element } from "../../common/elements.ts";
-import { distanceText, signedText } from "../../common/numbers.ts";
+import { distanceText, shownLength, signedText } from "../../common/numbers.ts";
 import { commonUnit } from "../../files/units.ts";
 import type { Viewport } from "../../scene/camera/viewport.ts";
 import type { Probe } from "../../worker/protocol.ts";
@@ -93,7 +93,7 @@ function lines({ side, face, u, v, distance, signed, footFace, foot }: Probe, di
   const texts = [
     `${size}${unit === undefined ? "" : ` ${unit}`}`,
     `${side.toUpperCase()} ${face} · u ${short(u)} · v ${short(v)}`,
-    `foot on ${other} ${footFace}: ${foot.map(short).join(", ")}`,
+    `foot on ${other} ${footFace}: ${foot.map((at) => short(shownLength(at))).join(", ")}`,
   ];
   return texts.map((text) => {
     const line = document.createElement("span");

@@ -1,0 +1,212 @@
+"""Scores of candidates, as intervals that contain their numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from .._fit import BestFit, fit_result, motion
+from .._interval import Interval
+from .._transform import Transform
+from .common import Seconds, table
+
+
+@dataclass(frozen=True)
+class Placement:
+    """How the candidate was laid on the truth: its coordinates times ``scale``, then ``transform``.
+
+    ``fit`` is the best fit with the other poses that fit as well, if that was the rule.
+    """
+
+    align: Literal["none", "box", "best-fit"]
+    scale: float
+    transform: Transform
+    fit: BestFit | None = None
+
+
+@dataclass(frozen=True)
+class ScoredModel:
+    """A model as a score sees it.
+
+    Attributes
+    ----------
+    valid : Interval
+        1 if it is closed, oriented and without copies of faces, 0 if it certainly is not.
+    closed : bool
+        Whether there is a body, and every edge of every face has a partner.
+    oriented : bool or None
+        Whether the normals of all faces point out of their bodies; None where that is not decided.
+    duplicates : int
+        Number of faces with the surface and the loops of one before, or of such triangles.
+    bodies, sheets, voids : int
+        Numbers of bodies that close, of those that do not, and of voids.
+    volume, area, centroid : optional
+        None where there is none.
+    """
+
+    valid: Interval
+    closed: bool
+    oriented: bool | None
+    duplicates: int
+    bodies: int
+    sheets: int
+    voids: int
+    extents: tuple[Interval, ...]
+    volume: Interval | None = None
+    area: Interval | None = None
+    centroid: tuple[Interval, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A number of the candidate less that of the truth, and the smaller over the larger."""
+
+    difference: Interval
+    ratio: Interval
+
+
+@dataclass(frozen=True)
+class SurfaceScore:
+    """The mean and the mean square of the distances of one model's points from the other model."""
+
+    mean: Interval
+    mean_square: Interval
+
+
+@dataclass(frozen=True)
+class AtThreshold:
+    """The parts of both areas within a threshold of the other model, and their harmonic mean."""
+
+    threshold: float
+    precision: Interval
+    recall: Interval
+    f1: Interval
+
+
+@dataclass(frozen=True)
+class HausdorffScore:
+    """The Hausdorff distance to the truth, back, and the larger of both."""
+
+    forward: Interval
+    reverse: Interval
+    distance: Interval
+
+
+@dataclass(frozen=True)
+class FaceCounts:
+    """The parts of the faces that are unchanged; those certainly changed with all, by number."""
+
+    limit: float
+    candidate: Interval
+    truth: Interval
+    changed_of_candidate: tuple[int, int]
+    changed_of_truth: tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Requirement:
+    """A number that has to be large or small enough, with what was found."""
+
+    number: str
+    found: Interval
+    met: bool | None
+    at_least: float | None = None
+    at_most: float | None = None
+
+
+@dataclass(frozen=True)
+class Score:
+    """The score of a candidate against the truth; every number is in its interval.
+
+    What is None was not measured: a model that does not close has no volume, and work that ended
+    early leaves the rest out.
+    """
+
+    placement: Placement
+    diagonal: float
+    candidate: ScoredModel
+    truth: ScoredModel
+    extent_differences: tuple[Interval, ...]
+    thresholds: tuple[AtThreshold, ...]
+    requirements: tuple[Requirement, ...]
+    met: bool | None
+    ended_early: bool
+    converged: bool
+    tolerance: float
+    seconds: Seconds
+    volume: Difference | None = None
+    area: Difference | None = None
+    centroid_distance: Interval | None = None
+    forward: SurfaceScore | None = None
+    reverse: SurfaceScore | None = None
+    chamfer: Interval | None = None
+    chamfer_squared: Interval | None = None
+    hausdorff: HausdorffScore | None = None
+    iou: Interval | None = None
+    faces: FaceCounts | None = None
+    unit: float | None = None
+
+    def _repr_html_(self) -> str:
+        named = [("chamfer", self.chamfer), ("chamfer squared", self.chamfer_squared)]
+        named += [(f"f1 at {at.threshold!r}", at.f1) for at in self.thresholds]
+        if self.hausdorff is not None:
+            named.append(("hausdorff", self.hausdorff.distance))
+        if self.volume is not None:
+            named.append(("volume ratio", self.volume.ratio))
+        named.append(("valid", self.candidate.valid))
+        return table([(name, f"{of.lower!r} to {of.upper!r}") for name, of in named if of])
+
+
+def score_result(data: dict[str, Any]) -> Score:
+    """Make the result of a native dictionary in snake case."""
+    fit = data["placement"].pop("fit", None)
+    placement = Placement(
+        align=data["placement"]["align"],
+        scale=data["placement"]["scale"],
+        transform=motion(data["placement"]),
+        fit=fit_result(fit) if fit is not None else None,
+    )
+    made: dict[str, Any] = {name: value for name, value in data.items() if value is not None}
+    made["met"] = data.get("met")
+    made["placement"] = placement
+    made["seconds"] = Seconds(**data["seconds"])
+    for name in ("candidate", "truth"):
+        made[name] = _model(data[name])
+    for name in ("volume", "area"):
+        if name in made:
+            made[name] = Difference(**_bounded(made[name]))
+    for name, kind in (("forward", SurfaceScore), ("reverse", SurfaceScore), ("hausdorff", HausdorffScore)):
+        if name in made:
+            made[name] = kind(**_bounded(made[name]))
+    for name in ("centroid_distance", "chamfer", "chamfer_squared", "iou"):
+        if name in made:
+            made[name] = Interval(**made[name])
+    if "faces" in made:
+        counts = {
+            name: tuple(value) if isinstance(value, list) else value
+            for name, value in made["faces"].items()
+        }
+        made["faces"] = FaceCounts(**_bounded(counts))
+    made["extent_differences"] = tuple(Interval(**one) for one in data["extent_differences"])
+    # The names in snake case part a letter and a digit.
+    made["thresholds"] = tuple(
+        AtThreshold(f1=Interval(**at.pop("f_1")), **_bounded(at)) for at in data["thresholds"]
+    )
+    made["requirements"] = tuple(Requirement(**_bounded(one)) for one in data["requirements"])
+    return Score(**made)
+
+
+def _bounded(data: dict[str, Any]) -> dict[str, Any]:
+    """Return the dictionary with its intervals as `Interval`."""
+    return {
+        name: Interval(**value) if isinstance(value, dict) else value for name, value in data.items()
+    }
+
+
+def _model(data: dict[str, Any]) -> ScoredModel:
+    lists = {
+        name: tuple(Interval(**one) for one in data[name])
+        for name in ("extents", "centroid")
+        if data.get(name) is not None
+    }
+    return ScoredModel(**{**_bounded(data), **lists})

@@ -1,0 +1,209 @@
+//! The result of a check as text and as rows of a report.
+
+use super::digits::{bounded, coordinates, number};
+use super::json::raw;
+use crate::failure::Failure;
+use crate::reports::{Answer, Outcome, Row, Rows, Verdict};
+use nurbs_hausdorff::{
+    BodyPair, CheckResult, CheckedBody, Orientation, PairState, Rule, UnkeptRule, one_line,
+};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// The largest number of pairs in the first line; below it, all are listed.
+const MAX_NAMED: usize = 3;
+
+/// Returns the verdict with the worst pairs, and a line for each pair, rule and faulty body.
+pub(crate) fn text(result: &CheckResult, verdict: Verdict) -> String {
+    let mut out = format!("{}\n", first(result, verdict));
+    // Writing to a string does not fail, here and below.
+    for pair in &result.pairs {
+        let _ = writeln!(out, "{:<10} {}: {}", word(pair), both(pair), summary(pair, result));
+    }
+    for rule in &result.rules {
+        let _ = writeln!(out, "{:<10} {}", rule_word(rule), rule_text(rule));
+    }
+    for body in &result.bodies {
+        for fault in faults(body) {
+            let _ = writeln!(out, "body       {}: {fault}", one_line(&body.name));
+        }
+    }
+    let of = |state| result.count(state);
+    let _ = writeln!(
+        out,
+        "pairs      {} of {} bodies: {} clash, {} undecided, {} touching, {} near",
+        result.pair_count,
+        result.bodies.len(),
+        of(PairState::Clash),
+        of(PairState::Undecided),
+        of(PairState::Touching),
+        of(PairState::Near)
+    );
+    let _ =
+        writeln!(out, "seconds    {:.3} prepare, {:.3} solve", result.seconds.prepare, result.seconds.solve);
+    out
+}
+
+/// Returns the first line: `CLASH: 2 of 45 pairs: shaft and housing, at 1 2 3; …`.
+fn first(result: &CheckResult, verdict: Verdict) -> String {
+    let judged = |state| -> Vec<&BodyPair> {
+        result.pairs.iter().filter(|pair| pair.state == state && !pair.intended).collect()
+    };
+    let listed = |name: &str, pairs: &[&BodyPair]| {
+        let place =
+            |pair: &&BodyPair| format!("{}, at {}", both(pair), coordinates(pair.point, result.diagonal));
+        let mut places: Vec<String> = pairs.iter().take(MAX_NAMED).map(place).collect();
+        if pairs.len() > MAX_NAMED {
+            places.push(format!("and {} more", pairs.len() - MAX_NAMED));
+        }
+        format!("{name}: {} of {}: {}", pairs.len(), counted(result.pair_count, "pair"), places.join("; "))
+    };
+    let clashes = judged(PairState::Clash);
+    if !clashes.is_empty() {
+        return listed("CLASH", &clashes);
+    }
+    if let Some(rule) = result.rules.iter().find(|rule| rule.broken) {
+        let count = result.rules.iter().filter(|rule| rule.broken).count();
+        return format!("BROKEN: {}: {}", counted(count, "rule"), rule_text(rule));
+    }
+    let undecided = judged(PairState::Undecided);
+    match (verdict, undecided.is_empty(), result.rules.first()) {
+        (Verdict::Passed, ..) => format!(
+            "CLEAN: {}, {} touching, {} near",
+            counted(result.pair_count, "pair"),
+            result.count(PairState::Touching),
+            result.count(PairState::Near)
+        ),
+        (_, false, _) => listed("UNDECIDED", &undecided),
+        (_, true, Some(rule)) => format!("UNDECIDED: {}", rule_text(rule)),
+        (_, true, None) => "UNDECIDED: faces were left out".to_owned(),
+    }
+}
+
+/// Returns a row for each pair that is listed, each rule that is not kept and each body with a fault.
+///
+/// # Errors
+/// That of JSON which cannot be written.
+pub(crate) fn rows(result: &CheckResult, files: &[PathBuf]) -> Result<Rows, Failure> {
+    let mut rows = Vec::new();
+    for pair in &result.pairs {
+        let verdict = match pair.state {
+            _ if pair.intended => Verdict::Passed,
+            PairState::Clash => Verdict::Failed,
+            PairState::Undecided => Verdict::Undecided,
+            _ => Verdict::Passed,
+        };
+        rows.push(row(both(pair), verdict, word(pair), summary(pair, result), pair)?);
+    }
+    for rule in &result.rules {
+        let verdict = if rule.broken { Verdict::Failed } else { Verdict::Undecided };
+        let path = format!("{} and {}", rule.a, rule.b);
+        rows.push(row(path, verdict, rule_word(rule), rule_text(rule), rule)?);
+    }
+    for body in &result.bodies {
+        let faults = faults(body);
+        if !faults.is_empty() {
+            rows.push(row(body.name.clone(), Verdict::Passed, "body", faults.join(", "), body)?);
+        }
+    }
+    if rows.is_empty() {
+        let summary =
+            format!("{}, none nearer than {}", counted(result.pair_count, "pair"), number(result.below));
+        rows.push(row("all pairs".to_owned(), Verdict::Passed, "apart", summary, &result.bodies)?);
+    }
+    let names: Vec<String> = files.iter().map(|file| one_line(&file.display().to_string())).collect();
+    let names = names.join(", ");
+    Ok(Rows::new("check", [names.clone(), names], rows, [("", None), ("", None)]))
+}
+
+fn row(
+    path: String,
+    verdict: Verdict,
+    word: &str,
+    summary: String,
+    json: &impl serde::Serialize,
+) -> Result<Row, Failure> {
+    let answer = Answer {
+        verdict,
+        limit: None,
+        word: word.to_owned(),
+        summary,
+        findings: Vec::new(),
+        text: String::new(),
+        seconds: 0.0,
+        repeatable: true,
+        json: raw(json)?,
+        figures: String::new(),
+    };
+    Ok(Row { path: one_line(&path), outcome: Outcome::Answered(Box::new(answer)) })
+}
+
+fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+fn both(pair: &BodyPair) -> String {
+    format!("{} and {}", one_line(&pair.a), one_line(&pair.b))
+}
+
+fn word(pair: &BodyPair) -> &'static str {
+    match pair.state {
+        PairState::Clash if pair.intended => "intended",
+        PairState::Clash => "clash",
+        PairState::Touching => "touching",
+        PairState::Near => "near",
+        PairState::Apart => "apart",
+        _ => "undecided",
+    }
+}
+
+fn summary(pair: &BodyPair, result: &CheckResult) -> String {
+    let at = coordinates(pair.point, result.diagonal);
+    let ends = [pair.clearance.lower, pair.clearance.upper];
+    match (pair.state, &pair.volume) {
+        (PairState::Clash, Some(volume)) => {
+            let common = bounded(volume.middle(), [volume.lower, volume.upper]);
+            format!("both have {at} inside; the common volume is {common}")
+        }
+        (PairState::Clash, None) => format!("both have {at} inside"),
+        _ => format!("{} apart at {at}", bounded(pair.clearance.upper, ends)),
+    }
+}
+
+fn rule_word(rule: &UnkeptRule) -> &'static str {
+    if rule.broken { "broken" } else { "undecided" }
+}
+
+fn rule_text(rule: &UnkeptRule) -> String {
+    let [a, b] = [&rule.a, &rule.b].map(|name| one_line(name));
+    match rule.rule {
+        Rule::MustTouch => format!("{a} must touch {b}"),
+        _ => {
+            let required = rule.distance.map(number).unwrap_or_default();
+            let found = rule.clearance.map(|found| bounded(found.upper, [found.lower, found.upper]));
+            format!("{a} and {b} must be at least {required} apart: {}", found.unwrap_or_default())
+        }
+    }
+}
+
+/// What is wrong with a body by itself.
+fn faults(body: &CheckedBody) -> Vec<String> {
+    let mut faults = Vec::new();
+    if !body.closed {
+        faults.push("is not closed".to_owned());
+    }
+    match body.orientation {
+        Some(Orientation::InsideOut) => faults.push("is inside out".to_owned()),
+        Some(Orientation::Mixed) => faults.push("has faces that are turned over".to_owned()),
+        Some(Orientation::NotOrientable) => faults.push("has no sides that agree".to_owned()),
+        _ => {}
+    }
+    if body.degenerate {
+        faults.push("has no inside within the tolerance".to_owned());
+    }
+    if !body.duplicates.is_empty() {
+        let names: Vec<String> = body.duplicates.iter().map(|name| one_line(name)).collect();
+        faults.push(format!("has the shape and place of {}", names.join(", ")));
+    }
+    faults
+}

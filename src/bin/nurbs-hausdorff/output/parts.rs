@@ -1,0 +1,125 @@
+//! What became of the parts of assemblies, in words.
+
+use nurbs_hausdorff::{DiffResult, PartDifference, PartMotion, PartState, face_path, one_line};
+
+/// The angle in degrees, and the part of a length, up to which nothing is said of a turn and of a direction.
+const NO_TURN: f64 = 1e-6;
+
+/// The largest number of groups of parts in a summary, and of lines.
+const MAX_GROUPS: usize = 12;
+const MAX_LINES: usize = 100;
+
+/// Returns `3 of 41 parts changed: bracket (2 faces, at most 0.350 mm), bolt ×4 moved by 5.000 mm along z, cover
+/// added`; `None` of two models of one part.
+pub(crate) fn summary(result: &DiffResult) -> Option<String> {
+    let parts = &result.parts;
+    if parts.len() < 2 {
+        return None;
+    }
+    let changed: Vec<&PartDifference> = parts.iter().filter(|part| part.state != PartState::Same).collect();
+    if changed.is_empty() {
+        return Some(format!("all {} parts are the same", parts.len()));
+    }
+    let mut groups: Vec<(String, String, usize)> = Vec::new();
+    for part in &changed {
+        let (name, what) = (short_name(part), what(part, result.unit));
+        match groups.iter_mut().find(|(other, of, _)| *other == name && *of == what) {
+            Some((_, _, count)) => *count += 1,
+            None => groups.push((name, what, 1)),
+        }
+    }
+    let text = |(name, what, count): &(String, String, usize)| match count {
+        1 => format!("{name} {what}"),
+        _ => format!("{name} ×{count} {what}"),
+    };
+    let mut texts: Vec<String> = groups.iter().take(MAX_GROUPS).map(text).collect();
+    if groups.len() > MAX_GROUPS {
+        texts.push(format!("and {} more", groups.len() - MAX_GROUPS));
+    }
+    let verb =
+        if changed.iter().all(|part| part.state == PartState::Undecided) { "undecided" } else { "changed" };
+    Some(format!("{} of {} parts {verb}: {}", changed.len(), parts.len(), texts.join(", ")))
+}
+
+/// Returns a line for each part that is not the same, of assemblies.
+pub(crate) fn lines(result: &DiffResult) -> Vec<String> {
+    if result.parts.len() < 2 {
+        return Vec::new();
+    }
+    let changed = result.parts.iter().filter(|part| part.state != PartState::Same);
+    let line = |part: &PartDifference| one_line(&format!("{}: {}", full_name(part), what(part, result.unit)));
+    let mut lines: Vec<String> = changed.map(line).collect();
+    if lines.len() > MAX_LINES {
+        let more = lines.len() - MAX_LINES;
+        lines.truncate(MAX_LINES);
+        lines.push(format!("and {more} more"));
+    }
+    lines
+}
+
+fn full_name(part: &PartDifference) -> &str {
+    part.name_of_a.as_deref().or(part.name_of_b.as_deref()).unwrap_or_default()
+}
+
+/// The last level of the name, without the number of a copy.
+fn short_name(part: &PartDifference) -> String {
+    let last = face_path(full_name(part)).pop().unwrap_or_default();
+    let base = last.trim_end_matches(|one: char| one.is_ascii_digit() || "():-_#. ".contains(one));
+    one_line(if base.is_empty() { &last } else { base })
+}
+
+/// What became of a part, after its name.
+fn what(part: &PartDifference, unit: Option<f64>) -> String {
+    let unit = unit_name(unit);
+    let moved = || part.motion.as_ref().map_or("moved".to_owned(), |motion| moved(motion, unit));
+    let changed = || {
+        let count = part.faces.of_a.len().max(part.faces.of_b.len());
+        let faces = if count == 1 { "face" } else { "faces" };
+        format!("({count} {faces}, at most {}{unit})", rounded_up(part.upper.unwrap_or_default()))
+    };
+    match part.state {
+        PartState::Same => "is the same".to_owned(),
+        PartState::Renamed => format!("renamed {}", one_line(part.name_of_b.as_deref().unwrap_or_default())),
+        PartState::Moved => moved(),
+        PartState::Mirrored => "mirrored".to_owned(),
+        PartState::Changed => changed(),
+        PartState::MovedAndChanged => format!("{} {}", moved(), changed()),
+        PartState::Added => "added".to_owned(),
+        PartState::Removed => "removed".to_owned(),
+        _ => "undecided".to_owned(),
+    }
+}
+
+fn moved(motion: &PartMotion, unit: &str) -> String {
+    let length = motion.shift.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let way = format!("moved by {length:.3}{unit} along {}", direction(motion.shift));
+    if motion.angle <= NO_TURN {
+        return way;
+    }
+    let turn = format!("turned by {:.3}° about {}", motion.angle, direction(motion.axis));
+    if length < 5e-4 { turn } else { format!("{turn} and {way}") }
+}
+
+/// The name of an axis, or three digits of each coordinate.
+fn direction(of: [f64; 3]) -> String {
+    let length = of.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let unit = of.map(|x| x / length);
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        if 1.0 - unit[axis].abs() <= NO_TURN * NO_TURN {
+            return format!("{}{name}", if unit[axis] < 0.0 { "-" } else { "" });
+        }
+    }
+    let [x, y, z] = unit.map(|x| format!("{:.3}", if x.abs() < 5e-4 { 0.0 } else { x }));
+    format!("{x} {y} {z}")
+}
+
+/// A length with three digits behind the point, not below it.
+fn rounded_up(length: f64) -> String {
+    format!("{:.3}", (length * 1e3).ceil() / 1e3)
+}
+
+fn unit_name(metres: Option<f64>) -> &'static str {
+    let named = [(1e-3, " mm"), (1e-2, " cm"), (1.0, " m"), (0.0254, " in"), (0.3048, " ft"), (1e-6, " µm")];
+    let is_it = |own: f64| metres.is_some_and(|metres| (metres - own).abs() <= 1e-9 * own);
+    named.into_iter().find(|&(own, _)| is_it(own)).map_or("", |(_, name)| name)
+}

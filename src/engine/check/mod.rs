@@ -1,0 +1,236 @@
+//! All pairs of bodies of one model or several: which clash, touch or come near.
+
+mod duplicates;
+mod options;
+mod pair;
+mod parting;
+mod pattern;
+mod rules;
+mod sweep;
+
+pub use options::CheckOptions;
+pub use pair::{BodyPair, PairState};
+pub use rules::{CheckRules, NamesOfPair, RequiredDistance, Rule, UnkeptRule};
+
+use super::bodies::unique_name;
+use super::{BodyKind, Computation, Engine, PreparedModel, Seconds};
+use crate::bvh::Aabb;
+use crate::error::{Error, Result};
+use crate::facts::{Interval, Orientation};
+use crate::model::level;
+use crate::progress::{Monitor, Progress};
+use crate::rounding::upper_max;
+use crate::threads::parallel::map;
+use serde::Serialize;
+use std::collections::HashSet;
+use std::sync::Arc;
+use web_time::Instant;
+
+/// The number of pairs searched between two reports of progress.
+const PAIRS_AT_ONCE: usize = 64;
+
+/// A model whose bodies are checked.
+#[derive(Debug, Clone, Copy)]
+pub struct NamedModel<'a> {
+    /// The level above the names of its bodies, such as that of its file.
+    pub name: Option<&'a str>,
+    /// The model.
+    pub model: &'a PreparedModel,
+}
+
+/// A body, by itself.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct CheckedBody {
+    /// The names of its levels, joined as those of a face are ([`crate::face_path`] splits them); bodies without a
+    /// name, and of equal names, are numbered.
+    pub name: String,
+    /// The model that it is of, from 0.
+    pub model: usize,
+    /// What it is.
+    pub kind: BodyKind,
+    /// Whether every edge of its faces has a partner.
+    pub closed: bool,
+    /// How its faces are oriented.
+    pub orientation: Option<Orientation>,
+    /// Whether it closes and its volume is certainly less than that of a layer of the tolerance over half its area,
+    /// so that it has no inside to speak of.
+    pub degenerate: bool,
+    /// The names of the bodies that certainly have its shape in its place, within the tolerance.
+    pub duplicates: Vec<String>,
+}
+
+/// All pairs of bodies.
+///
+/// Guarantee: as [`PairState`] states. Every pair that is not listed is apart: its boxes are at least `below`, and
+/// farther than the tolerance, from each other.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct CheckResult {
+    /// The distance below which bodies are near.
+    pub below: f64,
+    /// The distance up to which bodies touch, and the permitted width of intervals, in model units.
+    pub tolerance: f64,
+    /// Each body by itself.
+    pub bodies: Vec<CheckedBody>,
+    /// The pairs whose boxes are near, clashes first.
+    pub pairs: Vec<BodyPair>,
+    /// The rules that are not certainly kept.
+    pub rules: Vec<UnkeptRule>,
+    /// The number of all pairs.
+    pub pair_count: usize,
+    /// The diagonal of the box of all bodies.
+    pub diagonal: f64,
+    /// Metres per unit of every length here, if the first model states its unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<f64>,
+    /// Where the time went.
+    pub seconds: Seconds,
+}
+
+impl CheckResult {
+    /// Returns the number of pairs in this state: of those that are apart, only the listed ones.
+    #[must_use]
+    pub fn count(&self, state: PairState) -> usize {
+        self.pairs.iter().filter(|pair| pair.state == state).count()
+    }
+
+    /// Returns whether all is certainly clean: no pair clashes that is not intended to, and all rules are kept.
+    /// `Some(false)` is certain, too. Faults of single bodies are no part of it.
+    #[must_use]
+    pub fn is_clean(&self) -> Option<bool> {
+        let has = |state| self.pairs.iter().any(|pair| pair.state == state && !pair.intended);
+        if has(PairState::Clash) || self.rules.iter().any(|rule| rule.broken) {
+            return Some(false);
+        }
+        (!has(PairState::Undecided) && self.rules.is_empty()).then_some(true)
+    }
+}
+
+/// A body as a model, and the box that it is certainly in.
+struct Checked {
+    model: PreparedModel,
+    aabb: Aabb,
+    volume: Option<Interval>,
+    area: Option<Interval>,
+}
+
+impl Checked {
+    fn is_degenerate(&self, tolerance: f64) -> bool {
+        let layer = self.area.map(|area| 0.5 * tolerance * area.lower);
+        self.volume.zip(layer).is_some_and(|(volume, layer)| volume.upper < layer)
+    }
+}
+
+impl Engine {
+    /// Compares all pairs of bodies of these models, and looks at each body by itself.
+    ///
+    /// Guarantee: as [`CheckResult`] states. Time grows with the pairs whose boxes come near each other.
+    ///
+    /// # Errors
+    /// [`Error::OptionOutOfRange`]; [`Error::OptionInvalid`]; [`Error::UnitsDiffer`];
+    /// [`Error::FacetsUnsupported`] for a cloud of points; [`Error::EmptyModel`] without models;
+    /// [`Error::Cancelled`].
+    pub fn check<'a>(
+        &'a self,
+        models: &'a [NamedModel<'a>],
+        options: &'a CheckOptions,
+    ) -> Computation<'a, CheckResult> {
+        Computation::new(move |mut watched| {
+            Box::pin(async move { self.check_of(models, options, watched.monitor()).await })
+        })
+    }
+
+    async fn check_of(
+        &self,
+        models: &[NamedModel<'_>],
+        options: &CheckOptions,
+        monitor: &mut dyn Monitor,
+    ) -> Result<CheckResult> {
+        options.validate()?;
+        let started = Instant::now();
+        let (mut bodies, checked) = all_bodies(models, options)?;
+        let aabb = checked.iter().fold(Aabb::EMPTY, |aabb, body| aabb.union(body.aabb));
+        let limits = options.limits(aabb.diagonal());
+        for (body, of) in bodies.iter_mut().zip(&checked) {
+            body.degenerate = of.is_degenerate(limits.tolerance);
+        }
+        let rules = options.rules.bound(&bodies)?;
+        let boxes: Vec<Aabb> = checked.iter().map(|body| body.aabb).collect();
+        let reach_of = |pair| upper_max(limits.reach(), rules.required(pair));
+        let mut near = sweep::pairs_within(&boxes, upper_max(limits.reach(), rules.largest()));
+        near.retain(|&[a, b]| sweep::are_within(&boxes[a], &boxes[b], reach_of([a, b])));
+        let prepare = started.elapsed().as_secs_f64();
+        let mut progress = Progress::new(monitor, false);
+        let mut judged = Vec::with_capacity(near.len());
+        for chunk in near.chunks(PAIRS_AT_ONCE) {
+            judged.extend(map(chunk.len(), |place| {
+                let of = chunk[place];
+                let judged = pair::judged(of.map(|index| &checked[index].model), &limits, reach_of(of))?;
+                let [a, b] = of.map(|index| bodies[index].name.clone());
+                Ok((of, BodyPair { a, b, intended: rules.is_intended(of), ..judged }))
+            }));
+            progress.checkpoint(judged.len() as f64 / near.len() as f64).await?;
+        }
+        let judged = judged.into_iter().collect::<Result<Vec<([usize; 2], BodyPair)>>>()?;
+        let unkept = rules.unkept(&bodies, &judged);
+        let mut pairs: Vec<BodyPair> = judged.into_iter().map(|(_, pair)| pair).collect();
+        for [a, b] in duplicates::candidates(&near, &boxes, limits.tolerance) {
+            let models = [a, b].map(|index| &checked[index].model);
+            if self.is_duplicate(models, limits.tolerance).await? {
+                let names = [a, b].map(|index| bodies[index].name.clone());
+                bodies[a].duplicates.push(names[1].clone());
+                bodies[b].duplicates.push(names[0].clone());
+            }
+        }
+        progress.finish();
+        // Stable, so that pairs of one state stay in the order of their bodies.
+        pairs.sort_by_key(|pair| pair.state);
+        Ok(CheckResult {
+            below: options.below,
+            tolerance: limits.tolerance,
+            pair_count: bodies.len() * bodies.len().saturating_sub(1) / 2,
+            bodies,
+            pairs,
+            rules: unkept,
+            diagonal: aabb.diagonal(),
+            unit: models.first().and_then(|first| first.model.unit()),
+            seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
+        })
+    }
+}
+
+/// Returns the bodies of all models, those of other units scaled to that of the first.
+fn all_bodies(models: &[NamedModel<'_>], options: &CheckOptions) -> Result<(Vec<CheckedBody>, Vec<Checked>)> {
+    let first = models.first().ok_or(Error::EmptyModel)?.model;
+    let (mut bodies, mut checked, mut taken) = (Vec::new(), Vec::new(), HashSet::new());
+    for (model, &NamedModel { name: above, model: prepared }) in models.iter().enumerate() {
+        let scaled: Option<Arc<PreparedModel>> = prepared.in_unit_of(first, options.scale_units)?;
+        let prepared = scaled.as_deref().unwrap_or(prepared);
+        let facts = prepared.body_facts().map(|facts| (facts.volume, facts.area));
+        let all = prepared.bodies().into_iter().zip(prepared.single_bodies()?).zip(facts);
+        for (index, ((body, single), (volume, area))) in all.enumerate() {
+            let own = if body.path.is_empty() { vec![format!("body {}", index + 1)] } else { body.path };
+            let levels: Vec<String> =
+                above.into_iter().map(level).chain(own.iter().map(|name| level(name))).collect();
+            let name = unique_name(levels.join(" / "), &mut taken);
+            let error = single.bezier().point_error.after(0);
+            // A box of zero width may round to itself when it grows.
+            let aabb = single.control_box().grown(error);
+            let aabb = Aabb { min: aabb.min.map(f64::next_down), max: aabb.max.map(f64::next_up) };
+            checked.push(Checked { model: single, aabb, volume, area });
+            bodies.push(CheckedBody {
+                name,
+                model,
+                kind: body.kind,
+                closed: body.closed,
+                orientation: body.orientation,
+                degenerate: false,
+                duplicates: Vec::new(),
+            });
+        }
+    }
+    Ok((bodies, checked))
+}

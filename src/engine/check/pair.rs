@@ -1,0 +1,167 @@
+//! How two bodies lie to each other.
+
+use super::options::Limits;
+use super::parting::are_parted;
+use crate::bvh::Aabb;
+use crate::clearance::{Goal, Nearest, Search};
+use crate::engine::clearance::{Overlap, OverlapUnknown, Solids};
+use crate::engine::{PreparedModel, Stop};
+use crate::error::{Error, Result};
+use crate::facts::Interval;
+use crate::model::RigidTransform;
+use serde::Serialize;
+
+/// The way in which two bodies lie to each other, the worst first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub enum PairState {
+    /// A point is certainly inside both.
+    Clash,
+    /// Neither is certain: [`BodyPair::why`] says why.
+    Undecided,
+    /// They are certainly within the tolerance of each other, and either a motion by at most the tolerance certainly
+    /// leaves them without a common inside, or no point inside both was found: about the place where they are
+    /// nearest, in the box that both reach into, and behind some hundred patches of each.
+    Touching,
+    /// They are certainly nearer than `below`, and certainly have no common inside.
+    Near,
+    /// They are certainly at least `below` apart, and farther than the tolerance where that is larger. One may lie in
+    /// a void of the other.
+    Apart,
+}
+
+/// Two bodies, and how they lie to each other.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct BodyPair {
+    /// The name of the one body.
+    pub a: String,
+    /// The name of the other.
+    pub b: String,
+    /// How they lie to each other.
+    pub state: PairState,
+    /// The least distance of their points is in it; 0 where they clash.
+    pub clearance: Interval,
+    /// The volume of their common part is in it; none where it was not computed.
+    pub volume: Option<Interval>,
+    /// Of a clash, a point inside both; else the point of A that is nearest to B.
+    pub point: [f64; 3],
+    /// Whether a rule says that what happens between them is meant, so that it is not judged.
+    pub intended: bool,
+    /// Why their state is not decided.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub why: Option<OverlapUnknown>,
+}
+
+/// What a search has found.
+struct Found {
+    interval: crate::certified::Interval,
+    nearest: Nearest,
+    stop: Stop,
+    goal: Goal,
+    at_least: Option<bool>,
+}
+
+/// Returns the pair of these bodies, without names.
+///
+/// A first search only decides whether they are nearer than `reach`, which is at least that of the limits; a second
+/// one, for those that are, measures the clearance.
+pub(super) fn judged(models: [&PreparedModel; 2], limits: &Limits, reach: f64) -> Result<BodyPair> {
+    let goal = |limit| Goal { tolerance: limits.tolerance, limit };
+    let mut found = searched(models, goal(Some(reach)), limits.max_cells)?;
+    let is_far = found.at_least == Some(true);
+    if !is_far {
+        found = searched(models, goal(None), limits.max_cells)?;
+    }
+    let Found { interval, nearest, .. } = found;
+    let meets = interval.upper <= limits.tolerance;
+    let (state, why, inside_both) = if meets && are_parted(models, &nearest, limits.tolerance) {
+        (PairState::Touching, None, None)
+    } else {
+        by_overlap(models, &found, limits, is_far)
+    };
+    let clearance = Interval { lower: interval.lower, upper: interval.upper };
+    Ok(BodyPair {
+        a: String::new(),
+        b: String::new(),
+        state,
+        clearance: if inside_both.is_some() { Interval::exactly(0.0) } else { clearance },
+        volume: None,
+        point: inside_both.unwrap_or(nearest.points[0].to_array()),
+        intended: false,
+        why,
+    })
+}
+
+/// Returns the state of two bodies that no tried plane separates; if it is undecided, the reason; if they clash, a
+/// point inside both.
+fn by_overlap(
+    models: [&PreparedModel; 2],
+    found: &Found,
+    limits: &Limits,
+    is_far: bool,
+) -> (PairState, Option<OverlapUnknown>, Option<[f64; 3]>) {
+    let &Found { interval, nearest, stop, goal, .. } = found;
+    let solids = Solids::new(models, RigidTransform::IDENTITY);
+    let overlap = solids.and_then(|solids| solids.overlap(interval, goal, stop, &nearest));
+    let may_nest = may_nest(&models[0].control_box(), &models[1].control_box());
+    let apart = by_clearance(interval, limits, is_far);
+    let or_undecided =
+        |why| apart.map_or((PairState::Undecided, Some(why), None), |state| (state, None, None));
+    match overlap {
+        Ok(Overlap::Intersecting { inside_both } | Overlap::Contained { inside_both }) => {
+            (PairState::Clash, None, Some(inside_both))
+        }
+        Ok(Overlap::Touching) => (PairState::Touching, None, None),
+        Ok(Overlap::None) => or_undecided(OverlapUnknown::Budget),
+        // Without an inside of its own a body is inside the other one only if their boxes are, too.
+        Err(why) if is_of_sheets(why) && interval.lower > limits.tolerance && !may_nest => or_undecided(why),
+        Err(why) => (PairState::Undecided, Some(why), None),
+    }
+}
+
+/// Returns the state of bodies that have no common inside; `None` where the interval decides none.
+fn by_clearance(interval: crate::certified::Interval, limits: &Limits, is_far: bool) -> Option<PairState> {
+    if is_far || interval.lower >= limits.reach() {
+        Some(PairState::Apart)
+    } else if interval.upper <= limits.tolerance {
+        Some(PairState::Touching)
+    } else if interval.upper < limits.below {
+        Some(PairState::Near)
+    } else if interval.lower >= limits.below && interval.lower > 0.0 {
+        // About the tolerance apart, and no more is asked.
+        Some(PairState::Apart)
+    } else {
+        None
+    }
+}
+
+/// Returns whether nothing is known of the inside because one body has none, or is too large to be joined.
+fn is_of_sheets(why: OverlapUnknown) -> bool {
+    use OverlapUnknown::{AOpen, BOpen, BothOpen, TooLarge};
+    matches!(why, AOpen | BOpen | BothOpen | TooLarge)
+}
+
+/// Returns whether one box may lie within the other.
+fn may_nest(a: &Aabb, b: &Aabb) -> bool {
+    a.contains(b) || b.contains(a)
+}
+
+/// Searches until the goal is reached or the budget of cells is spent.
+fn searched([a, b]: [&PreparedModel; 2], goal: Goal, max_cells: usize) -> Result<Found> {
+    let targets = [a.certified_target(), b.certified_target()];
+    let bodies = [targets[0].body(a), targets[1].body(b)];
+    let mut search = Search::new(bodies, RigidTransform::IDENTITY, goal);
+    let stop = loop {
+        if let Some(stop) = search.advance(max_cells.saturating_sub(search.pairs()).max(1)) {
+            break stop;
+        }
+        if search.pairs() >= max_cells && search.nearest().is_some() {
+            break Stop::Cells;
+        }
+    };
+    let nearest = search.nearest().ok_or(Error::EmptyModel)?;
+    Ok(Found { interval: search.interval(), nearest, stop, goal, at_least: search.at_least() })
+}

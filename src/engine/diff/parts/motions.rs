@@ -1,0 +1,184 @@
+//! Motions that may lay one part on another. Which are found decides how often a motion is proven, never whether a
+//! word is right.
+
+use super::part::Part;
+use crate::alignment::PointPair;
+use crate::model::RigidTransform;
+use glam::{DMat3, DQuat, DVec3};
+
+/// The largest number of motions that are tried for two parts.
+const MAX_TRIED: usize = 12;
+
+/// The relative difference of two principal moments above which their axes are taken for distinct.
+const DISTINCT: f64 = 1e-3;
+
+/// The angle, in radians, up to which two rotations count as one.
+const SAME_ROTATION: f64 = 1e-5;
+
+/// The part of a part's size within which vertices are matched first; it is halved until it is [`FINEST`].
+const COARSEST: f64 = 0.04;
+const FINEST: f64 = 1e-6;
+
+/// The part of a length to which distances of vertices agree in a frame of them.
+const FRAME_PART: f64 = 1e-4;
+
+/// The part of the vertices that a motion must lay on each other to be more than a guess.
+const MATCHED: f64 = 0.5;
+
+/// Returns motions that may lay A on B, those that turn least and match most vertices first. `rest` is the motion
+/// that counts as none.
+pub(super) fn candidates(a: &Part, b: &Part, rest: &RigidTransform) -> Vec<RigidTransform> {
+    let mut rotations = vec![rest.rotation()];
+    rotations.extend(by_axes(a, b, rest.rotation()));
+    rotations.extend(by_vertices(a, b));
+    let turn =
+        |rotation: &DQuat| (*rotation * rest.rotation().inverse()).normalize().angle_between(DQuat::IDENTITY);
+    rotations.sort_by(|one, other| turn(one).total_cmp(&turn(other)));
+    let mut distinct: Vec<DQuat> = Vec::new();
+    for rotation in rotations {
+        let is_new = |known: &DQuat| known.dot(rotation).abs() < (0.5 * SAME_ROTATION).cos();
+        if distinct.iter().all(is_new) {
+            distinct.push(rotation);
+        }
+    }
+    let mut found: Vec<(bool, RigidTransform)> = Vec::new();
+    for rotation in distinct {
+        let start = RigidTransform::about(rotation, a.center, b.center);
+        let motion = refined(a, b, &start, rotation == rest.rotation());
+        found.push((matched(a, b, &motion) < 1.0, motion));
+    }
+    // Stable: by what they turn within each half.
+    found.sort_by_key(|&(is_rough, _)| is_rough);
+    found.into_iter().map(|(_, motion)| motion).take(MAX_TRIED).collect()
+}
+
+/// Returns the motion that lays most vertices of A on those of B, and more than half; of parts that changed.
+pub(super) fn most_matching(a: &Part, b: &Part, rest: &RigidTransform) -> Option<RigidTransform> {
+    let shift = most_voted(a, b, rest);
+    let guesses = shift.into_iter().chain(candidates(a, b, rest));
+    let mut best: Option<(f64, RigidTransform)> = None;
+    for motion in guesses {
+        let share = matched(a, b, &motion);
+        if share >= MATCHED && best.is_none_or(|(most, _)| share > most) {
+            best = Some((share, motion));
+        }
+    }
+    best.map(|(_, motion)| motion)
+}
+
+/// Returns rotations that map the principal axes of A to those of B: four if all three moments are distinct, two if
+/// only one of them differs from the others, none if all are equal.
+fn by_axes(a: &Part, b: &Part, rest: DQuat) -> Vec<DQuat> {
+    let (Some((moments, of_a)), Some((_, of_b))) = (&a.principal, &b.principal) else { return Vec::new() };
+    let differ = |i: usize, j: usize| (moments[i] - moments[j]).abs() > DISTINCT * (moments[i] + moments[j]);
+    match (differ(0, 1), differ(1, 2)) {
+        (true, true) => {
+            let from = DMat3::from_cols(of_a[0], of_a[1], of_a[2]);
+            let signs = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+            let to = signs.map(|[x, y]| {
+                let onto = DMat3::from_cols(x * of_b[0], y * of_b[1], of_b[2]);
+                let is_mirror = (onto * from.transpose()).determinant() < 0.0;
+                DMat3::from_cols(onto.x_axis, onto.y_axis, if is_mirror { -onto.z_axis } else { onto.z_axis })
+            });
+            to.map(|to| DQuat::from_mat3(&(to * from.transpose())).normalize()).to_vec()
+        }
+        (false, false) => Vec::new(),
+        (is_first, _) => {
+            let axis = if is_first { 0 } else { 2 };
+            let from = (rest * of_a[axis]).normalize_or_zero();
+            [of_b[axis], -of_b[axis]]
+                .map(|to| (DQuat::from_rotation_arc(from, to) * rest).normalize())
+                .to_vec()
+        }
+    }
+}
+
+/// Rotations that lay a frame of the centre and two vertices of A on such frames of B.
+fn by_vertices(a: &Part, b: &Part) -> Vec<DQuat> {
+    let Some((p, q)) = frame_of(a) else { return Vec::new() };
+    let slack = FRAME_PART * a.aabb.diagonal();
+    let frame = |p: DVec3, q: DVec3| {
+        let x = p.normalize_or_zero();
+        let z = p.cross(q).normalize_or_zero();
+        DMat3::from_cols(x, z.cross(x), z)
+    };
+    let from = frame(p, q).transpose();
+    let is_near = |one: f64, other: f64| (one - other).abs() <= slack;
+    let arms: Vec<DVec3> = b.vertices.iter().map(|&vertex| vertex - b.center).collect();
+    let mut rotations = Vec::new();
+    for first in arms.iter().filter(|first| is_near(first.length(), p.length())) {
+        for second in arms.iter().filter(|second| is_near(second.length(), q.length())) {
+            if is_near(first.distance(*second), p.distance(q)) {
+                rotations.push(DQuat::from_mat3(&(frame(*first, *second) * from)).normalize());
+            }
+        }
+    }
+    rotations
+}
+
+/// Returns the arms from the centre of A to its farthest vertex, and to that with the largest area beside it.
+fn frame_of(a: &Part) -> Option<(DVec3, DVec3)> {
+    let p = *a.vertices.first()? - a.center;
+    let arms = a.vertices.iter().map(|&vertex| vertex - a.center);
+    let q = arms.max_by(|one, other| p.cross(*one).length().total_cmp(&p.cross(*other).length()))?;
+    (p.cross(q).length() > FRAME_PART * p.length_squared()).then_some((p, q))
+}
+
+/// Narrows a motion by the vertices that it lays near each other; `moves` only, or turns, too.
+fn refined(a: &Part, b: &Part, start: &RigidTransform, moves: bool) -> RigidTransform {
+    let size = a.aabb.diagonal();
+    let (mut motion, mut radius) = (*start, COARSEST * size);
+    while radius > FINEST * size {
+        let pairs = pairs_within(a, b, &motion, radius);
+        let next = if moves { shifted(&pairs, &motion) } else { fitted(&pairs) };
+        motion = next.unwrap_or(motion);
+        radius *= 0.25;
+    }
+    motion
+}
+
+/// Returns the motion with the rotation of another one and the mean way of pairs.
+fn shifted(pairs: &[[DVec3; 2]], motion: &RigidTransform) -> Option<RigidTransform> {
+    let sum: DVec3 = pairs.iter().map(|[a, b]| b - motion.rotate(*a)).sum();
+    (!pairs.is_empty()).then(|| RigidTransform::new(motion.rotation(), sum / pairs.len() as f64).ok())?
+}
+
+/// Returns the motion that fits pairs best.
+fn fitted(pairs: &[[DVec3; 2]]) -> Option<RigidTransform> {
+    let pairs: Vec<PointPair> =
+        pairs.iter().map(|[a, b]| PointPair { a: a.to_array(), b: b.to_array(), weight: 1.0 }).collect();
+    RigidTransform::from_point_pairs(&pairs).ok()
+}
+
+/// Returns vertices of A with the nearest ones of B within a distance of them. O(vertices²).
+fn pairs_within(a: &Part, b: &Part, motion: &RigidTransform, radius: f64) -> Vec<[DVec3; 2]> {
+    let pair = |&of_a: &DVec3| {
+        let at = motion.apply(of_a);
+        let nearest =
+            b.vertices.iter().min_by(|x, y| x.distance_squared(at).total_cmp(&y.distance_squared(at)))?;
+        (nearest.distance(at) <= radius).then_some([of_a, *nearest])
+    };
+    a.vertices.iter().filter_map(pair).collect()
+}
+
+/// Returns the part of A's vertices that a motion lays on such of B.
+fn matched(a: &Part, b: &Part, motion: &RigidTransform) -> f64 {
+    let slack = 10.0 * FINEST * a.aabb.diagonal();
+    pairs_within(a, b, motion, slack).len() as f64 / a.vertices.len().max(1) as f64
+}
+
+/// Returns the move, after the turn of `rest`, that lays most vertices on such of B. O(vertices² log).
+fn most_voted(a: &Part, b: &Part, rest: &RigidTransform) -> Option<RigidTransform> {
+    let cell = FRAME_PART * a.aabb.diagonal();
+    let mut votes: std::collections::BTreeMap<[i64; 3], (usize, DVec3)> = std::collections::BTreeMap::new();
+    for of_a in &a.vertices {
+        for of_b in &b.vertices {
+            let shift = of_b - rest.rotate(*of_a);
+            let key = (shift / cell).round().to_array().map(|x| x as i64);
+            votes.entry(key).or_insert((0, shift)).0 += 1;
+        }
+    }
+    let (_, shift) = votes.into_values().max_by_key(|&(count, _)| count)?;
+    let start = RigidTransform::new(rest.rotation(), shift).ok()?;
+    Some(refined(a, b, &start, true))
+}

@@ -1,0 +1,100 @@
+//! The bodies of a model as models of their own.
+
+use super::{BodyParts, PreparedModel};
+use crate::bezier::{BezierModel, PatchGrid, PatchSet};
+use crate::bvh::Aabb;
+use crate::error::Result;
+use crate::facets::{Facet, Facets, PreparedFacets, TriangleMesh};
+use crate::pieces::FacePieces;
+use crate::symmetry::Revolution;
+use glam::DVec3;
+
+impl PreparedModel {
+    /// Returns the bodies, in their order, each as a model of the same patches or triangles. O(n log n).
+    ///
+    /// # Errors
+    /// [`crate::Error::FacetsUnsupported`] for a cloud of points.
+    pub(in crate::engine) fn single_bodies(&self) -> Result<Vec<Self>> {
+        self.require_faces("bodies of a model")?;
+        let single = |parts: &BodyParts| {
+            let faces = self.faces_of(parts);
+            let mut surfaces: Vec<u32> =
+                parts.shells.iter().flat_map(|shell| shell.surfaces.iter().copied()).collect();
+            surfaces.sort_unstable();
+            match &self.facets {
+                Some(facets) => self.of_triangles(facets, &surfaces),
+                None => Ok(self.of_surfaces(&surfaces, &faces)),
+            }
+        };
+        self.body_parts().iter().map(single).collect()
+    }
+
+    /// Returns the model of some pieces of these faces, both in order. Coordinates and their errors are those of
+    /// the whole; the whole faces of pieces, which only quicken searches, are left out.
+    fn of_surfaces(&self, surfaces: &[u32], faces: &[usize]) -> Self {
+        let mut patches = PatchSet::default();
+        let mut grids = Vec::with_capacity(surfaces.len());
+        for (surface, &whole) in surfaces.iter().enumerate() {
+            let mut grid = self.bezier.grids[whole as usize].clone();
+            let count: usize = grid.counts().iter().product();
+            let first = std::mem::replace(&mut grid.first, patches.len());
+            for index in first..first + count {
+                let mut patch = self.bezier.patches.patch(index);
+                patch.surface = surface;
+                patches.push(patch);
+            }
+            grids.push(grid);
+        }
+        let face_gaps: Vec<f64> = faces.iter().map(|&face| self.face_gaps[face]).collect();
+        let pieces = self.pieces.some(surfaces, faces);
+        let revolutions = surfaces.iter().map(|&surface| self.revolutions[surface as usize]).collect();
+        self.of_patches(patches, grids, (face_gaps, pieces, revolutions))
+    }
+
+    /// Returns a model of other patches with this one's unit, gaps and errors, and what is known of its surfaces.
+    pub(super) fn of_patches(
+        &self,
+        patches: PatchSet,
+        grids: Vec<PatchGrid>,
+        (face_gaps, pieces, revolutions): (Vec<f64>, FacePieces, Vec<Option<Revolution>>),
+    ) -> Self {
+        let aabb = patches.iter().fold(Aabb::EMPTY, |aabb, patch| aabb.union(patch.bounding_box()));
+        Self {
+            name: None,
+            unit: self.unit,
+            source: None,
+            gap: self.gap,
+            face_gaps,
+            is_gap_proven: self.is_gap_proven,
+            pieces,
+            trimmed_faces: None,
+            facets: None,
+            bezier: BezierModel { patches, grids, point_error: self.bezier.point_error },
+            revolutions,
+            bounding_box: aabb,
+            control_box: aabb,
+            kept: super::Kept::default(),
+            refits: 0,
+        }
+    }
+
+    /// Returns the mesh of some triangles, by their places.
+    fn of_triangles(&self, facets: &PreparedFacets, places: &[u32]) -> Result<Self> {
+        let corners = |&place: &u32| match facets.target.facet(place) {
+            Facet::Triangle(corners) => corners,
+            Facet::Point(point) => [point; 3],
+        };
+        self.of_corners(facets, places.iter().flat_map(corners).collect())
+    }
+
+    /// Returns the mesh of triangles that have these corners, in threes, with the unit, the gap and the errors of this
+    /// one.
+    pub(super) fn of_corners(&self, facets: &PreparedFacets, corners: Vec<DVec3>) -> Result<Self> {
+        let count = (corners.len() / 3) as u32;
+        let triangles: Vec<[u32; 3]> =
+            (0..count).map(|index| [3 * index, 3 * index + 1, 3 * index + 2]).collect();
+        let mut prepared = PreparedFacets::new(&Facets::Mesh(TriangleMesh::new(&corners, &triangles)?));
+        prepared.error = facets.error;
+        Ok(Self::with_facets(prepared, self.gap, self.unit))
+    }
+}

@@ -1,0 +1,175 @@
+//! The result of a score.
+
+use super::{Placement, Requirement};
+use crate::engine::Seconds;
+use crate::facts::Interval;
+use serde::Serialize;
+
+/// The score of a candidate against the truth.
+///
+/// Guarantee: every number is in its interval, for the models as they were read and the placement stated; of a
+/// trimmed face the pieces that stand for it are measured (docs/trimming.md). Distances are in model units,
+/// averages over the area of a surface; of a cloud over its points. What is not there was not measured: a model
+/// that does not close has no volume, and work that ended early leaves the rest out.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct Score {
+    /// How the candidate was laid on the truth.
+    pub placement: Placement,
+    /// The diagonal of the truth's box, to which relative thresholds and tolerances refer.
+    pub diagonal: f64,
+    /// Metres per unit of every length here, if a model states its unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<f64>,
+    /// The candidate where it was laid.
+    pub candidate: ScoredModel,
+    /// The truth.
+    pub truth: ScoredModel,
+    /// The difference of the volumes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub volume: Option<Difference>,
+    /// The difference of the areas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub area: Option<Difference>,
+    /// The distance of the centroids of the volumes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centroid_distance: Option<Interval>,
+    /// The differences of the extents along x, y and z, without their signs.
+    pub extent_differences: [Interval; 3],
+    /// From the candidate to the truth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub forward: Option<SurfaceScore>,
+    /// From the truth to the candidate.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reverse: Option<SurfaceScore>,
+    /// The sum of both mean distances.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub chamfer: Option<Interval>,
+    /// The sum of both mean squared distances.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub chamfer_squared: Option<Interval>,
+    /// Precision, recall and F1 at each threshold, ascending.
+    pub thresholds: Vec<AtThreshold>,
+    /// The Hausdorff distance.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hausdorff: Option<HausdorffScore>,
+    /// The volume of the intersection over that of the union, if both models close. It has a budget of its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub iou: Option<Interval>,
+    /// The faces compared one by one, if the options have a limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub faces: Option<FaceCounts>,
+    /// The requirements of the options with what was found.
+    pub requirements: Vec<Requirement>,
+    /// Whether all requirements are met: `Some(false)` as soon as one is certainly missed, `None` if one is
+    /// undecided or if there are none.
+    pub met: Option<bool>,
+    /// Whether a missed requirement ended the work before all numbers were there.
+    pub ended_early: bool,
+    /// Whether all intervals of lengths and of parts of areas are as narrow as requested.
+    pub converged: bool,
+    /// The requested width of lengths, in model units.
+    pub tolerance: f64,
+    /// Where the time went.
+    pub seconds: Seconds,
+}
+
+/// A model as a score sees it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct ScoredModel {
+    /// 1 if it is closed, oriented and without copies of faces, 0 if it certainly is not.
+    pub valid: Interval,
+    /// Whether there is a body, and every edge of every face has a partner.
+    pub closed: bool,
+    /// Whether the normals of all faces point out of their bodies; `None` where that is not decided.
+    pub oriented: Option<bool>,
+    /// The number of faces with the surface and the loops of one before, or of triangles with its corners.
+    pub duplicates: usize,
+    /// The number of bodies that close.
+    pub bodies: usize,
+    /// The number of bodies that do not.
+    pub sheets: usize,
+    /// The number of voids in bodies.
+    pub voids: usize,
+    /// The volume, if all bodies close.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub volume: Option<Interval>,
+    /// The area of all faces; none of points.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub area: Option<Interval>,
+    /// The centroid of the volume.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centroid: Option<[Interval; 3]>,
+    /// The lengths along x, y and z.
+    pub extents: [Interval; 3],
+}
+
+/// Two numbers compared.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct Difference {
+    /// That of the candidate less that of the truth.
+    pub difference: Interval,
+    /// The smaller over the larger: 1 if they are equal.
+    pub ratio: Interval,
+}
+
+/// The distances of one model's points from the other model.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct SurfaceScore {
+    /// The mean distance.
+    pub mean: Interval,
+    /// The mean of the squared distances.
+    pub mean_square: Interval,
+}
+
+/// The parts of the surfaces within a threshold of each other.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct AtThreshold {
+    /// The threshold, in model units.
+    pub threshold: f64,
+    /// The part of the candidate's area within the threshold of the truth.
+    pub precision: Interval,
+    /// The part of the truth's area within the threshold of the candidate.
+    pub recall: Interval,
+    /// Their harmonic mean.
+    pub f1: Interval,
+}
+
+/// The Hausdorff distance of candidate and truth.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct HausdorffScore {
+    /// From the candidate to the truth.
+    pub forward: Interval,
+    /// From the truth to the candidate.
+    pub reverse: Interval,
+    /// The larger of both.
+    pub distance: Interval,
+}
+
+/// The numbers of faces by their states.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct FaceCounts {
+    /// The distance up to which a face counts as unchanged, in model units.
+    pub limit: f64,
+    /// The part of the candidate's faces, by number, that are within the limit of the truth.
+    pub candidate: Interval,
+    /// The part of the truth's faces, by number, that are within the limit of the candidate.
+    pub truth: Interval,
+    /// The numbers of the candidate's faces that certainly changed, and of all.
+    pub changed_of_candidate: [usize; 2],
+    /// The numbers of the truth's faces that certainly changed, and of all.
+    pub changed_of_truth: [usize; 2],
+}

@@ -1,0 +1,48 @@
+//! Planes between the hulls of pieces.
+
+use super::piece::{Piece, Whole};
+use crate::rounding::unit;
+use glam::DVec3;
+
+/// Returns whether the hulls of two pieces may be within `margin` of each other: no plane across an axis is between
+/// them, none that is tangent to the sphere of the first one, and none along the diagonals of either.
+pub(super) fn may_meet(a: (&Whole, &Piece), b: (&Whole, &Piece), margin: f64) -> bool {
+    let (first, second) = (a.1, b.1);
+    let grown = first.aabb.grown(margin);
+    if !grown.meets(&second.aabb) {
+        return false;
+    }
+    let reach = first.radius + margin;
+    if second.aabb.min_distance_squared(first.middle) > reach * reach {
+        return false;
+    }
+    // Normals of pieces of very different sizes separate nothing that smaller ones would not.
+    if second.radius > first.radius {
+        return true;
+    }
+    ![normal(a), normal(b)].into_iter().any(|normal| is_between(normal, first, second, margin))
+}
+
+/// Returns the unit normal of the plane along both diagonals of a piece's corners; 0 where there is none.
+pub(super) fn normal((whole, piece): (&Whole, &Piece)) -> DVec3 {
+    let columns = whole.degree()[1];
+    let last = piece.points.len() - 1;
+    let diagonals =
+        [[0, last], [columns, last - columns]].map(|[from, to]| piece.points[to] - piece.points[from]);
+    unit(diagonals[0].cross(diagonals[1]))
+}
+
+/// Returns the least and the largest height of the control points of a piece along a normal, from `origin`.
+pub(super) fn heights(piece: &Piece, normal: DVec3, origin: DVec3) -> [f64; 2] {
+    piece.points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &point| {
+        let height = normal.dot(point - origin);
+        // NaN is on neither side of a plane.
+        [if height >= low { low } else { height }, if height <= high { high } else { height }]
+    })
+}
+
+fn is_between(normal: DVec3, a: &Piece, b: &Piece, margin: f64) -> bool {
+    let origin = a.middle;
+    let ([a_low, a_high], [b_low, b_high]) = (heights(a, normal, origin), heights(b, normal, origin));
+    a_high + margin < b_low || b_high + margin < a_low
+}

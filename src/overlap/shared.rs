@@ -1,0 +1,95 @@
+//! Patches that both solids have.
+
+use super::piece::{Patches, Whole};
+use crate::rounding::upper_max;
+use crate::sorting::sort_by_number;
+use glam::DVec4;
+use glam::Vec4Swizzles;
+
+/// The largest distance of control points of patches that count as one, relative to the larger diagonal.
+pub(super) const RELATIVE_REACH: f64 = 1e-11;
+
+/// The largest relative difference of weights of patches that count as one.
+const WEIGHT_REACH: f64 = 1e-11;
+
+/// The partner of each patch of both solids, with an upper bound on the distance of their points at each parameter.
+pub(super) struct Shared {
+    pub(super) partners: [Vec<Option<f64>>; 2],
+}
+
+/// Pairs patches of which one is the other in parameters that run along the same or other edges, and which no third
+/// patch is near to. O(n log n) in general position.
+pub(super) fn shared(a: &Patches, b: &Patches, reach: f64) -> Shared {
+    let mut order: Vec<usize> = (0..b.wholes.len()).collect();
+    let at = |index: usize| b.wholes[index].root.middle.x;
+    sort_by_number(&mut order, |&index| at(index));
+    let mut found: [Vec<Vec<(usize, f64)>>; 2] =
+        [a, b].map(|patches| patches.wholes.iter().map(|_| Vec::new()).collect());
+    for (index, whole) in a.wholes.iter().enumerate() {
+        let middle = whole.root.middle;
+        let first = order.partition_point(|&other| at(other) < middle.x - reach);
+        for &other in order[first..].iter().take_while(|&&other| at(other) <= middle.x + reach) {
+            let partner = &b.wholes[other];
+            if partner.root.middle.distance(middle) > 2.0 * reach {
+                continue;
+            }
+            if let Some(distance) = distance(whole, partner).filter(|&distance| distance <= reach) {
+                found[0][index].push((other, distance));
+                found[1][other].push((index, distance));
+            }
+        }
+    }
+    let only = |list: &Vec<(usize, f64)>| if let [one] = list[..] { Some(one) } else { None };
+    let partners = [0, 1].map(|solid: usize| {
+        let own = found[solid].iter().enumerate();
+        let partner = |(index, list): (usize, &Vec<(usize, f64)>)| {
+            let (other, distance) = only(list)?;
+            let (back, _) = only(&found[1 - solid][other])?;
+            (back == index).then_some(distance)
+        };
+        own.map(partner).collect()
+    });
+    Shared { partners }
+}
+
+/// Returns an upper bound on the distance of points of two patches at parameters that correspond, the least over the
+/// ways in which edges may; `None` where degrees or weights differ.
+fn distance(a: &Whole, b: &Whole) -> Option<f64> {
+    let [p, q] = a.degree();
+    let [rows, columns] = [p + 1, q + 1];
+    let mut least: Option<f64> = None;
+    for turn in 0..8_u32 {
+        let is_transposed = turn & 4 != 0;
+        if b.degree() != if is_transposed { [q, p] } else { [p, q] } {
+            continue;
+        }
+        let place = |index: usize| {
+            let (i, j) = (index / columns, index % columns);
+            let i = if turn & 1 != 0 { p - i } else { i };
+            let j = if turn & 2 != 0 { q - j } else { j };
+            if is_transposed { j * rows + i } else { i * columns + j }
+        };
+        let found = distance_as(a, b, place);
+        if let Some(found) = found.filter(|&found| least.is_none_or(|least| found < least)) {
+            least = Some(found);
+        }
+    }
+    least
+}
+
+/// Returns the bound where control point i of the first patch corresponds to `place(i)` of the second one: the largest
+/// distance of control points, and what weights that differ by a factor of up to 1 + d add, 2 d times the diameter.
+fn distance_as(a: &Whole, b: &Whole, place: impl Fn(usize) -> usize) -> Option<f64> {
+    let weight = |control: &DVec4| control.w;
+    let scale = weight(&b.root.controls[place(0)]) / weight(&a.root.controls[0]);
+    let (mut distance, mut difference) = (0.0, 0.0);
+    for (index, (point, control)) in a.root.points.iter().zip(&a.root.controls).enumerate() {
+        let other = place(index);
+        distance = upper_max(distance, point.distance(b.root.points[other]));
+        let ratio = b.root.controls[other].xyzw().w / (scale * control.w);
+        difference = upper_max(difference, (ratio - 1.0).abs());
+    }
+    // Four roundings of a ratio.
+    let difference = difference + 4.0 * f64::EPSILON;
+    (difference <= WEIGHT_REACH).then_some(distance + 4.0 * difference * a.root.radius)
+}

@@ -1,0 +1,24 @@
+// What the page is made of, and what its works share.
+import type { ClearancePanel } from "../clearance/clearancePanel.ts";
+import type { Views } from "../export/views.ts";
+import type { FacesPanel } from "../faces/facesPanel.ts";
+import type { FaceTree } from "../faces/faceTree.ts";
+import type { Measuring } from "../inspection/measuring.ts";
+import type { Probing } from "../inspection/pins/probing.ts";
+import type { PlaceView } from "../inspection/placeView.ts";
+import type { View } from "../scene/view.ts";
+import type { History } from "../state/history.ts";
+import type { Client } from "../worker/client.ts";
+
+export interface Parts {
+  client: Client;
+  view: View;
+  faces: FacesPanel;
+  tree: FaceTree;
+  probing: Probing;
+  measuring: Measuring;
+  places: PlaceView;
+  views: Views;
+  clearance: ClearancePanel;
+  past: History;
+}
