@@ -1,12 +1,12 @@
 //! Bounds on the distances of all points of a part of A, and on their means, for statistics.
 
-use super::super::rounding::sag_rounding;
 use super::super::{FacetFoot, FacetTarget};
 use super::Goal;
 use super::cover::cover_with_means;
 use super::part::{MAX_LEVELS, TrianglePart};
 use super::patch_cell::{MIN_LENGTH, PatchCell};
 use super::sampled;
+use super::slab::Slab;
 use super::source::{Measured, Source, Start};
 use crate::area::{Area, area_of_part};
 use crate::bezier::PatchSet;
@@ -22,6 +22,10 @@ const MAX_NEAR: usize = 128;
 /// The roundings of linear bounds at corners, and of means of three, relative to the largest length
 /// (lemma F8 of docs/meshes.md).
 const SPREAD_ROUNDINGS: f64 = 64.0;
+
+/// The part of a cell's width that its distance from the plane of the nearest facet has to change by for the cell to be
+/// halved along the axis where it changes more; else the longer one is halved.
+const VARIED_PART: f64 = 0.25;
 
 /// The roundings of the reach beyond which no facet matters.
 const REACH_ROUNDINGS: f64 = 4.0;
@@ -216,7 +220,10 @@ impl<'a> Parts<'a> {
                 halves.map(|of| bounded(WeightedRegion::Triangle(of.corners, level + 1), half))
             }
             (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => {
-                let axis = cell.net(patches, &self.transform).halved_axis(true);
+                let net = cell.net(patches, &self.transform);
+                let Spread { lower, upper, .. } = part.spread;
+                let varied = net.varied_axis(&b.facet(part.start), VARIED_PART * (upper - lower));
+                let axis = varied.unwrap_or_else(|| net.halved_axis(true));
                 if cell.range.lengths()[axis as usize] < MIN_LENGTH {
                     return None;
                 }
@@ -309,12 +316,14 @@ impl<'a> Parts<'a> {
             (WeightedRegion::Triangle(corners, _), _) => spread(corners, start, self.sufficient),
             (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => {
                 let net = cell.net(patches, &self.transform);
-                let [a, b_corner, c, d] = net.corners();
-                let sag = net.sag() + sag_rounding(self.goal.length);
-                let left = if sag < self.sufficient { self.sufficient - sag } else { 0.0 };
-                let (one, start) = spread([a, b_corner, c], start, left);
-                let (other, start) = spread([a, c, d], start, left);
-                (one.union(other).widened(sag), start)
+                let of_corners = self.is_struck;
+                let length = self.goal.length;
+                let Slab { triangles: [first, second], height } =
+                    if of_corners { net.corner_triangles(length) } else { net.slab(length) };
+                let left = if height < self.sufficient { self.sufficient - height } else { 0.0 };
+                let (one, start) = spread(first, start, left);
+                let (other, start) = spread(second, start, left);
+                (one.union(other).widened(height), start)
             }
             _ => return None,
         };
