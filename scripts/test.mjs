@@ -1,6 +1,6 @@
 // npm test: set up, then run every step of scripts/test/steps.mjs, or only some
 // with the steps that they need: npm test -- --only rust,page
-// Those that answer within two minutes while one works: npm test -- --quick
+// Formats, lints, types and documents, which answer within 90 seconds while one works: npm test -- --quick
 // With the modules as they are published, and their budgets: npm test -- --release
 import { parseArgs } from "node:util";
 import { Failure, heldBack, say } from "./process.mjs";
@@ -41,7 +41,7 @@ function chosenOf(steps, only) {
   return steps.filter((step) => required.has(step.name));
 }
 
-/** The steps of a quick run, some with fewer tests; no other step is chosen with them. */
+/** The steps of a quick run, some of which do less; no other step is chosen with them. */
 function quickSteps(only) {
   if (only !== undefined) throw new Failure("--quick chooses the steps; leave out --only");
   return steps
@@ -78,26 +78,25 @@ async function runStep(step, results) {
   return { ok, why, seconds, ...counts };
 }
 
-/** Runs steps one after another, and those with `beside` as soon as those that they need have ended. */
+/**
+ * Runs the steps in two rows, those with `beside` and the others: each after the one before it in its row and
+ * those that it needs. As these stand before it in the plan, the first step that has not ended can always run.
+ */
 async function runAll(plan) {
   const results = new Map();
   const ended = new Map();
-  const afterNeeds = async (step, run) => {
-    const needs = step.needs ?? [];
-    await Promise.all(needs.map((name) => ended.get(name)));
-    results.set(step.name, await run(() => runStep(step, results)));
+  const last = {};
+  const after = async (earlier, step) => {
+    await Promise.all(earlier);
+    if (step.beside) say(`\n=== ${step.name} begins beside, and is shown when it ends`);
+    const work = () => runStep(step, results);
+    results.set(step.name, await (step.beside ? heldBack(work) : work()));
   };
-  let last;
   for (const step of plan) {
-    const before = last;
-    const done = step.beside
-      ? afterNeeds(step, heldBack)
-      : afterNeeds(step, async (work) => {
-          await before;
-          return work();
-        });
-    ended.set(step.name, done);
-    if (!step.beside) last = done;
+    const row = step.beside ? "beside" : "first";
+    const earlier = [last[row], ...(step.needs ?? []).map((name) => ended.get(name))];
+    last[row] = after(earlier, step);
+    ended.set(step.name, last[row]);
   }
   await Promise.all(ended.values());
   return results;

@@ -1,12 +1,14 @@
-// The steps of `npm test`, in order. A step runs only if the steps that it needs passed. A step with
-// `beside` runs beside the others, as soon as those that it needs have ended. A step with `tests` fails
-// if it ran none. A step with `quick` is one of `npm test -- --quick`, where `quick` replaces what it does;
-// `release` replaces it in `npm test -- --release`, which tests what is published.
+// The steps of `npm test`, in order: each after those that it needs, and only if they passed. Those with
+// `beside` run one after another beside the others, which compile or use all cores: two run at a time. The
+// modules and the command come first, as most steps beside need them. A step with `tests` fails if it ran
+// none. A step with `quick` is one of `npm test -- --quick`, where `quick` replaces what it does; `release`
+// replaces it in `npm test -- --release`, which tests what is published.
 import { existsSync, readdirSync } from "node:fs";
 import { buildApi } from "../build/api.mjs";
+import { buildCommand } from "../build/command.mjs";
 import { buildSite } from "../build/site.mjs";
 import { wasm32 } from "../build/wasm/modules.mjs";
-import { buildQuick, useSmall } from "../build/wasm/quick.mjs";
+import { areBuilt, buildQuick, useSmall } from "../build/wasm/quick.mjs";
 import { buildSmall, small } from "../build/wasm/small.mjs";
 import { inRoot } from "../paths.mjs";
 import { environment, Failure, must, say, which } from "../process.mjs";
@@ -31,6 +33,12 @@ function nodeTests(folder, env) {
   });
 }
 
+async function checkTypes() {
+  say(`TypeScript API: ${await buildApi()}`);
+  await must("tsc", ["--project", "www/tsconfig.json"]);
+  await must("tsc", ["--project", "tests/consumer/tsconfig.json"]);
+}
+
 // Everything is built in the release profile, so that the lints, the tests and
 // the package share proc macros and build scripts.
 export const steps = [
@@ -39,6 +47,26 @@ export const steps = [
     what: "Rust is formatted",
     quick: {},
     run: () => cargo(["fmt", "--check"]),
+  },
+  {
+    name: "biome",
+    what: "TypeScript and JavaScript format and lints",
+    quick: {},
+    run: () => must("biome", ["ci", "--error-on-warnings", "--colors=off"]),
+  },
+  {
+    name: "python-packages",
+    what: "packages that the tests of Python and of the engines import",
+    // Mostly downloads.
+    beside: true,
+    run: installPackages,
+  },
+  {
+    name: "dependencies",
+    tests: true,
+    what: "licences, versions and sources of the crates; npm's audit; what documents cite",
+    quick: {},
+    run: () => nodeTests("scripts/test", {}),
   },
   {
     name: "clippy",
@@ -60,61 +88,6 @@ export const steps = [
       cargo(["clippy", "--release", "--locked", ...wasm32, "--lib", "--tests", ...denyWarnings]),
   },
   {
-    name: "dependencies",
-    tests: true,
-    what: "licences, versions and sources of the crates; npm's audit; what documents cite",
-    run: () => nodeTests("scripts/test", {}),
-  },
-  {
-    name: "doc",
-    what: "Rust documentation",
-    run: () =>
-      cargo(["doc", "--release", "--locked", "--no-deps"], { RUSTDOCFLAGS: "-D warnings" }),
-  },
-  {
-    name: "rust",
-    tests: true,
-    what: "Rust tests on lavapipe",
-    // Clippy compiles the other examples and the benchmarks; a test of the page runs this one.
-    run: async () => {
-      const test = ["test", "--release", "--locked", "--no-fail-fast"];
-      const outputs = [await cargo([...test, "--lib", "--bins", "--tests"], vulkan())];
-      outputs.push(await cargo([...test, "--doc"], vulkan()));
-      await cargo(["build", "--release", "--locked", "--example", "experiments"]);
-      return outputs.join("\n");
-    },
-    quick: {
-      what: "Rust tests on lavapipe, without the long ones",
-      run: () => {
-        const suites = ["cli", "geometry", "gpu", "iges", "methods", "step"];
-        const targets = ["--lib", "--bins", ...suites.flatMap((suite) => ["--test", suite])];
-        return cargo(["test", "--release", "--locked", "--no-fail-fast", ...targets], vulkan());
-      },
-    },
-  },
-  {
-    name: "python-packages",
-    what: "packages that the tests of Python and of the engines import",
-    // Mostly downloads.
-    beside: true,
-    run: installPackages,
-  },
-  {
-    name: "python",
-    what: "the Python package's wheel, its types and tests",
-    needs: ["python-packages"],
-    run: testPython,
-  },
-  {
-    name: "engines",
-    what: "many pairs on Ray and on Spark, with a worker killed",
-    // The native command is compiled with the tests of Rust.
-    needs: ["python", "rust"],
-    // Its nodes mostly wait for each other.
-    beside: true,
-    run: testEngines,
-  },
-  {
     name: "wasm",
     what: "the wasm modules for the page and the tests; --release builds those that are published",
     run: async () => {
@@ -131,59 +104,22 @@ export const steps = [
     },
   },
   {
-    name: "wasm-tests",
-    tests: true,
-    what: "wasm tests in headless Chromium with WebGPU",
-    needs: ["wasm"],
-    run: () =>
-      // Compiled with the modules: the only test binary that is not native.
-      must("cargo", ["test", "--release", "--locked", ...wasm32, "--lib", "--test", "wasm"], {
-        env: toolsEnvironment({
-          CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: "wasm-bindgen-test-runner",
-          CHROMEDRIVER: which("chromedriver"),
-          WASM_BINDGEN_TEST_ONLY_WEB: "1",
-          WASM_BINDGEN_TEST_TIMEOUT: "240",
-        }),
-      }),
-  },
-  {
     name: "types",
     what: "TypeScript types: the API, the page, a consumer of the package",
     needs: ["wasm"],
     // The page's build waits for it.
     beside: true,
-    run: async () => {
-      console.log(`TypeScript API: ${await buildApi()}`);
-      await must("tsc", ["--project", "www/tsconfig.json"]);
-      await must("tsc", ["--project", "tests/consumer/tsconfig.json"]);
+    run: checkTypes,
+    quick: {
+      what: "TypeScript types, where the wasm modules are built",
+      run: async () => {
+        if (areBuilt()) return checkTypes();
+        const line =
+          "SKIPPED types: the wasm modules are not built of these sources, as npm start does";
+        say(line);
+        return line;
+      },
     },
-  },
-  {
-    name: "biome",
-    what: "TypeScript and JavaScript format and lints",
-    quick: {},
-    run: () => must("biome", ["ci", "--error-on-warnings", "--colors=off"]),
-  },
-  {
-    name: "node",
-    tests: true,
-    what: "the package in Node, on Dawn and lavapipe",
-    needs: ["wasm", "types"],
-    run: () => nodeTests("tests/node", vulkan()),
-  },
-  {
-    name: "package",
-    tests: true,
-    what: "the packed package in bundlers, a browser, Node and judges of packages",
-    // The package has the command, which is compiled with the tests of Rust.
-    needs: ["wasm", "types", "rust"],
-    run: () => nodeTests("tests/package", { CHROMIUM: which("chromium") }),
-  },
-  {
-    name: "site",
-    what: "the pages of the JavaScript API, without a broken link or reference",
-    needs: ["wasm", "types"],
-    run: () => buildSite(inRoot("docs", "site", "js")),
   },
   {
     name: "page-build",
@@ -194,10 +130,96 @@ export const steps = [
     run: () => must("vite", ["build", "www"]),
   },
   {
+    name: "command",
+    what: "the native command and the example that tests of other steps run",
+    // Compiled as the tests of Rust are, which compile neither again.
+    run: async () => {
+      await buildCommand();
+      await cargo(["build", "--release", "--locked", "--example", "experiments"]);
+    },
+  },
+  {
     name: "page",
     tests: true,
     what: "the page in headless Chromium",
-    needs: ["page-build"],
+    needs: ["command", "page-build"],
+    // The browser draws in software, and uses about one core.
+    beside: true,
     run: () => nodeTests("tests/page", { CHROMIUM: which("chromium") }),
+  },
+  {
+    name: "wasm-tests",
+    tests: true,
+    what: "wasm tests in headless Chromium with WebGPU",
+    needs: ["wasm"],
+    run: () =>
+      // Compiled with the modules. The crate's own unit tests are native, and none of them runs in a browser.
+      must("cargo", ["test", "--release", "--locked", ...wasm32, "--test", "wasm"], {
+        env: toolsEnvironment({
+          CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: "wasm-bindgen-test-runner",
+          CHROMEDRIVER: which("chromedriver"),
+          WASM_BINDGEN_TEST_ONLY_WEB: "1",
+          WASM_BINDGEN_TEST_TIMEOUT: "240",
+        }),
+      }),
+  },
+  {
+    name: "doc",
+    what: "Rust documentation",
+    run: () =>
+      cargo(["doc", "--release", "--locked", "--no-deps"], { RUSTDOCFLAGS: "-D warnings" }),
+  },
+  {
+    name: "rust",
+    tests: true,
+    what: "Rust tests on lavapipe",
+    // Clippy compiles the other examples and the benchmarks.
+    run: async () => {
+      const test = ["test", "--release", "--locked", "--no-fail-fast"];
+      const outputs = [await cargo([...test, "--lib", "--bins", "--tests"], vulkan())];
+      outputs.push(await cargo([...test, "--doc"], vulkan()));
+      return outputs.join("\n");
+    },
+  },
+  {
+    name: "python",
+    what: "the Python package's wheel, its types and tests",
+    needs: ["python-packages"],
+    run: () => testPython(),
+    release: {
+      what: "the Python package's wheel as it is published, its types and tests",
+      run: () => testPython({}),
+    },
+  },
+  {
+    name: "package",
+    tests: true,
+    what: "the packed package in bundlers, a browser, Node and judges of packages",
+    // The package has the command.
+    needs: ["command", "wasm", "types"],
+    beside: true,
+    run: () => nodeTests("tests/package", { CHROMIUM: which("chromium") }),
+  },
+  {
+    name: "site",
+    what: "the pages of the JavaScript API, without a broken link or reference",
+    needs: ["wasm", "types"],
+    beside: true,
+    run: () => buildSite(inRoot("docs", "site", "js")),
+  },
+  {
+    name: "node",
+    tests: true,
+    what: "the package in Node, on Dawn and lavapipe",
+    needs: ["command", "wasm", "types"],
+    run: () => nodeTests("tests/node", vulkan()),
+  },
+  {
+    name: "engines",
+    what: "many pairs on Ray and on Spark, with a worker killed",
+    needs: ["command", "python"],
+    // Its nodes mostly wait for each other.
+    beside: true,
+    run: testEngines,
   },
 ];

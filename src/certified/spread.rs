@@ -5,6 +5,9 @@
 //! cell's size where c lies far behind the cell on the line from the foot. `docs/meshes.md`, section 7,
 //! has the proofs (lemmas S1 to S3).
 
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod attained;
+
 use super::bounds::{self, Lengths, distance_above, distance_from};
 use super::cell_context::CellContext;
 use super::nearest::{Foot, NearestPoint, Query};
@@ -23,6 +26,10 @@ const MAX_APEXES: usize = 3;
 
 /// The ratio of the distances of two apexes.
 const NEARER: f64 = 0.25;
+
+/// The bound that is asked of heights, in distances of the cell's centre: these bound a cell over many patches of
+/// B, and a chord's points are at most twice as far from its arc as those halfway.
+const HEIGHTS_RATIO: f64 = 2.0;
 
 /// The roundings of the density at a cell's centre, relative to the product of the derivatives.
 const DENSITY_ROUNDINGS: f64 = 16.0;
@@ -119,8 +126,12 @@ impl<'a> Spreads<'a> {
         if !(upper <= self.sufficient) {
             let query = Query { target: context.jet.point, known: context.foot(), sufficient: 0.0 };
             context.set_feet(self.nearest.near(&query));
-            let bound = if context.foot().distance() <= self.sufficient {
+            let distance = context.foot().distance();
+            let aim = self.sufficient + HEIGHTS_RATIO * distance;
+            let bound = if distance <= self.sufficient {
                 bounds::with_nearest_feet(&mut context, self.sufficient)
+            } else if aim < upper {
+                bounds::with_nearest_feet(&mut context, aim)
             } else {
                 bounds::with_any_foot(&mut context, self.sufficient)
             };

@@ -14,6 +14,10 @@ const CUT_ROUNDINGS: f64 = 6.0;
 /// to the largest length of its control points: lemma F6.
 const SAG_ROUNDINGS: f64 = 256.0;
 
+/// The roundings of the distance between a patch and the quadrangle around it, relative to the largest length of its
+/// control points: lemma F13.
+const SLAB_ROUNDINGS: f64 = 4096.0;
+
 /// Returns an upper bound on the error of a distance to a facet, for points at most this far from
 /// the origin.
 pub(crate) fn facet_rounding(length: f64) -> f64 {
@@ -28,6 +32,11 @@ pub(super) fn cut_rounding(length: f64) -> f64 {
 /// Returns an upper bound on the error of the distance of a patch from its two triangles.
 pub(super) fn sag_rounding(length: f64) -> f64 {
     gamma(SAG_ROUNDINGS) * length
+}
+
+/// Returns an upper bound on the error of the distance of a patch from the quadrangle around it.
+pub(super) fn slab_rounding(length: f64) -> f64 {
+    gamma(SLAB_ROUNDINGS) * length
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]

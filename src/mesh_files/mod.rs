@@ -47,6 +47,9 @@ pub struct MeshFile {
 }
 
 impl MeshFile {
+    /// The largest file that is read, in bytes: 1 GiB, more than ten million triangles of binary STL.
+    pub const MAX_BYTES: u64 = MAX_BYTES;
+
     /// Reads a mesh or a cloud. A face of more than three corners is cut into triangles that cover it in its
     /// plane; the largest distance of a corner from that is [`TriangleMesh::gap`]. O(bytes).
     ///

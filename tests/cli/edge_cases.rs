@@ -3,8 +3,8 @@
 use crate::support::fixtures::peaked_sheet;
 use crate::support::iges::IgesText;
 use crate::support::step::{StepText, UnitsOf};
-use nurbs_hausdorff::Model;
 use nurbs_hausdorff::shapes::shape;
+use nurbs_hausdorff::{MeshFile, Model};
 use serde_json::Value;
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
@@ -194,6 +194,10 @@ fn files_over_the_limit_are_not_read() {
     let path = file("large", b"");
     std::fs::OpenOptions::new().write(true).open(&path).unwrap().set_len(Model::MAX_JSON_BYTES + 1).unwrap();
     assert_refused(&run(&["info", &path]), "FILE_TOO_LARGE", &[&path, &Model::MAX_JSON_BYTES.to_string()]);
+    // A mesh may be larger, by the ending of its name.
+    let path = file("large", b"").replace(".json", ".stl");
+    std::fs::File::create(&path).unwrap().set_len(MeshFile::MAX_BYTES + 1).unwrap();
+    assert_refused(&run(&["info", &path]), "FILE_TOO_LARGE", &[&path, &MeshFile::MAX_BYTES.to_string()]);
 }
 
 /// A device has no length.

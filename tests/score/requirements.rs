@@ -9,33 +9,42 @@ fn least(number: ScoreNumber, bound: f64) -> BTreeMap<ScoreNumber, f64> {
 }
 
 #[test]
-fn requirements_are_met_missed_or_undecided() {
+fn requirements_are_met_or_missed() {
     let deep = models::prepared(&cuboid([0.0; 3], [2.0, 3.0, 4.5]));
     let options = with_thresholds(&[0.2]);
     // The Hausdorff distance is 0.5, and the smaller volume 8/9 of the larger.
-    for (number, bound, expected) in [
-        (ScoreNumber::Hausdorff, 0.51, Some(true)),
-        (ScoreNumber::Hausdorff, 0.49, Some(false)),
-        (ScoreNumber::Chamfer, 0.2, Some(true)),
-        (ScoreNumber::ExtentDifference, 0.4, Some(false)),
-    ] {
-        let options = ScoreOptions { at_most: least(number, bound), ..options.clone() };
-        let found = score(&deep, &truth(), &options);
-        assert_eq!((found.met, found.ended_early), (expected, expected == Some(false)), "{number}");
-        assert_eq!(found.requirements[0].met, expected);
+    let met = ScoreOptions {
+        at_most: BTreeMap::from([(ScoreNumber::Hausdorff, 0.51), (ScoreNumber::Chamfer, 0.2)]),
+        at_least: BTreeMap::from([
+            (ScoreNumber::VolumeRatio, 0.88),
+            (ScoreNumber::Valid, 1.0),
+            (ScoreNumber::F1, 0.5),
+        ]),
+        ..options.clone()
+    };
+    let found = score(&deep, &truth(), &met);
+    assert_eq!((found.met, found.ended_early, found.requirements.len()), (Some(true), false, 5));
+    for requirement in &found.requirements {
+        assert_eq!(requirement.met, Some(true), "{requirement:?}");
     }
-    for (number, bound, expected) in [
-        (ScoreNumber::VolumeRatio, 0.88, Some(true)),
-        (ScoreNumber::VolumeRatio, 0.9, Some(false)),
-        (ScoreNumber::Valid, 1.0, Some(true)),
-        (ScoreNumber::F1, 0.5, Some(true)),
-        (ScoreNumber::F1, 0.99, Some(false)),
-    ] {
-        let options = ScoreOptions { at_least: least(number, bound), ..options.clone() };
+    let missed = |number: ScoreNumber, options: ScoreOptions| {
         let found = score(&deep, &truth(), &options);
-        assert_eq!((found.met, found.ended_early), (expected, expected == Some(false)), "{number}");
+        assert_eq!((found.met, found.ended_early), (Some(false), true), "{number}");
+        assert_eq!(found.requirements[0].met, Some(false), "{number}");
+    };
+    for (number, bound) in [(ScoreNumber::Hausdorff, 0.49), (ScoreNumber::ExtentDifference, 0.4)] {
+        missed(number, ScoreOptions { at_most: least(number, bound), ..options.clone() });
     }
-    assert_eq!(score(&deep, &truth(), &options).met, None);
+    for (number, bound) in [(ScoreNumber::VolumeRatio, 0.9), (ScoreNumber::F1, 0.99)] {
+        missed(number, ScoreOptions { at_least: least(number, bound), ..options.clone() });
+    }
+}
+
+/// Without a requirement nothing is met or missed, however wide the intervals are.
+#[test]
+fn what_is_not_required_is_not_judged() {
+    let found = score(&truth(), &truth(), &ScoreOptions { max_cells: 1, ..ScoreOptions::default() });
+    assert_eq!((found.met, found.ended_early, found.requirements.len()), (None, false, 0));
 }
 
 /// What is missed by facts takes no search, and what is missed by statistics no distance.

@@ -20,12 +20,16 @@ const out = inRoot("dist", "wasm");
 /** Compression that takes no time to speak of. */
 const QUICK_LEVEL = 1;
 
-/** Builds the modules, unless they are of these sources; those of `npm run build` serve as well. */
+/** Whether the modules are of these sources; those of `npm run build` serve as well. */
+export function areBuilt(digest = sources()) {
+  const present = existsSync(inRoot("dist", "wasm", "inlined-scans.js"));
+  return present && [`quick ${digest}`, `small ${digest}`].some((value) => stamped(made, value));
+}
+
+/** Builds the modules, unless they are of these sources. */
 export async function buildQuick() {
   const digest = sources();
-  const present = existsSync(inRoot("dist", "wasm", "inlined-scans.js"));
-  const isMade = stamped(made, `quick ${digest}`) || stamped(made, `small ${digest}`);
-  if (isMade && present) return "unchanged";
+  if (areBuilt(digest)) return "unchanged";
   // With the test of wasm: its features are those of all modules, and both are compiled once.
   const args = ["build", "--release", "--locked", ...wasm32, "--lib", "--test", "wasm"];
   await must("cargo", args, { env: environment(cargoProgress()) });

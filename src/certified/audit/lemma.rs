@@ -42,7 +42,7 @@ pub enum Lemma {
     Generatrix,
     /// S1 to S3 of `docs/meshes.md`, statistics of cells before surfaces.
     Spread,
-    /// F8 of `docs/meshes.md`, statistics of triangles before facets.
+    /// F8, F12 and F13 of `docs/meshes.md`, statistics of triangles before facets.
     SpreadToFacets,
 }
 
@@ -90,7 +90,7 @@ impl Lemma {
             Self::DifferenceByPieces => "3.14",
             Self::Generatrix => "3.11",
             Self::Spread => "S1 to S3",
-            Self::SpreadToFacets => "F8",
+            Self::SpreadToFacets => "F8, F12 and F13",
         }
     }
 

@@ -103,7 +103,7 @@ impl Engine {
             let (from, to) = (a.certified_target(), b.certified_target());
             let pair = Pair { a: from.operand(a), b: to.operand(b), transform: options.transform };
             let triangles = a.facets().map(|facets| &facets.target);
-            let mut cover = Cells::new(pair, triangles, WHOLE_PART * tolerance);
+            let mut cover = Cells::new(pair, triangles, search.sufficient());
             (prepare(), search.audited(&mut cover, &mut progress).await?)
         } else {
             let patches = b.facets().is_none().then(|| b.certified_target());
@@ -114,7 +114,7 @@ impl Engine {
                 }
                 None => a.patches_as_source(&a.bezier().patches),
             };
-            let mut parts = Parts::new(source, measured, options.transform);
+            let mut parts = Parts::new(source, measured, options.transform, search.sufficient());
             let prepare = prepare();
             (
                 prepare,
@@ -174,6 +174,12 @@ struct Found {
 }
 
 impl Search<'_> {
+    /// The distance within which a part is near enough to be decided whole, and within every limit too.
+    fn sufficient(&self) -> f64 {
+        let limits = self.asked.limits.iter().filter(|limit| **limit > 0.0);
+        limits.fold(WHOLE_PART * self.tolerance, |least, &limit| least.min(limit))
+    }
+
     fn sums<T: Weighted>(&self, parts: &[T], known: Area) -> Sums {
         Sums::of(parts, (self.asked.limits, &self.asked.options.percentiles), self.over, known)
     }

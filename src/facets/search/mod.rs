@@ -12,6 +12,7 @@ mod node;
 mod part;
 mod patch_cell;
 mod sampled;
+mod slab;
 mod source;
 mod spread;
 #[cfg(all(test, not(target_arch = "wasm32")))]

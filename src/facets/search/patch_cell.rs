@@ -25,6 +25,9 @@ const MAX_PARTS: usize = 64;
 /// Half of the length of a side that float64 does not usefully halve further.
 pub(super) const MIN_LENGTH: f64 = 1.0 / (1_u64 << 40) as f64;
 
+/// How many times as long as its halved side a cell may be.
+const MAX_RATIO: f64 = 64.0;
+
 /// The least sine of the angle between the diagonals of a quadrangle whose normal is used: rounding
 /// turns the normal by less than a millionth then.
 const MIN_SINE: f64 = 1e-9;
@@ -148,6 +151,10 @@ fn cover(corners: &[Corner; 4], b: &FacetTarget, threshold: f64) -> Option<f64> 
 }
 
 impl Net {
+    pub(super) fn points(&self) -> &[DVec3] {
+        &self.points
+    }
+
     fn point(&self, i: usize, j: usize) -> DVec3 {
         self.points[i * (self.degree[1] + 1) + j]
     }
@@ -227,6 +234,32 @@ impl Net {
     }
 }
 
+impl Net {
+    /// Returns the axis along which the control points change their distance from a triangle's plane more, by at least
+    /// `least`; `None` if neither does, or if the cell is much longer along the other one.
+    pub(super) fn varied_axis(&self, facet: &Facet, least: f64) -> Option<Axis> {
+        let Facet::Triangle([a, b, c]) = *facet else { return None };
+        let normal = unit((b - a).cross(c - a));
+        let [p, q] = self.degree;
+        let height = |i: usize, j: usize| normal.dot(self.point(i, j) - a);
+        let range = |heights: &mut dyn Iterator<Item = f64>| {
+            let [low, high] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| {
+                [low.min(height), high.max(height)]
+            });
+            high - low
+        };
+        let along = [
+            (0..=q).map(|j| range(&mut (0..=p).map(|i| height(i, j)))).fold(0.0, f64::max),
+            (0..=p).map(|i| range(&mut (0..=q).map(|j| height(i, j)))).fold(0.0, f64::max),
+        ];
+        let [a, b, c, d] = self.corners();
+        let lengths = [(b - a).length() + (c - d).length(), (d - a).length() + (c - b).length()];
+        let axis = if along[0] >= along[1] { Axis::U } else { Axis::V };
+        let is_long = MAX_RATIO * lengths[axis as usize] >= lengths[1 - axis as usize];
+        (along[axis as usize] >= least && is_long).then_some(axis)
+    }
+}
+
 /// Returns the extent of four points along the common normal of the quadrangle's diagonals if the
 /// quadrangle is convex seen along it: the hull of the points is within it of two triangles.
 fn height_of_quadrangle([a, b, c, d]: &[DVec3; 4]) -> Option<f64> {
@@ -244,6 +277,13 @@ fn height_of_quadrangle([a, b, c, d]: &[DVec3; 4]) -> Option<f64> {
     let high = heights.into_iter().fold(0.0, upper_max);
     let low = heights.into_iter().fold(0.0, lower_min);
     is_convex.then_some(high - low)
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+impl Net {
+    pub(super) fn new(points: Vec<DVec3>, degree: [usize; 2]) -> Self {
+        Self { points, degree }
+    }
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -302,6 +342,24 @@ mod tests {
             }
         }
         assert!(largest > 0.5, "{largest}");
+    }
+
+    /// A long arch over a facet is halved along its arc, where its distance changes; a part of the facet's plane, and an
+    /// arch that is very long, are not.
+    #[test]
+    fn a_cell_is_halved_where_its_distance_changes() {
+        let facet = Facet::Triangle([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(DVec3::from_array));
+        let arch = |length: f64, height: f64| {
+            let across = [[0.0, 0.0], [0.5, height], [1.0, 0.0]];
+            let points = across.into_iter().flat_map(|[x, z]| [0.0, length].map(|y| DVec3::new(x, y, z)));
+            Net { points: points.collect(), degree: [2, 1] }
+        };
+        assert_eq!(arch(8.0, 0.1).halved_axis(true), Axis::V);
+        assert_eq!(arch(8.0, 0.1).varied_axis(&facet, 0.1), Some(Axis::U));
+        for (net, least) in [(arch(8.0, 0.1), 0.11), (arch(8.0, 0.0), 1e-9), (arch(65.0, 0.1), 0.1)] {
+            assert_eq!(net.varied_axis(&facet, least), None);
+        }
+        assert_eq!(arch(8.0, 0.1).varied_axis(&Facet::Point(DVec3::ZERO), 0.0), None);
     }
 
     /// Lemma F6: the normal of diagonals with a sine below 10⁻⁹ is not used, as its rounding may turn

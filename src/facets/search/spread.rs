@@ -1,11 +1,12 @@
 //! Bounds on the distances of all points of a part of A, and on their means, for statistics.
 
-use super::super::FacetTarget;
-use super::super::rounding::sag_rounding;
+use super::super::{FacetFoot, FacetTarget};
 use super::Goal;
+use super::cover::cover_with_means;
 use super::part::{MAX_LEVELS, TrianglePart};
 use super::patch_cell::{MIN_LENGTH, PatchCell};
 use super::sampled;
+use super::slab::Slab;
 use super::source::{Measured, Source, Start};
 use crate::area::{Area, area_of_part};
 use crate::bezier::PatchSet;
@@ -21,6 +22,10 @@ const MAX_NEAR: usize = 128;
 /// The roundings of linear bounds at corners, and of means of three, relative to the largest length
 /// (lemma F8 of docs/meshes.md).
 const SPREAD_ROUNDINGS: f64 = 64.0;
+
+/// The part of a cell's width that its distance from the plane of the nearest facet has to change by for the cell to be
+/// halved along the axis where it changes more; else the longer one is halved.
+const VARIED_PART: f64 = 0.25;
 
 /// The roundings of the reach beyond which no facet matters.
 const REACH_ROUNDINGS: f64 = 4.0;
@@ -74,7 +79,9 @@ pub(crate) struct Parts<'a> {
     goal: Goal,
     /// What is added to both sides of every bound.
     rounding: f64,
-    /// Whether lemma F8 was refuted: triangles have the bounds of their middle and their radius then.
+    /// Parts within this distance of B are not looked at more closely.
+    sufficient: f64,
+    /// Whether lemma F8 or F12 was refuted: triangles have the bounds of their middle and their radius then.
     is_struck: bool,
 }
 
@@ -125,10 +132,11 @@ impl Weighted for WeightedPart {
 }
 
 impl<'a> Parts<'a> {
-    pub(crate) fn new(a: Source<'a>, b: Measured<'a>, transform: RigidTransform) -> Self {
+    /// Parts within `sufficient` of B have no better bounds.
+    pub(crate) fn new(a: Source<'a>, b: Measured<'a>, transform: RigidTransform, sufficient: f64) -> Self {
         let goal = Goal::new(&a, &b, &transform, 0.0, None);
         let rounding = goal.bounds + goal.points + gamma(SPREAD_ROUNDINGS) * goal.length;
-        Self { a, b, transform, goal, rounding, is_struck: false }
+        Self { a, b, transform, goal, rounding, sufficient, is_struck: false }
     }
 
     /// The number of parts at first.
@@ -212,7 +220,10 @@ impl<'a> Parts<'a> {
                 halves.map(|of| bounded(WeightedRegion::Triangle(of.corners, level + 1), half))
             }
             (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => {
-                let axis = cell.net(patches, &self.transform).halved_axis(true);
+                let net = cell.net(patches, &self.transform);
+                let Spread { lower, upper, .. } = part.spread;
+                let varied = net.varied_axis(&b.facet(part.start), VARIED_PART * (upper - lower));
+                let axis = varied.unwrap_or_else(|| net.halved_axis(true));
                 if cell.range.lengths()[axis as usize] < MIN_LENGTH {
                     return None;
                 }
@@ -295,32 +306,28 @@ impl<'a> Parts<'a> {
 
     fn bounded(&self, region: WeightedRegion, weight: Area, start: u32) -> Option<WeightedPart> {
         let Measured::Facets { facets: b, .. } = self.b else { return None };
-        let allowance = self.rounding;
+        let spread = |corners: [DVec3; 3], start, sufficient| {
+            if self.is_struck {
+                return spread_by_middle(b, &corners, start);
+            }
+            TriangleBounds { b, corners: &corners, allowance: self.rounding, sufficient }.spread(start)
+        };
         let (spread, start) = match (region, self.a) {
-            (WeightedRegion::Triangle(corners, _), _) => self.of_triangle(b, &corners, start, allowance),
+            (WeightedRegion::Triangle(corners, _), _) => spread(corners, start, self.sufficient),
             (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => {
                 let net = cell.net(patches, &self.transform);
-                let [a, b_corner, c, d] = net.corners();
-                let (one, start) = self.of_triangle(b, &[a, b_corner, c], start, allowance);
-                let (other, start) = self.of_triangle(b, &[a, c, d], start, allowance);
-                (one.union(other).widened(net.sag() + sag_rounding(self.goal.length)), start)
+                let of_corners = self.is_struck;
+                let length = self.goal.length;
+                let Slab { triangles: [first, second], height } =
+                    if of_corners { net.corner_triangles(length) } else { net.slab(length) };
+                let left = if height < self.sufficient { self.sufficient - height } else { 0.0 };
+                let (one, start) = spread(first, start, left);
+                let (other, start) = spread(second, start, left);
+                (one.union(other).widened(height), start)
             }
             _ => return None,
         };
         Some(WeightedPart { region, weight, start, spread: spread.widened(self.rounding) })
-    }
-
-    fn of_triangle(
-        &self,
-        b: &FacetTarget,
-        corners: &[DVec3; 3],
-        start: u32,
-        allowance: f64,
-    ) -> (Spread, u32) {
-        if self.is_struck {
-            return spread_by_middle(b, corners, start);
-        }
-        spread_of_triangle(b, corners, start, allowance)
     }
 }
 
@@ -332,45 +339,92 @@ fn spread_by_middle(b: &FacetTarget, corners: &[DVec3; 3], start: u32) -> (Sprea
     (Spread::exact([lower - radius, foot.distance_squared.sqrt() + radius]), foot.facet)
 }
 
-/// Returns bounds on the distances of all points of a triangle, which rounding has not been added
-/// to, and the facet nearest to its middle (lemmas F5 and F8 of docs/meshes.md).
-fn spread_of_triangle(b: &FacetTarget, corners: &[DVec3; 3], start: u32, allowance: f64) -> (Spread, u32) {
-    let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-    let radius = corners.iter().fold(0.0, |radius, corner| upper_max(radius, corner.distance(middle)));
-    let foot = b.nearest(middle, start, 0.0);
-    let to_middle = foot.distance_squared.sqrt();
-    let (mut upper, mut mean, mut square) = (to_middle + radius, to_middle + radius, f64::INFINITY);
-    let mut tried = [foot.facet; 4];
-    for index in 0..4 {
-        let facet = match index {
-            0 => foot.facet,
-            _ => b.nearest(corners[index - 1], foot.facet, 0.0).facet,
-        };
-        if index > 0 && tried[..index].contains(&facet) {
-            continue;
+/// A triangle whose distances are bounded, which rounding has not been added to.
+struct TriangleBounds<'a> {
+    b: &'a FacetTarget,
+    corners: &'a [DVec3; 3],
+    /// The rounding of distances.
+    allowance: f64,
+    /// The distance within which all of the triangle is near enough.
+    sufficient: f64,
+}
+
+/// Upper bounds on the distances of all points of a triangle, on their mean and on that of their squares.
+#[derive(Clone, Copy)]
+struct Above {
+    upper: f64,
+    mean: f64,
+    square: f64,
+}
+
+impl TriangleBounds<'_> {
+    /// Returns the bounds, and the facet nearest to the triangle's middle (lemmas F5, F8 and F12 of
+    /// docs/meshes.md).
+    fn spread(&self, start: u32) -> (Spread, u32) {
+        let &Self { b, corners, allowance, sufficient } = self;
+        let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+        let radius = corners.iter().fold(0.0, |radius, corner| upper_max(radius, corner.distance(middle)));
+        let foot = b.nearest(middle, start, 0.0);
+        let Above { upper, mean, square } = self.above(foot, radius);
+        if upper <= sufficient {
+            return (Spread { lower: 0.0, upper, mean: [0.0, mean], square: [0.0, square] }, foot.facet);
         }
-        tried[index] = facet;
-        let squares = corners.map(|corner| b.distance_squared(facet, corner));
-        let distances = squares.map(f64::sqrt);
-        upper = upper_min(upper, distances.into_iter().fold(0.0, upper_max));
-        mean = upper_min(mean, (distances[0] + distances[1] + distances[2]) / 3.0);
-        square = upper_min(square, (squares[0] + squares[1] + squares[2]) / 3.0);
+        let least = least_at_corners(b, corners, middle, upper, radius, allowance).unwrap_or_else(|| {
+            let (_, _, lower) = b.certified(middle, foot.facet);
+            [lower - radius; 3]
+        });
+        let lower = least.into_iter().fold(f64::INFINITY, lower_min);
+        let low_mean = (least[0] + least[1] + least[2]) / 3.0;
+        let positive = |value: f64| if value > 0.0 { value } else { 0.0 };
+        let low = positive(low_mean);
+        let spread = Spread { lower: positive(lower), upper, mean: [low, mean], square: [low * low, square] };
+        (spread, foot.facet)
     }
-    let least = least_at_corners(b, corners, middle, upper, radius, allowance).unwrap_or_else(|| {
-        let (_, _, lower) = b.certified(middle, foot.facet);
-        [lower - radius; 3]
-    });
-    let lower = least.into_iter().fold(f64::INFINITY, lower_min);
-    let low_mean = (least[0] + least[1] + least[2]) / 3.0;
-    let positive = |value: f64| if value > 0.0 { value } else { 0.0 };
-    let low = positive(low_mean);
-    let spread = Spread {
-        lower: positive(lower),
-        upper,
-        mean: [low, mean],
-        square: [low * low, upper_min(square, upper * upper)],
-    };
-    (spread, foot.facet)
+
+    /// Returns the least upper bounds by the facet nearest to the middle, by a cover and by the facets nearest to
+    /// the corners.
+    fn above(&self, foot: FacetFoot, radius: f64) -> Above {
+        let &Self { b, corners, sufficient, .. } = self;
+        let to_middle = foot.distance_squared.sqrt();
+        let all = to_middle + radius;
+        let mut above = Above { upper: all, mean: all, square: all * all };
+        above.take(self.by_facet(foot.facet));
+        if above.upper <= sufficient {
+            return above;
+        }
+        if let Some((cover, means)) = cover_with_means(b, corners, foot.facet, sufficient) {
+            above.take(Above { upper: cover.upper, mean: means.mean, square: means.square });
+            return above;
+        }
+        let mut tried = [foot.facet; 3];
+        for corner in 0..3 {
+            let facet = b.nearest(corners[corner], foot.facet, 0.0).facet;
+            if !tried[..corner].contains(&facet) && facet != foot.facet {
+                above.take(self.by_facet(facet));
+            }
+            tried[corner] = facet;
+        }
+        above
+    }
+
+    /// Returns the bounds by one facet: the distance is convex, and so is its square.
+    fn by_facet(&self, facet: u32) -> Above {
+        let squares = self.corners.map(|corner| self.b.distance_squared(facet, corner));
+        let distances = squares.map(f64::sqrt);
+        Above {
+            upper: distances.into_iter().fold(0.0, upper_max),
+            mean: (distances[0] + distances[1] + distances[2]) / 3.0,
+            square: (squares[0] + squares[1] + squares[2]) / 3.0,
+        }
+    }
+}
+
+impl Above {
+    fn take(&mut self, other: Self) {
+        self.upper = upper_min(self.upper, other.upper);
+        self.mean = upper_min(self.mean, other.mean);
+        self.square = upper_min(self.square, other.square);
+    }
 }
 
 /// Returns the values at the corners of a concave function that no distance of a point of the
@@ -446,7 +500,8 @@ mod tests {
     fn halves_have_half_of_the_area_each() {
         let a = mesh(&[DVec3::ZERO, DVec3::X, DVec3::Y]);
         let source = Source::Facets { facets: &a, error: 0.0 };
-        let parts = Parts::new(source, Measured::Facets { facets: &a, error: 0.0 }, RigidTransform::IDENTITY);
+        let parts =
+            Parts::new(source, Measured::Facets { facets: &a, error: 0.0 }, RigidTransform::IDENTITY, 0.0);
         let (whole, _) = parts.first(0, Start::default()).unwrap();
         let half = whole.weight();
         for part in parts.halves(&whole).unwrap() {
@@ -454,7 +509,24 @@ mod tests {
         }
     }
 
-    /// Lemma F8 against the distances in the middles of small triangles, to few facets and, where the
+    fn spread_of_triangle(b: &FacetTarget, corners: &[DVec3; 3], sufficient: f64) -> Spread {
+        TriangleBounds { b, corners, allowance: 0.0, sufficient }.spread(0).0
+    }
+
+    /// A sheet of 18 triangles that share their vertices, which are this far from their places at most.
+    fn sheet(random: &mut fastrand::Rng, off: f64) -> FacetTarget {
+        let grid = |k: u32| f64::from(k) / 3.0 - 0.5 + off * (random.f64() - 0.5);
+        let mut grid = grid;
+        let vertices: Vec<DVec3> = (0..16).map(|k| DVec3::new(grid(k / 4), grid(k % 4), grid(1))).collect();
+        let square = |k: u32| {
+            let first = (k / 3) * 4 + k % 3;
+            [[first, first + 4, first + 5], [first, first + 5, first + 1]]
+        };
+        let triangles: Vec<[u32; 3]> = (0..9).flat_map(square).collect();
+        FacetTarget::of_mesh(&TriangleMesh::new(&vertices, &triangles).unwrap())
+    }
+
+    /// Lemmas F8 and F12 against the distances in the middles of small triangles, to few facets and, where the
     /// bound is by the middle alone, to many.
     #[test]
     fn no_distance_of_a_triangle_is_beyond_its_bounds() {
@@ -466,10 +538,14 @@ mod tests {
             let b = if round % 20 == 0 {
                 let near: Vec<DVec3> = (0..2 * MAX_NEAR).map(|_| 0.1 * point(random)).collect();
                 FacetTarget::of_cloud(&PointCloud::new(near).unwrap())
+            } else if round % 2 == 0 {
+                let off = [0.01, 0.2, 0.6][random.usize(0..3)];
+                sheet(random, off)
             } else {
                 mesh(&(0..3 * random.usize(1..4)).map(|_| point(random)).collect::<Vec<_>>())
             };
-            let (spread, _) = spread_of_triangle(&b, &corners, 0, 0.0);
+            let sufficient = [0.0, 0.05][round / 2 % 2];
+            let spread = spread_of_triangle(&b, &corners, sufficient);
             let [mut sum, mut squares] = [0.0; 2];
             for i in 0..CUTS {
                 for j in 0..CUTS - i {
@@ -496,6 +572,41 @@ mod tests {
         }
     }
 
+    /// Lemma F12, attained: in a valley the distance is linear on either side of its floor, so that its mean is that of
+    /// the corners of either half of the triangle; one facet has a larger one.
+    #[test]
+    fn the_mean_of_a_triangle_in_a_valley_is_attained() {
+        let valley =
+            [[0.0, -4.0, 0.0], [0.0, 4.0, 0.0], [3.0, 0.0, 4.0], [-3.0, 0.0, 4.0]].map(DVec3::from_array);
+        let b = FacetTarget::of_mesh(&TriangleMesh::new(&valley, &[[0, 1, 2], [1, 0, 3]]).unwrap());
+        let corners = [[-0.25, 0.1, 1.0], [0.25, 0.1, 1.0], [0.0, -0.3, 1.0]].map(DVec3::from_array);
+        // At x it is (3 − 4 |x|) / 5: at the corners of a half 0.6, 0.6 and 0.4.
+        let spread = spread_of_triangle(&b, &corners, 0.0);
+        let mean = 1.6 / 3.0;
+        // The rounding of areas is relative to the square of the largest length, 25, and the area is 0.1.
+        let rounding = 1e-10;
+        assert!((spread.upper - 0.6).abs() <= 1e-12 && spread.mean[1] >= mean, "{spread:?}");
+        assert!(spread.mean[1] <= mean + rounding, "{spread:?}");
+        let square = mean * mean + (2.0 * (0.6 - mean).powi(2) + (0.4 - mean).powi(2)) / 12.0;
+        assert!(spread.square[1] >= square && spread.square[1] <= (0.36 + 0.36 + 0.16) / 3.0 + rounding);
+        let of_one = (0.8 + 0.4 + 0.6) / 3.0;
+        assert!(spread.mean[1] < of_one - 0.05 && spread.mean[0] <= mean);
+    }
+
+    /// A triangle that is near enough is not looked at more closely.
+    #[test]
+    fn a_triangle_within_the_sufficient_distance_is_decided_whole() {
+        let b = sheet(&mut fastrand::Rng::with_seed(3), 0.0);
+        let height = 0.25;
+        let corners =
+            [[-0.4, -0.45], [0.45, -0.1], [-0.2, 0.4]].map(|[x, y]| DVec3::new(x, y, height - 1.0 / 6.0));
+        for (sufficient, lower) in [(0.24, height), (0.26, 0.0)] {
+            let spread = spread_of_triangle(&b, &corners, sufficient);
+            assert!(spread.upper >= height - 1e-12 && spread.upper <= upper_max(sufficient, height + 1e-12));
+            assert!((spread.lower - lower).abs() <= 1e-12, "{spread:?}");
+        }
+    }
+
     /// Of more facets than are looked at, the others may be nearer: here one near a corner, beyond
     /// many above the middle.
     #[test]
@@ -507,7 +618,7 @@ mod tests {
         let points: Vec<DVec3> =
             (0..4 * MAX_NEAR).map(|k| near[k % 2] + DVec3::X * 1e-6 * k as f64).collect();
         let b = FacetTarget::of_cloud(&PointCloud::new(points).unwrap());
-        let (spread, _) = spread_of_triangle(&b, &corners, 0, 0.0);
+        let spread = spread_of_triangle(&b, &corners, 0.0);
         assert!(spread.lower <= 0.25, "{spread:?}");
     }
 }

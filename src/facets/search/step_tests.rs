@@ -211,7 +211,7 @@ fn cells_that_their_triangles_decide_have_their_sag_added() {
 fn spreads_have_every_allowance() {
     let u = UNIT_ROUNDOFF;
     let check = |a: Source<'_>, b: &FacetTarget, [low, high]: [f64; 2], sag_roundings: f64| -> [f64; 2] {
-        let parts = Parts::new(a, to(b, 0.0), RigidTransform::IDENTITY);
+        let parts = Parts::new(a, to(b, 0.0), RigidTransform::IDENTITY, 0.0);
         let allowance =
             1.01 * (32.0 + 8.0 + 6.0 * 128.0 + 64.0 + sag_roundings) * u * 1000.0 - 4.0 * u * high;
         let found = match parts.first(0, Start::default()) {
@@ -404,10 +404,10 @@ fn intervals_have_every_allowance() {
     }
     assert!(sag_rounding(1.0) >= 256.0 * UNIT_ROUNDOFF);
     let far = cloud(&[DVec3::new(0.0, 0.0, 1000.0)]);
-    let parts = Parts::new(of(&far, 0.0), to(&b, 0.0), RigidTransform::IDENTITY);
+    let parts = Parts::new(of(&far, 0.0), to(&b, 0.0), RigidTransform::IDENTITY, 0.0);
     let expected = 1.01 * (32.0 + 8.0 + 6.0 * 128.0 + 64.0) * UNIT_ROUNDOFF * 1000.0
         + RigidTransform::IDENTITY.rounding(1000.0);
     assert!(parts.rounding() >= expected, "{}", parts.rounding());
-    let erring = Parts::new(of(&a, 0.1), to(&b, 0.02), RigidTransform::IDENTITY);
+    let erring = Parts::new(of(&a, 0.1), to(&b, 0.02), RigidTransform::IDENTITY, 0.0);
     assert!(erring.rounding() >= 0.12);
 }

@@ -49,22 +49,28 @@ pub(crate) fn hexadecimal(bytes: &[u8]) -> String {
 /// Returns the bytes of a file, or of standard input for [`STANDARD_STREAM`].
 ///
 /// # Errors
-/// [`Error::FileUnreadable`]; [`Error::FileTooLarge`] before more than
-/// [`Model::MAX_JSON_BYTES`] are read.
+/// [`Error::FileUnreadable`]; [`Error::FileTooLarge`] before more than [`max_bytes`] are read.
 pub(super) fn bytes(path: &Path) -> Result<Vec<u8>> {
     let unreadable = |error: std::io::Error| Error::FileUnreadable {
         path: path.display().to_string(),
         found: error.to_string(),
     };
+    let most = max_bytes(path);
     if path.as_os_str() == STANDARD_STREAM {
-        return bounded(std::io::stdin().lock(), unreadable);
+        return bounded(std::io::stdin().lock(), most, unreadable);
     }
     let file = File::open(path).map_err(unreadable)?;
     let length = file.metadata().map_err(unreadable)?.len();
-    if length > Model::MAX_JSON_BYTES {
-        return Err(too_large(length));
+    if length > most {
+        return Err(too_large(length, most));
     }
-    bounded(file, unreadable)
+    bounded(file, most, unreadable)
+}
+
+/// Returns the largest size of a file: that of meshes and clouds by the ending of its name, else that of CAD.
+fn max_bytes(path: &Path) -> u64 {
+    let is_mesh = MeshFormat::of_name(&path.to_string_lossy()).is_some();
+    if is_mesh { MeshFile::MAX_BYTES } else { Model::MAX_JSON_BYTES }
 }
 
 /// Returns the other files that belong to a model's file, as the files of its buffers belong to a glTF. Only files in
@@ -89,7 +95,7 @@ pub(super) fn beside(path: &Path, content: &[u8]) -> Result<Beside> {
         let found = bytes(&folder.join(&name))?;
         length += found.len() as u64;
         if length > Model::MAX_JSON_BYTES {
-            return Err(too_large(length));
+            return Err(too_large(length, Model::MAX_JSON_BYTES));
         }
         files.insert(name, found);
     }
@@ -97,15 +103,15 @@ pub(super) fn beside(path: &Path, content: &[u8]) -> Result<Beside> {
 }
 
 /// Reads to the end: a pipe or a device states no length, and a file may grow.
-fn bounded(reader: impl Read, unreadable: impl Fn(std::io::Error) -> Error) -> Result<Vec<u8>> {
+fn bounded(reader: impl Read, most: u64, unreadable: impl Fn(std::io::Error) -> Error) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    reader.take(Model::MAX_JSON_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    reader.take(most + 1).read_to_end(&mut bytes).map_err(unreadable)?;
     match bytes.len() as u64 {
-        length if length > Model::MAX_JSON_BYTES => Err(too_large(length)),
+        length if length > most => Err(too_large(length, most)),
         _ => Ok(bytes),
     }
 }
 
-fn too_large(found: u64) -> Error {
-    Error::FileTooLarge { found, expected: Model::MAX_JSON_BYTES }
+fn too_large(found: u64, expected: u64) -> Error {
+    Error::FileTooLarge { found, expected }
 }

@@ -10,10 +10,10 @@ mod polygon;
 mod tests;
 
 use super::super::{Facet, FacetTarget, NONE};
-use crate::rounding::{unit, upper_max};
+use crate::rounding::{gamma, unit, upper_max, upper_min};
 use glam::{DVec2, DVec3};
 pub(super) use polygon::MAX_CLIPS;
-use polygon::{Corner, HalfPlane, Polygon};
+use polygon::{Corner, HalfPlane, MAX_CORNERS, Polygon};
 
 /// The largest number of facets of a cover: a triangle above more of them is halved.
 const MAX_FACETS: usize = 256;
@@ -25,6 +25,14 @@ const MIN_HEIGHT: f64 = 1e-2;
 /// The weights of the corners at the point that tells for all: a point in general position, as middles
 /// and centres are corners of subdivided meshes.
 const INNER_WEIGHTS: [f64; 3] = [0.37, 0.34, 0.29];
+
+/// The roundings of the area of a triangle between corners of clipped polygons, relative to the square of the
+/// largest length (lemma F12 of docs/meshes.md).
+const AREA_ROUNDINGS: f64 = 256.0;
+
+/// The roundings of a sum over the triangles of all fans, relative to it: four polygons for each of the facets, six
+/// triangles for each polygon, and two for each term.
+const SUM_ROUNDINGS: f64 = (MAX_FACETS * 4 * 6 * 2) as f64;
 
 /// Returns the point of a triangle that tells for all: a cover begins well with the facet nearest to it.
 pub(super) fn inner_point(corners: &[DVec3; 3]) -> DVec3 {
@@ -42,32 +50,42 @@ pub(super) struct Cover {
     pub(super) facet: u32,
 }
 
+/// Bounds on the mean of the distances of a triangle's points to B, and on the mean of their squares.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Means {
+    pub(super) mean: f64,
+    pub(super) square: f64,
+}
+
 /// Returns the bound on the distance of a triangle by facets around the first one, as long as these
 /// cover it. Beyond an edge a facet goes on without the next one where it is within `threshold`.
 pub(super) fn cover(b: &FacetTarget, corners: &[DVec3; 3], first: u32, threshold: f64) -> Option<Cover> {
-    if b.is_cloud() {
-        return None;
-    }
-    let view = View::new(corners, &b.facet(first))?;
-    let part = corners.map(|point| Corner { image: view.image(point), point });
-    let inner = view.image(inner_point(corners));
-    let of_corners = corners.iter().fold(0.0, |length, corner| upper_max(length, corner.length()));
-    let length = upper_max(b.bounding_box().farthest_from_origin(), of_corners);
-    let search = CoverSearch {
-        b,
-        neighbours: b.neighbours(),
-        view,
-        length,
-        triangle: part.map(|corner| corner.image),
-        part: Polygon::of_triangle(part),
-        inner,
-        threshold_squared: threshold * threshold,
-        facets: vec![first],
-        bound: Bound { squared: 0.0, at: corners[0], facet: first },
-    };
+    let mut search = CoverSearch::new(b, corners, first, threshold)?;
     search.run()
 }
 
+/// Returns the same bound with those on the means, which rounding of distances has not been added to
+/// (lemma F12 of docs/meshes.md).
+pub(super) fn cover_with_means(
+    b: &FacetTarget,
+    corners: &[DVec3; 3],
+    first: u32,
+    threshold: f64,
+) -> Option<(Cover, Means)> {
+    let mut search = CoverSearch::new(b, corners, first, threshold)?;
+    search.integrals = Some([0.0; 2]);
+    let found = search.run()?;
+    let upper = found.upper;
+    let whole = Means { mean: upper, square: upper * upper };
+    let area = search.area(corners, -1.0) * (1.0 - gamma(SUM_ROUNDINGS));
+    let means = match search.integrals {
+        Some([mean, square]) if area > 0.0 => {
+            Means { mean: upper_min(whole.mean, mean / area), square: upper_min(whole.square, square / area) }
+        }
+        _ => whole,
+    };
+    Some((found, means))
+}
 /// The linear map to a plane that images are in.
 struct View {
     origin: DVec3,
@@ -136,10 +154,42 @@ struct CoverSearch<'a> {
     threshold_squared: f64,
     facets: Vec<u32>,
     bound: Bound,
+    /// Bounds on the integrals of the distance and of its square over the parts so far, if they are wanted.
+    integrals: Option<[f64; 2]>,
 }
 
-impl CoverSearch<'_> {
-    fn run(mut self) -> Option<Cover> {
+/// A bound on the distances of a polygon by a facet, with those on their integrals.
+struct PolygonBound {
+    bound: Bound,
+    integrals: [f64; 2],
+}
+
+impl<'a> CoverSearch<'a> {
+    fn new(b: &'a FacetTarget, corners: &[DVec3; 3], first: u32, threshold: f64) -> Option<Self> {
+        if b.is_cloud() {
+            return None;
+        }
+        let view = View::new(corners, &b.facet(first))?;
+        let part = corners.map(|point| Corner { image: view.image(point), point });
+        let inner = view.image(inner_point(corners));
+        let of_corners = corners.iter().fold(0.0, |length, corner| upper_max(length, corner.length()));
+        let length = upper_max(b.bounding_box().farthest_from_origin(), of_corners);
+        Some(Self {
+            b,
+            neighbours: b.neighbours(),
+            view,
+            length,
+            triangle: part.map(|corner| corner.image),
+            part: Polygon::of_triangle(part),
+            inner,
+            threshold_squared: threshold * threshold,
+            facets: vec![first],
+            bound: Bound { squared: 0.0, at: corners[0], facet: first },
+            integrals: None,
+        })
+    }
+
+    fn run(&mut self) -> Option<Cover> {
         let (mut is_odd, mut next) = (false, 0);
         while let Some(&facet) = self.facets.get(next) {
             let Facet::Triangle(corners) = self.b.facet(facet) else { return None };
@@ -156,10 +206,32 @@ impl CoverSearch<'_> {
         is_odd.then(|| Cover { upper: squared.sqrt(), farthest: at, facet })
     }
 
-    fn include(&mut self, bound: Bound) {
+    fn include(&mut self, PolygonBound { bound, integrals: [mean, square] }: PolygonBound) {
         if !(bound.squared <= self.bound.squared) {
             self.bound = bound;
         }
+        if let Some(sums) = &mut self.integrals {
+            *sums = [sums[0] + mean, sums[1] + square];
+        }
+    }
+
+    /// Returns a bound on the area of a triangle between corners, from above or, with the sign −1, from below.
+    fn area(&self, &[a, b, c]: &[DVec3; 3], sign: f64) -> f64 {
+        0.5 * (b - a).cross(c - a).length() + sign * gamma(AREA_ROUNDINGS) * self.length * self.length
+    }
+
+    /// Returns bounds on the integrals over a polygon of a convex function with these squares at its corners, and
+    /// of its square: over each triangle of a fan the mean is at most that of the corners.
+    fn integrals_of(&self, corners: &[Corner], squares: &[f64]) -> [f64; 2] {
+        let mut sums = [0.0; 2];
+        for last in 2..corners.len() {
+            let triangle = [0, last - 1, last];
+            let area = self.area(&triangle.map(|index| corners[index].point), 1.0) / 3.0;
+            let of_corners = triangle.map(|index| squares[index]);
+            sums[0] += area * of_corners.into_iter().map(f64::sqrt).sum::<f64>();
+            sums[1] += area * of_corners.into_iter().sum::<f64>();
+        }
+        sums
     }
 
     /// Returns half-planes with a facet's image in all of them: those of its edges, or of a box along
@@ -199,19 +271,22 @@ impl CoverSearch<'_> {
     }
 
     /// Returns the bound of the part of the triangle in all half-planes by a facet (lemma F5).
-    fn bound_within(&self, sides: &[HalfPlane], facet: u32) -> Option<Bound> {
+    fn bound_within(&self, sides: &[HalfPlane], facet: u32) -> Option<PolygonBound> {
         let mut part = self.part;
         for side in sides {
             part = part.clipped(side, self.length)?;
         }
         let mut bound = Bound { squared: 0.0, at: DVec3::ZERO, facet };
-        for &Corner { point, .. } in part.corners() {
-            let squared = self.b.distance_squared(facet, point);
-            if !(squared <= bound.squared) {
-                bound = Bound { squared, at: point, facet };
+        let mut squares = [0.0; MAX_CORNERS];
+        for (&Corner { point, .. }, squared) in part.corners().iter().zip(&mut squares) {
+            *squared = self.b.distance_squared(facet, point);
+            if !(*squared <= bound.squared) {
+                bound = Bound { squared: *squared, at: point, facet };
             }
         }
-        Some(bound)
+        let are_wanted = self.integrals.is_some();
+        let integrals = if are_wanted { self.integrals_of(part.corners(), &squares) } else { [0.0; 2] };
+        Some(PolygonBound { bound, integrals })
     }
 
     /// Goes on beyond an edge of a facet that may be at the triangle: with the facet itself where it is
@@ -226,8 +301,9 @@ impl CoverSearch<'_> {
         }
         let line = HalfPlane::left_of(ends[0], ends[1]);
         let is_towards = (line.side(self.inner) > 0.0) != (line.side(image[(edge + 2) % 3]) > 0.0);
-        let is_passed =
-            |bound: &Bound| neighbour == NONE || (!is_towards && bound.squared <= self.threshold_squared);
+        let is_passed = |of: &PolygonBound| {
+            neighbour == NONE || (!is_towards && of.bound.squared <= self.threshold_squared)
+        };
         match self.beyond(ends).and_then(|sides| self.bound_within(&sides, facet)) {
             Some(bound) if is_passed(&bound) => self.include(bound),
             _ if neighbour != NONE && self.facets.len() < MAX_FACETS => self.facets.push(neighbour),

@@ -11,7 +11,7 @@ const SIDE_ROUNDINGS: f64 = 128.0;
 const VANISHING_SIDE: f64 = 1e-290;
 
 /// The largest number of corners of a polygon: a triangle has three, and each of four clips adds one.
-const MAX_CORNERS: usize = 8;
+pub(super) const MAX_CORNERS: usize = 8;
 
 /// The largest number of times that a polygon is clipped: lemma F4 counts each as a cut.
 pub(in super::super) const MAX_CLIPS: u32 = 4;
