@@ -5,6 +5,9 @@
 //! cell's size where c lies far behind the cell on the line from the foot. `docs/meshes.md`, section 7,
 //! has the proofs (lemmas S1 to S3).
 
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod attained;
+
 use super::bounds::{self, Lengths, distance_above, distance_from};
 use super::cell_context::CellContext;
 use super::nearest::{Foot, NearestPoint, Query};

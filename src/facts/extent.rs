@@ -183,3 +183,37 @@ pub(crate) fn largest_of_points(
     }
     Interval::about(best, moved + gamma(HEIGHT_ROUNDINGS) * size.sqrt())
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use glam::DVec4;
+    use num_rational::BigRational;
+
+    /// Lemma V5 for bilinear patches, which are farthest at a corner, in rational numbers: those of the coordinates
+    /// as they are, far from 0 and near each other, so that the roundings of heights are larger than their ends'.
+    #[test]
+    fn extents_contain_the_farthest_corner() {
+        let exact = |number: f64| BigRational::from_float(number).unwrap();
+        let random = &mut fastrand::Rng::with_seed(46);
+        for _ in 0..200 {
+            let mut vector = |size: f64| DVec3::from_array([0; 3].map(|_| size * (random.f64() - 0.5)));
+            let (origin, direction) = (vector(1e3), vector(1.0).normalize());
+            let center = origin + vector(1e3);
+            let locals = [(); 4].map(|()| vector(1.0) + (origin - center));
+            let heights = locals.map(|local| {
+                let along = |axis: usize| {
+                    exact(direction[axis]) * (exact(center[axis]) + exact(local[axis]) - exact(origin[axis]))
+                };
+                along(0) + along(1) + along(2)
+            });
+            let farthest = heights.into_iter().max().unwrap();
+            let controls: Vec<DVec4> = locals.iter().map(|local| local.extend(1.0)).collect();
+            let patch = Patch::whole([1, 1], center, &controls);
+            let found = largest(std::iter::once(patch), direction, origin, 1.0, 0.0);
+            assert!(exact(found.lower) <= farthest && farthest <= exact(found.upper), "{found:?}");
+            assert!(found.width() < 1e-9, "{found:?}");
+        }
+    }
+}

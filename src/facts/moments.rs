@@ -103,3 +103,66 @@ pub(crate) fn shifted(moments: &IntervalMoments, offset: [Interval; 3]) -> Inter
     }
     shifted
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    /// The first of some numbers is the least that the lemma allows, and no more than rounding below the second.
+    fn assert_attained(found: f64, exact: f64) {
+        assert!(found >= exact && found <= exact * (1.0 + 1e-12), "{found} {exact}");
+    }
+
+    /// Lemma V3, attained by a small cap of a ball about the origin: x·n is the radius, and a coordinate may be.
+    #[test]
+    fn a_surface_that_is_left_out_counts_as_the_cone_over_it() {
+        let (area, radius) = (0.01, 3.0);
+        let mut moments = Moments::ZERO;
+        moments.add_surface(area, radius);
+        for index in 0..COUNT {
+            let exact = [area * 3.0 / 3.0, area * 9.0 / 4.0, area * 27.0 / 5.0][order(index) as usize];
+            assert_attained(moments.errors[index], exact);
+        }
+        moments.add_surface(area, radius);
+        assert_attained(moments.errors[0], 2.0 * area);
+    }
+
+    /// The same of a thin layer: its volume, times the radius to the power of the moment's degree.
+    #[test]
+    fn a_layer_counts_as_its_volume() {
+        let (distance, area, radius) = (1e-3, 2.0, 3.0);
+        let mut moments = Moments::ZERO;
+        moments.add_layer(distance, area, radius);
+        for index in 0..COUNT {
+            assert_attained(moments.errors[index], [0.002, 0.006, 0.018][order(index) as usize]);
+        }
+    }
+
+    /// The moments of [0, 1]³ about its corner and about a place with other coordinates along each axis, by
+    /// ∫ (x + a) (y + b) = 1/4 + (a + b)/2 + a b and the like.
+    #[test]
+    fn moments_about_another_origin_are_those_of_the_moved_set() {
+        let [half, third, quarter] = [0.5, 1.0 / 3.0, 0.25];
+        let cube = [1.0, half, half, half, third, third, third, quarter, quarter, quarter];
+        let [a, b, c] = [1.0, 2.0, 4.0];
+        let mixed = |a: f64, b: f64| quarter + (a + b) / 2.0 + a * b;
+        let square = |a: f64| third + a + a * a;
+        let expected = [
+            1.0,
+            half + a,
+            half + b,
+            half + c,
+            square(a),
+            square(b),
+            square(c),
+            mixed(a, b),
+            mixed(b, c),
+            mixed(c, a),
+        ];
+        let intervals = cube.map(|moment| Interval::about(moment, 1e-14));
+        let found = shifted(&intervals, [a, b, c].map(Interval::exactly));
+        for (interval, exact) in found.iter().zip(expected) {
+            assert!(interval.contains(exact) && interval.width() < 1e-12, "{interval:?} {exact}");
+        }
+    }
+}

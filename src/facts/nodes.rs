@@ -110,3 +110,34 @@ impl Dependence {
         Some(Nodes { count, errors, slopes })
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+
+    /// Lemmas V2 and A1, written out: for one of the radii the errors are those of the ellipse's bound, with 32/15
+    /// for A1's factor, and that of the second moments is within the error aimed at.
+    #[test]
+    fn errors_are_those_of_the_lemma() {
+        let (constant, [first, second]) = (1.0, [0.05, 0.01]);
+        let dependence = Dependence::Rational { degree: 2, sizes: vec![0.0, first, second], constant };
+        let found = dependence.nodes().unwrap();
+        let of_lemma = |radius: f64, order: i32| {
+            let change = first * radius + second * radius * radius;
+            let ratio = (constant + first + second) / (constant - change);
+            let bound = radius.powi((4 + order) * 2 - 2) * ratio.powi(4 + order);
+            let nodes = found.count as i32;
+            32.0 / 15.0 * bound * radius.powi(-2 * nodes) / (1.0 - radius.powi(-2))
+        };
+        let matches = |radius: f64| {
+            (0..3).all(|order| {
+                let exact = of_lemma(radius, order);
+                let error = found.errors[order as usize];
+                (1.0..1.0 + 1e-9).contains(&(error / exact))
+            })
+        };
+        assert!(RADII.into_iter().any(matches), "{found:?}");
+        assert!(found.errors[2] <= MAX_ERROR * 1.001 && found.errors[2] > 0.0, "{found:?}");
+    }
+}

@@ -207,4 +207,58 @@ mod tests {
             assert!((0.9..0.8 * MEAN_OF_SLOPES).contains(&mean), "{count}: {mean}");
         }
     }
+
+    /// Lemma V1, attained: the density of x² over (s², s² t, s) has the degree 8 in s, which four nodes are too
+    /// few for. With x·N = s⁴ all moments are products of two integrals of powers.
+    #[test]
+    fn moments_of_the_highest_degree_are_exact() {
+        let (squares, ones) = ([0.0, 0.0, 1.0], [0.0, 0.5, 1.0]);
+        let control = |i: usize, t: f64| DVec4::new(squares[i], t * squares[i], ones[i], 1.0);
+        let controls: Vec<DVec4> = (0..3).flat_map(|i| [0.0, 1.0].map(|t| control(i, t))).collect();
+        let found = of_patch(&Patch::whole([2, 1], DVec3::ZERO, &controls), DVec3::ZERO, 0.0);
+        let exact = [15.0, 28.0, 56.0, 24.0, 45.0, 135.0, 35.0, 90.0, 80.0, 40.0].map(f64::recip);
+        for (index, (interval, exact)) in found.intervals().iter().zip(exact).enumerate() {
+            assert!(interval.contains(exact) && interval.width() < 1e-11, "{index}: {interval:?} {exact}");
+        }
+    }
+
+    /// The rounding of densities: all moments of the cone over a patch in a plane through the origin are 0, while
+    /// its terms are not.
+    #[test]
+    fn the_rounding_of_densities_is_in_the_errors() {
+        let random = &mut fastrand::Rng::with_seed(46);
+        let mut most = 0;
+        for _ in 0..50 {
+            // The plane x + 2 y = 3 z, with whole coordinates.
+            let mut in_plane = || {
+                let [a, b] = [0; 2].map(|_| f64::from(random.i32(-1000..1000)));
+                DVec3::new(3.0 * a, 3.0 * b, a + 2.0 * b)
+            };
+            let center = in_plane();
+            let controls = [(); 4].map(|()| in_plane().extend(1.0));
+            let found = of_patch(&Patch::whole([1, 1], center, &controls), DVec3::ZERO, 0.0);
+            let wrong = found.values.iter().zip(found.errors).filter(|(value, error)| value.abs() > *error);
+            assert_eq!(wrong.count(), 0, "{found:?}");
+            most = most.max(found.values.iter().filter(|value| **value != 0.0).count());
+        }
+        assert!(most > COUNT / 2, "{most}");
+    }
+
+    /// Lemma V3 for a rim: a square at the height 100 whose sides move outward in its plane sweeps a hundredth of
+    /// its volume, and no layer.
+    #[test]
+    fn what_the_rim_sweeps_is_in_the_errors() {
+        let square = |side: f64| {
+            let corner = |x: f64, y: f64| DVec4::new(side * (x - 0.5), side * (y - 0.5), 0.0, 1.0);
+            [corner(0.0, 0.0), corner(0.0, 1.0), corner(1.0, 0.0), corner(1.0, 1.0)]
+        };
+        let (height, outward) = (DVec3::new(0.0, 0.0, 100.0), 1e-3);
+        let volume = |side: f64, moved: f64| {
+            of_patch(&Patch::whole([1, 1], height, &square(side)), DVec3::ZERO, moved).volume()
+        };
+        let larger = volume(1.0 + 2.0 * outward, 0.0);
+        let known = volume(1.0, outward * 2.0_f64.sqrt());
+        assert!(known.contains(larger.middle()), "{known:?} {larger:?}");
+        assert!(known.width() < 4.0 * (larger.middle() - volume(1.0, 0.0).middle()).abs(), "{known:?}");
+    }
 }

@@ -29,12 +29,17 @@ impl Principal {
         let radius = [0, 1, 2].map(|i| DVec3::from_array([0, 1, 2].map(|j| matrix[i][j].radius())));
         let middle = DMat3::from_cols_array_2d(&middle);
         let spread = norm(&DMat3::from_cols(radius[0], radius[1], radius[2]));
-        let axes = sorted(jacobi(middle), &middle);
+        Self::by_axes(&middle, spread, sorted(jacobi(middle), &middle))
+    }
+
+    /// Lemma V6 for any axes: they are near orthogonal unit vectors, and the nearer to eigenvectors the narrower the
+    /// intervals. Entries are within a matrix of the norm `spread` of `middle`.
+    fn by_axes(middle: &DMat3, spread: f64, axes: [DVec3; 3]) -> Self {
         let q = DMat3::from_cols(axes[0], axes[1], axes[2]);
-        let turned = q.transpose() * middle * q;
+        let turned = q.transpose() * *middle * q;
         let diagonal = [0, 1, 2].map(|k| turned.col(k)[k]);
         let off = norm(&(turned - DMat3::from_diagonal(DVec3::from_array(diagonal))));
-        let size = norm(&middle);
+        let size = norm(middle);
         let rounding = gamma(PRODUCT_ROUNDINGS);
         let skew = norm(&(q.transpose() * q - DMat3::IDENTITY)) + rounding;
         let error = (off + rounding * size + 3.0 * skew * size + spread) * (1.0 + rounding);
@@ -42,7 +47,7 @@ impl Principal {
         sorted.sort_unstable_by(f64::total_cmp);
         let moments = sorted.map(|value| Interval::about(value, error));
         let angles = [0, 1, 2].map(|k| {
-            let residual = (middle * axes[k] - diagonal[k] * axes[k]).length();
+            let residual = (*middle * axes[k] - diagonal[k] * axes[k]).length();
             let residual = (residual + spread + rounding * size) * (1.0 + 2.0 * skew);
             let others = [moments[(k + 1) % 3], moments[(k + 2) % 3]];
             angle(residual, diagonal[k], others)
@@ -152,5 +157,41 @@ mod tests {
         // [[1, 1e-3], [1e-3, 1]] has the eigenvalues 1 ± 1e-3, and more on the diagonal 1 ± 2e-3.
         assert!(found.moments[0].contains(0.998) && found.moments[0].lower > 0.99);
         assert!(found.angles[0] > 1.57 && found.angles[2] < 4e-3, "{:?}", found.angles);
+    }
+
+    /// [[1, e], [e, 1]] has the eigenvalues 1 ± e, and along the coordinate axes both of its moments are 1.
+    #[test]
+    fn what_is_off_the_diagonal_counts() {
+        let off = 1e-3;
+        let mut matrix = DMat3::from_diagonal(DVec3::new(1.0, 1.0, 3.0));
+        matrix.x_axis.y = off;
+        matrix.y_axis.x = off;
+        let found = Principal::by_axes(&matrix, 0.0, [DVec3::X, DVec3::Y, DVec3::Z]);
+        for (interval, exact) in found.moments.iter().zip([1.0 - off, 1.0 + off, 3.0]) {
+            assert!(interval.contains(exact) && interval.width() < 4.0 * off, "{interval:?}");
+        }
+    }
+
+    /// Axes that are longer by a part have moments that are larger by twice that part.
+    #[test]
+    fn axes_that_are_no_unit_vectors_count() {
+        let [one, two, four] = [1.0, 2.0, 4.0];
+        let matrix = DMat3::from_diagonal(DVec3::new(one, two, four));
+        let longer = 1.0 + 1e-6;
+        let found =
+            Principal::by_axes(&matrix, 0.0, [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| longer * axis));
+        for (interval, exact) in found.moments.iter().zip([one, two, four]) {
+            assert!(interval.contains(exact) && interval.width() < 1e-4, "{interval:?}");
+        }
+    }
+
+    /// Entries that are off by e turn the axes of moments 1 apart by about e.
+    #[test]
+    fn the_width_of_the_entries_turns_the_axes() {
+        let error = 1e-4;
+        let found = about(DMat3::from_diagonal(DVec3::new(1.0, 2.0, 4.0)), error);
+        // The eigenvectors of [[1, e], [e, 2]] are turned by atan(2 e) / 2.
+        let turned = 0.5 * (2.0 * error).atan();
+        assert!(found.angles[0] >= turned && found.angles[0] < 10.0 * error, "{:?}", found.angles);
     }
 }

@@ -43,3 +43,41 @@ impl Cracks {
         }
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::solid::orientation::Orientations;
+
+    /// Returns the area that two surfaces of two shells get.
+    fn areas(cracks: Cracks, rounding: f64) -> [f64; 2] {
+        let mut joined = Orientations::separate(2).shells();
+        cracks.added_to(&mut joined, rounding);
+        [0, 1].map(|surface: usize| joined.of_shell[joined.shells[surface] as usize].cracks)
+    }
+
+    /// Lemma S6, attained: two edges that are the same but for rounding, each off by as much to another side, have a
+    /// strip between them that is twice as wide.
+    #[test]
+    fn the_rounding_of_both_edges_widens_a_strip() {
+        let (rounding, length) = (1e-3, 5.0);
+        let [found, other] =
+            areas(Cracks { strips: vec![(0, [0.25, length])], corners: Vec::new() }, rounding);
+        let exact = 0.25 + 2.0 * rounding * length;
+        assert!(found >= exact && found < exact + 1e-9 && other == 0.0, "{found} {other}");
+    }
+
+    /// The cone from one corner of an equilateral triangle over its sides is the triangle.
+    #[test]
+    fn the_cones_of_a_corner_have_at_least_the_area_of_its_triangle() {
+        let points = [DVec3::X, DVec3::Y, DVec3::Z];
+        let mut cracks = Cracks::default();
+        cracks.add_corner(&points, vec![1, 1]);
+        let [other, found] = areas(cracks, 0.0);
+        let side = 2.0_f64.sqrt();
+        assert!(
+            found >= 3.0_f64.sqrt() / 4.0 * side * side && found < 10.0 && other == 0.0,
+            "{found} {other}"
+        );
+    }
+}

@@ -190,6 +190,17 @@ mod tests {
         Ray::new(DVec3::new(x, y, 0.0), DVec3::Z, 1e-9)
     }
 
+    /// Lemma S6, attained: two parallel lines have a rectangle between them.
+    #[test]
+    fn a_strip_between_parallel_lines_has_the_area_of_a_rectangle() {
+        let mut covering = Covering::default();
+        let lines = [0.0, 0.01].map(|y| line([0.0, y, 0.0], [2.0, y, 0.0]));
+        covering.add_pair(lines, StripLimits { radius: 1.0, width: 1.0 }, 0);
+        let rounding = 1e-12;
+        assert!((0.02 - rounding..0.02 + rounding).contains(&covering.area), "{covering:?}");
+        assert!((2.0..2.0 + rounding).contains(&covering.length), "{covering:?}");
+    }
+
     /// A cone over the points of a corner is within their extent of each.
     #[test]
     fn a_corner_is_as_thick_as_its_points_are_apart() {

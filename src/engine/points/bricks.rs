@@ -1,5 +1,9 @@
 //! The bricks of a grid, which are measured one by one.
 
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests;
+
 use super::grid::Grid;
 use super::query::{Known, PointQuery};
 use crate::rounding::{gamma, upper_max};
