@@ -1,10 +1,23 @@
 //! The bodies of a model: shells with the voids within them.
 
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests;
+
 use super::PreparedModel;
+use super::shells::MAX_PAIRS;
 use crate::bvh::Aabb;
 use crate::sorting::sort_by_number;
 use crate::threads::computed;
 use std::collections::BTreeSet;
+
+/// The number of pairs of cells after which the comparisons of all shells of a model end, but for the least share of
+/// those that are left: about a second. A damaged file may have some hundred shells of which none is apart from the
+/// others by more than its gap.
+const MAX_PAIRS_OF_ALL: usize = 8 * MAX_PAIRS;
+
+/// The least number of pairs of a comparison: those of shells that are apart are mostly decided by fewer.
+const MIN_PAIRS: usize = 1_024;
 
 /// A body by its parts.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +55,7 @@ impl PreparedModel {
             }
             let shells = self.shell_parts();
             let boxes: Vec<Aabb> = shells.iter().map(|shell| self.box_of(shell)).collect();
-            let around = self.arounds(&shells, &boxes);
+            let around = self.arounds(&shells, &boxes, &mut Budget::default());
             grouped(shells, &boxes, &around)
         })
     }
@@ -94,34 +107,75 @@ impl PreparedModel {
         shell.surfaces.iter().map(of_surface).fold(Aabb::EMPTY, Aabb::union)
     }
 
-    /// Returns the closed shells about each closed shell. Only those whose boxes lie in each other are compared.
-    fn arounds(&self, shells: &[ShellParts], boxes: &[Aabb]) -> Vec<Around> {
+    /// Returns the closed shells about each closed shell.
+    fn arounds(&self, shells: &[ShellParts], boxes: &[Aabb], budget: &mut Budget) -> Vec<Around> {
+        // Shells of larger meshes have no tree to be compared by.
+        let may_compare = self.facets.as_ref().is_none_or(|facets| facets.may_close());
+        let numbers = |pair: [usize; 2]| pair.map(|index| shells[index].shell);
+        let mut to_compare = self.nested_boxes(shells, boxes);
+        to_compare.retain(|&pair| {
+            let [inner, outer] = numbers(pair);
+            !may_compare || self.shells().may_be_within(inner, outer)
+        });
+        let mut around: Vec<Around> =
+            shells.iter().map(|_| Around { shells: Vec::new(), is_known: true }).collect();
+        for (place, &pair) in to_compare.iter().enumerate() {
+            let [inner, outer] = numbers(pair);
+            let within = may_compare
+                .then(|| {
+                    let max_pairs = budget.share(to_compare.len() - place);
+                    let (within, pairs) = self.shells().is_within(inner, outer, max_pairs);
+                    budget.spend(pairs);
+                    within
+                })
+                .flatten();
+            match within {
+                Some(true) => around[pair[0]].shells.push(pair[1]),
+                Some(false) => {}
+                None => around[pair[0]].is_known = false,
+            }
+        }
+        around
+    }
+
+    /// Returns the pairs of closed shells of which the box of the first lies in that of the second: the others need
+    /// not be compared.
+    fn nested_boxes(&self, shells: &[ShellParts], boxes: &[Aabb]) -> Vec<[usize; 2]> {
         let joined = self.joined();
         let is_closed = |index: usize| joined.of_shell[shells[index].shell as usize].free == 0;
         let mut order: Vec<usize> = (0..shells.len()).filter(|&index| is_closed(index)).collect();
         sort_by_number(&mut order, |&index| boxes[index].min.x);
-        // Shells of larger meshes have no tree to be compared by.
-        let may_compare = self.facets.as_ref().is_none_or(|facets| facets.may_close());
-        let mut around: Vec<Around> =
-            shells.iter().map(|_| Around { shells: Vec::new(), is_known: true }).collect();
+        let mut pairs = Vec::new();
         for (place, &outer) in order.iter().enumerate() {
-            for &inner in &order[place + 1..] {
-                if boxes[inner].min.x > boxes[outer].max.x {
-                    break;
-                }
-                if !is_inside(&boxes[inner], &boxes[outer]) {
-                    continue;
-                }
-                let found =
-                    may_compare.then(|| self.shells().is_within(shells[inner].shell, shells[outer].shell));
-                match found.flatten() {
-                    Some(true) => around[inner].shells.push(outer),
-                    Some(false) => {}
-                    None => around[inner].is_known = false,
-                }
-            }
+            let begin_within =
+                order[place + 1..].iter().take_while(|&&inner| boxes[inner].min.x <= boxes[outer].max.x);
+            let nested = begin_within.filter(|&&inner| is_inside(&boxes[inner], &boxes[outer]));
+            pairs.extend(nested.map(|&inner| [inner, outer]));
         }
-        around
+        pairs
+    }
+}
+
+/// The pairs of cells that all comparisons of a model's shells may bound.
+#[derive(Debug)]
+struct Budget {
+    left: usize,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Self { left: MAX_PAIRS_OF_ALL }
+    }
+}
+
+impl Budget {
+    /// Returns the number of pairs that the next of so many comparisons may bound: an equal share of what is left.
+    fn share(&self, comparisons: usize) -> usize {
+        (self.left / comparisons.max(1)).clamp(MIN_PAIRS, MAX_PAIRS)
+    }
+
+    fn spend(&mut self, pairs: usize) {
+        self.left = self.left.saturating_sub(pairs);
     }
 }
 

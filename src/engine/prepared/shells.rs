@@ -13,7 +13,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
 /// The largest number of pairs of cells after which it is not known how two shells lie: about 0.1 s.
-const MAX_PAIRS: usize = 50_000;
+pub(super) const MAX_PAIRS: usize = 50_000;
 
 /// What is known of a model's shells.
 #[derive(Debug, Default)]
@@ -52,43 +52,56 @@ impl Shells<'_> {
         if let Some(&known) = locked(&self.known.relations).get(&pair) {
             return known;
         }
-        let found = self.compared(pair);
+        let (found, _) = self.compared(pair, MAX_PAIRS);
         *locked(&self.known.relations).entry(pair).or_insert(found)
     }
 
-    /// Returns whether a shell lies within another one, apart from it; `None` where that is not known.
-    pub(in crate::engine) fn is_within(&self, shell: u32, other: u32) -> Option<bool> {
+    /// Returns whether a shell may lie within another one: whether a point of it is not certainly outside of that.
+    pub(super) fn may_be_within(&self, shell: u32, other: u32) -> bool {
         let target = self.target(shell);
         let point = target.patches.patch(0).point([0.5; 2]);
         let error = self.boundary.margin_at(point);
-        if self.boundary.encloses(other, &self.target(other), point, error) == Some(false) {
-            return Some(false);
-        }
-        match self.relation([shell.min(other), shell.max(other)]) {
+        self.boundary.encloses(other, &self.target(other), point, error) != Some(false)
+    }
+
+    /// Returns whether a shell that may lie within another one does, apart from it; `None` where that is not known
+    /// after `max_pairs` pairs of cells. The second number is that of the pairs bounded.
+    pub(super) fn is_within(&self, shell: u32, other: u32, max_pairs: usize) -> (Option<bool>, usize) {
+        let pair = [shell.min(other), shell.max(other)];
+        let (relation, pairs) = self.compared(pair, max_pairs);
+        let within = match relation {
             Relation::Within => Some(shell < other),
             Relation::About => Some(shell > other),
             Relation::Meeting => Some(false),
             Relation::Unknown => None,
+        };
+        // What is known after fewer pairs is known after more.
+        if within.is_some() {
+            locked(&self.known.relations).insert(pair, relation);
         }
+        (within, pairs)
     }
 
-    /// Returns how two shells lie, by the least distance of their points.
-    fn compared(&self, pair: [u32; 2]) -> Relation {
+    /// Returns how two shells lie, by the least distance of their points, and the number of pairs bounded.
+    fn compared(&self, pair: [u32; 2], max_pairs: usize) -> (Relation, usize) {
         let targets = pair.map(|shell| self.target(shell));
-        match self.are_apart(&targets) {
+        let (apart, pairs) = self.are_apart(&targets, max_pairs);
+        let relation = match apart {
             Some(true) => self.nested(pair, &targets),
             Some(false) => Relation::Meeting,
             None => Relation::Unknown,
-        }
+        };
+        (relation, pairs)
     }
 
     /// Returns whether two shells, with their strips, have no point in common; `None` where that is not known.
     /// Points count as common if their distance is within the rounding error.
     pub(in crate::engine) fn is_apart(&self, pair: [u32; 2]) -> Option<bool> {
-        self.are_apart(&pair.map(|shell| self.target(shell)))
+        self.are_apart(&pair.map(|shell| self.target(shell)), MAX_PAIRS).0
     }
 
-    fn are_apart(&self, targets: &[Arc<Target>; 2]) -> Option<bool> {
+    /// As [`Self::is_apart`], after at most `max_pairs` pairs of cells and those bounded at once; with their number.
+    fn are_apart(&self, targets: &[Arc<Target>; 2], max_pairs: usize) -> (Option<bool>, usize) {
         let point_error = self.bezier.point_error.after(0);
         let body = |target| Body { target, control_box: self.control_box, point_error };
         let bodies = [body(&*targets[0]), body(&*targets[1])];
@@ -98,13 +111,13 @@ impl Shells<'_> {
             let stop = search.advance(usize::MAX);
             let Interval { lower, upper } = search.interval();
             if self.boundary.clear_radius(self.boundary.clear_radius(lower)) > 0.0 {
-                return Some(true);
+                return (Some(true), search.pairs());
             }
             if upper <= search.min_tolerance() {
-                return Some(false);
+                return (Some(false), search.pairs());
             }
-            if stop.is_some() || search.pairs() >= MAX_PAIRS {
-                return None;
+            if stop.is_some() || search.pairs() >= max_pairs {
+                return (None, search.pairs());
             }
         }
     }
