@@ -28,8 +28,9 @@ pub(super) trait Cover: Sync {
     /// What rounding adds to both sides of every bound on a distance.
     fn rounding(&self) -> f64;
 
-    /// Returns the bounds of a range of the first parts; `None` for a B without pieces.
-    fn first(&self, range: Range<usize>) -> Option<Vec<Self::Part>>;
+    /// Returns the bounds of a range of the first parts, from when `is_late` on those of [`Self::unmeasured`]; `None`
+    /// for a B without pieces.
+    fn first(&self, range: Range<usize>, is_late: &dyn Fn() -> bool) -> Option<Vec<Self::Part>>;
 
     /// Returns the bounds of one of the first parts that hold without looking at B: where the time is over.
     fn unmeasured(&self, index: usize) -> Self::Part;
@@ -63,9 +64,12 @@ impl Cover for Parts<'_> {
     }
 
     /// Each is searched from the place on B that the one before found.
-    fn first(&self, range: Range<usize>) -> Option<Vec<WeightedPart>> {
+    fn first(&self, range: Range<usize>, is_late: &dyn Fn() -> bool) -> Option<Vec<WeightedPart>> {
         let mut start = Start::default();
         let mut next = |index: usize| {
+            if is_late() {
+                return Some(Self::unmeasured(self, index as u32));
+            }
             let (part, found) = Self::first(self, index as u32, start)?;
             start = found;
             Some(part)
@@ -162,9 +166,12 @@ impl Cover for Cells<'_> {
         self.spreads.rounding()
     }
 
-    fn first(&self, range: Range<usize>) -> Option<Vec<WeightedCell>> {
+    fn first(&self, range: Range<usize>, is_late: &dyn Fn() -> bool) -> Option<Vec<WeightedCell>> {
         let mut start = self.spreads.start();
         let next = |index: usize| {
+            if is_late() {
+                return self.unmeasured(index);
+            }
             let part = self.bounded(Cell::whole(index as u32), &start);
             start.foot = part.start.foot;
             part

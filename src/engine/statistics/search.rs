@@ -190,10 +190,10 @@ impl Search<'_> {
         let gap = POINT_PART * self.tolerance;
         let points = bounded(parts.len(), self.at_once(), progress, |range| {
             let mut start = Start::default();
-            if self.is_late() {
-                return Some(range.map(|_| parts.unmeasured_point()).collect());
-            }
             let next = |index: usize| {
+                if self.is_late() {
+                    return Some(parts.unmeasured_point());
+                }
                 let (point, found) = parts.point(index as u32, start, gap)?;
                 start = found;
                 Some(point)
@@ -229,13 +229,7 @@ impl Search<'_> {
         progress: &mut Progress<'_>,
     ) -> Result<(Vec<C::Part>, (Sums, bool, usize))> {
         let mut known = Area { lower: 0.0, upper: f64::INFINITY };
-        let first = |range: Range<usize>| {
-            if self.is_late() {
-                Some(range.map(|index| cover.unmeasured(index)).collect())
-            } else {
-                cover.first(range)
-            }
-        };
+        let first = |range: Range<usize>| cover.first(range, &|| self.is_late());
         let mut parts = bounded(cover.len(), self.at_once(), progress, first).await?;
         let mut cells = parts.len();
         loop {
@@ -285,7 +279,8 @@ impl Search<'_> {
                 break;
             }
             let found = map_ranges(page.len(), |range: Range<usize>| {
-                page[range].iter().map(|&index| cover.halves(&parts[index])).collect::<Vec<_>>()
+                let halves = |&index: &usize| if self.is_late() { None } else { cover.halves(&parts[index]) };
+                page[range].iter().map(halves).collect::<Vec<_>>()
             });
             for (&index, halves) in page.iter().zip(found.into_iter().flatten()) {
                 let Some([one, other]) = halves else { continue };
