@@ -1,6 +1,6 @@
 //! How much the density of a piece's cone varies over the piece.
 
-use crate::rounding::{UNIT_ROUNDOFF, gamma, upper_max};
+use crate::rounding::{UNIT_ROUNDOFF, gamma, lower_min, upper_max};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// More than the roundings of sums of products of positive bounds, relative to them.
@@ -33,7 +33,7 @@ impl Slopes {
     /// cancels. Derivatives are bounded by differences of control points. O(p q).
     pub(super) fn new([p, q]: [usize; 2], controls: &[DVec4]) -> Self {
         let own = Size::of(controls, 1.0);
-        let least_weight = controls.iter().map(|control| control.w).fold(f64::INFINITY, f64::min);
+        let least_weight = controls.iter().map(|control| control.w).fold(f64::INFINITY, lower_min);
         let grid = Grid { counts: [p + 1, q + 1], controls: controls.to_vec() };
         let (of_s, of_t) = (grid.differences(0), grid.differences(1));
         let [p, q] = [p, q].map(|degree| degree as f64);

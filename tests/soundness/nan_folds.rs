@@ -62,6 +62,7 @@ const ALLOWED: &[(&str, &str, &str)] = &[
     ("facets/search/tests.rs", "fold(", "brute force over finite points"),
     ("facets/search/patch_cell.rs", "bends[axis]", "chooses the axis to halve"),
     ("facets/search/patch_cell.rs", "lengths[", "chooses the axis to halve"),
+    ("facets/search/patch_cell.rs", "range(&mut", "chooses the axis to halve"),
     ("hierarchy/traversal.rs", "distances.near", "the largest of lower bounds: NaN is no bound"),
     ("certified/nearest/feet.rs", "self.count", "integers"),
     ("closest/critical_point.rs", "control.w", "weights of finite nets"),

@@ -90,8 +90,12 @@ impl FaceSearch<'_> {
         }
     }
 
+    /// Whether that moment has come.
     fn is_over(&self) -> bool {
-        matches!(self, Self::Patches(search) if search.is_over())
+        match self {
+            Self::Patches(search) => search.is_over(),
+            Self::Facets(search, _) => search.is_late(),
+        }
     }
 
     /// The number of cells bounded.
@@ -179,5 +183,29 @@ impl FacetFace<'_> {
             (_, Domain::Patch(_, parameters)) => model.surface_point(0, parameters, point),
             (_, Domain::Facet(place)) => model.facet_point(place, [1.0, 0.0, 0.0], point),
         }
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::facets::{Facets, TriangleMesh};
+    use crate::shapes::sphere;
+
+    /// A search over facets bounds no cell once its time is over, so that it would never have bounded enough.
+    #[test]
+    fn a_search_over_facets_comes_back_when_its_time_is_over() {
+        let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap()).unwrap();
+        let mesh = TriangleMesh::new(&[DVec3::X, DVec3::Y, DVec3::Z], &[[0, 1, 2]]).unwrap();
+        let mesh = PreparedModel::of_facets(&Facets::Mesh(mesh), None).unwrap();
+        let patches = &ball.bezier().patches;
+        let source = ball.patches_as_source(patches);
+        let search =
+            FacetSearch::new(source, mesh.measured(None).unwrap(), RigidTransform::IDENTITY, 1e-9, None);
+        let mut search = FaceSearch::Facets(Box::new(search), FacetFace::Patches(source, patches));
+        search.stop_at(Instant::now());
+        assert!(!search.advance(1000), "a search that was stopped has not ended");
+        assert_eq!(search.cells(), 0);
     }
 }

@@ -171,7 +171,8 @@ impl<'a> FacetSearch<'a> {
         self.deadline = Some(deadline);
     }
 
-    fn is_late(&self) -> bool {
+    /// Whether that moment has come.
+    pub(crate) fn is_late(&self) -> bool {
         self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
     }
 
