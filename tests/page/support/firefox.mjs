@@ -12,9 +12,9 @@ import { which } from "../../../scripts/process.mjs";
 import { PLAIN } from "./open.mjs";
 import { saveScreenshot } from "./screenshots.mjs";
 
-/** Milliseconds in which Firefox has to listen, and in which a condition has to hold. */
-const START = 60_000;
-const TIMEOUT = 60_000;
+/** Milliseconds in which Firefox has to listen, and in which a condition has to hold, beside what compiles. */
+const START = 180_000;
+const TIMEOUT = 180_000;
 
 /** Lets WebGL run on Mesa's software, which Firefox otherwise takes for too slow. */
 const SOFTWARE_WEBGL = { "webgl.force-enabled": true };

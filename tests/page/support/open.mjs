@@ -6,8 +6,11 @@ import { launchOptions } from "../../../scripts/test/browser.mjs";
 import { drawn } from "./drawn.mjs";
 import { saveScreenshot } from "./screenshots.mjs";
 
-/** Timeout for anything on the page, in milliseconds; SwiftShader is slow. */
-const TIMEOUT = 60_000;
+/**
+ * Milliseconds in which anything on the page has to happen: SwiftShader is slow, and the page is tested beside what
+ * compiles.
+ */
+const TIMEOUT = 180_000;
 
 /** Whether the test runner runs this file, in which browsers are closed after all tests; else each is with its page. */
 const isTested = process.env.NODE_TEST_CONTEXT !== undefined;
