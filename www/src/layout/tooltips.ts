@@ -12,14 +12,19 @@ const tip = element("tip");
 /** Connects all tools that have something to say. */
 export function connectTooltips(): void {
   let timer = 0;
+  let last = "";
+  const placeOf = ({ clientX, clientY }: MouseEvent) => `${clientX} ${clientY}`;
+  window.addEventListener("pointermove", (event) => {
+    last = placeOf(event);
+  });
   const hide = () => {
     clearTimeout(timer);
     tip.hidden = true;
   };
   for (const tool of document.querySelectorAll<HTMLElement>("[data-tip]")) {
-    tool.addEventListener("pointerenter", ({ pointerType }) => {
-      // A finger hides what it points at.
-      if (pointerType !== "mouse") return;
+    tool.addEventListener("pointerenter", (event) => {
+      // A finger hides what it points at; a tool that comes below a pointer at rest is not asked for.
+      if (event.pointerType !== "mouse" || placeOf(event) === last) return;
       clearTimeout(timer);
       timer = window.setTimeout(() => show(tool), PAUSE);
     });
