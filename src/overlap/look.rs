@@ -45,21 +45,20 @@ impl<'a> Looking<'a> {
         let near = self.still_near(solid, (whole, piece), near);
         let placed = &self.pair.solids[solid];
         let moved = placed.moved(piece.depth);
+        let is_oriented = whole.side != BoundarySide::Unknown;
+        if near.is_empty() {
+            match self.side_of_hull(solid, piece, &known) {
+                Some(false) => return Found::Decided(Interval::exactly(0.0)),
+                Some(true) if is_oriented => {
+                    return Found::Decided(self.cone(solid, whole, piece, moved));
+                }
+                _ => {}
+            }
+        }
         let weight = placed.patches.weight(whole, piece, self.origin, moved);
         let bound = weight.bound();
         let undecided = |near, known| Undecided { solid, whole, piece, bound, value: None, near, known };
-        if near.is_empty() {
-            return match self.side_of_hull(solid, piece, &known) {
-                Some(false) => Found::Decided(Interval::exactly(0.0)),
-                Some(true) if whole.side != BoundarySide::Unknown => {
-                    Found::Decided(self.cone(solid, whole, piece, moved))
-                }
-                _ => Found::Undecided(undecided(near, known)),
-            };
-        }
-        if whole.side != BoundarySide::Unknown
-            && let Some(slab) = self.slab(solid, piece, &near, &mut known)
-        {
+        if is_oriented && let Some(slab) = self.slab(solid, piece, &near, &mut known) {
             let slopes = placed.patches.slopes(whole, piece);
             let cone = self.cone(solid, whole, piece, 0.0);
             let value = slab.inner((whole, piece), &slopes, &weight, cone, moved);

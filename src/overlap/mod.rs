@@ -3,20 +3,17 @@
 //! It is an integral over the parts of each boundary that lie within the other solid ([`Search`]): pieces of patches
 //! ([`piece`]) that have no point of the other boundary near them are on one side of it; of those that it crosses near a
 //! plane ([`crossing`]) the parts above and below that plane are; all that are not decided are halved until what may be
-//! wrong is little. Patches that both boundaries have ([`shared`]) count half for each, and planes on each other are
-//! first moved apart by a little ([`shift`]). Lemmas and proofs are in docs/facts.md. Nothing here knows of files,
+//! wrong is little. Patches that both boundaries have ([`pair`]) count half for each, and planes on each other are
+//! first moved apart by a short motion. Lemmas and proofs are in docs/facts.md. Nothing here knows of files,
 //! options or results.
 
 mod crossing;
 mod density;
-mod half_square;
 mod look;
 mod pair;
 mod piece;
 mod search;
 mod separation;
-mod shared;
-mod shift;
 mod solid;
 mod undecided;
 

@@ -83,12 +83,12 @@ impl<'a> Search<'a> {
     fn include(&mut self, solid: usize) {
         let pair = self.looking.pair;
         let [own, other] = [solid, 1 - solid].map(|index| &pair.solids[index].patches);
-        // Patches of which others take the place are as much farther as those are off.
+        // The patch that takes the place of another one is within its reach.
         let reach = other.wholes.iter().map(|whole| whole.reach).fold(0.0, upper_max);
         let found = map(own.faces().count(), |index| {
             let whole = &own.wholes[index];
-            if let Some(distance) = pair.partners[solid][index] {
-                return Found::Decided(self.half(solid, whole, distance));
+            if let Some(partner) = pair.partners.of(solid, index) {
+                return Found::Decided(self.half(solid, whole, partner.distance));
             }
             let found = other.near(&whole.root.aabb, pair.margins[solid] + reach);
             let near = found.into_iter().map(|index| &other.wholes[index as usize]);

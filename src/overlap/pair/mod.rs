@@ -1,10 +1,13 @@
 //! Two solids that are made ready for a search.
 
-use super::shared::{RELATIVE_REACH, shared};
-use super::shift::{plane, shift};
+mod shared;
+mod shift;
+
 use super::solid::{BoundarySide, PlacedSolid};
 use crate::rounding::{gamma, upper_max};
 use glam::DVec3;
+use shared::{Partners, RELATIVE_REACH, shared};
+use shift::{plane, shift};
 
 /// The roundings of the change of a volume, a product.
 const CHANGE_ROUNDINGS: f64 = 8.0;
@@ -12,13 +15,12 @@ const CHANGE_ROUNDINGS: f64 = 8.0;
 /// The roundings of a patch that is moved, relative to the largest coordinate.
 const MOTION_ROUNDINGS: f64 = 4.0;
 
-/// Two solids in a common frame, of which planes that lie on each other are moved apart by a little, and patches that
-/// both have are paired.
+/// Two solids in a common frame. A short motion of the first one has parted their coincident planes, and the patches that
+/// both solids have are paired.
 #[derive(Debug)]
 pub(crate) struct Pair {
     pub(super) solids: [PlacedSolid; 2],
-    /// For each patch of both that the other one has, too, an upper bound on their distance.
-    pub(super) partners: [Vec<Option<f64>>; 2],
+    pub(super) partners: Partners,
     /// The vector by which the first solid was moved.
     pub(super) shift: DVec3,
     /// An upper bound on what that changes of the volume in common.
@@ -31,30 +33,22 @@ impl Pair {
     /// Makes two solids ready, the first one moved by about `least` where that is not 0. O(n log n) in general position.
     pub(crate) fn new([a, b]: [PlacedSolid; 2], least: f64) -> Self {
         let diagonal = upper_max(a.aabb.diagonal(), b.aabb.diagonal());
-        let mut partners = shared(&a.patches, &b.patches, RELATIVE_REACH * diagonal).partners;
-        for (solid, partners) in [&a, &b].into_iter().zip(&mut partners) {
-            for (whole, partner) in solid.patches.faces().zip(partners) {
-                // To which side such a shell turns is not known.
-                if whole.side == BoundarySide::Unknown {
-                    *partner = None;
-                }
-            }
-        }
+        let mut partners = shared(&a.patches, &b.patches, RELATIVE_REACH * diagonal);
+        partners.retain([&a.patches, &b.patches], |whole| whole.side != BoundarySide::Unknown);
         let margins = [b.margin(&a), a.margin(&b)];
         let margin = upper_max(margins[0], margins[1]);
-        let are_all_shared = partners.iter().flatten().all(Option::is_some);
-        let vector = if are_all_shared {
+        let vector = if partners.are_all() {
             DVec3::ZERO
         } else {
-            shift([&a.patches, &b.patches], margin, least * moved_part(&a, &partners[0], diagonal))
+            shift([&a.patches, &b.patches], margin, least * moved_part(&a, &partners, diagonal))
         };
         let mut pair = Self { solids: [a, b], partners, shift: DVec3::ZERO, change: 0.0, margins };
         if vector != DVec3::ZERO {
             pair = pair.shifted(-vector, margin);
         }
-        for (solid, partners) in pair.solids.iter_mut().zip(&pair.partners) {
-            for (whole, partner) in solid.patches.wholes.iter_mut().zip(partners) {
-                whole.reach = partner.unwrap_or(0.0);
+        for (solid, placed) in pair.solids.iter_mut().enumerate() {
+            for (index, whole) in placed.patches.wholes.iter_mut().enumerate() {
+                whole.reach = pair.partners.of(solid, index).map_or(0.0, |partner| partner.distance);
             }
         }
         pair
@@ -66,20 +60,15 @@ impl Pair {
         width / if a.area < b.area { a.area } else { b.area }
     }
 
-    /// Moves the first solid. Its plane patches are told from others then and need no partners.
+    /// Moves the first solid. The motion separates plane patches, which then need no partners.
     fn shifted(self, vector: DVec3, margin: f64) -> Self {
         let Self { solids: [a, b], mut partners, .. } = self;
         let area = if a.area < b.area { a.area } else { b.area };
         let length = vector.length();
         let change = 0.5 * length * area * (1.0 + gamma(CHANGE_ROUNDINGS));
         let rounding = gamma(MOTION_ROUNDINGS) * (a.aabb.farthest_from_origin() + length);
-        for (solid, partners) in [&a, &b].into_iter().zip(&mut partners) {
-            for (whole, partner) in solid.patches.faces().zip(partners) {
-                *partner = partner
-                    .filter(|_| plane(whole, margin).is_none())
-                    .map(|partner| partner + length + rounding);
-            }
-        }
+        partners.retain([&a.patches, &b.patches], |whole| plane(whole, margin).is_none());
+        partners.add(length + rounding);
         let a = a.moved_by(vector, rounding);
         let margins = [b.margin(&a), a.margin(&b)];
         Self { solids: [a, b], partners, shift: vector, change, margins }
@@ -88,10 +77,10 @@ impl Pair {
 
 /// Returns about the part of a motion for which what it changes of patches that are paired is no more than what it
 /// changes of the volume.
-fn moved_part(solid: &PlacedSolid, partners: &[Option<f64>], diagonal: f64) -> f64 {
-    let paired = solid.patches.faces().zip(partners).filter(|(_, partner)| partner.is_some());
+fn moved_part(first: &PlacedSolid, partners: &Partners, diagonal: f64) -> f64 {
+    let paired = first.patches.faces().enumerate().filter(|&(index, _)| partners.of(0, index).is_some());
     // A patch of this radius has about this area and border.
     let change = |radius: f64| 4.0 * radius * radius + diagonal * 8.0 * radius / 3.0;
-    let sum: f64 = paired.map(|(whole, _)| change(whole.root.radius)).sum();
-    if sum > solid.area { solid.area / sum } else { 1.0 }
+    let sum: f64 = paired.map(|(_, whole)| change(whole.root.radius)).sum();
+    if sum > first.area { first.area / sum } else { 1.0 }
 }

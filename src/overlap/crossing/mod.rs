@@ -1,12 +1,14 @@
 //! Pieces that the other boundary crosses near a plane: lemma O3 of docs/facts.md.
 
+mod half_square;
+
 use super::density::Slopes;
-use super::half_square::Affine;
 use super::piece::{Piece, Weight, Whole};
 use super::separation::{heights, normal};
 use crate::facts::Interval;
 use crate::rounding::{gamma, upper_max};
 use glam::DVec3;
+use half_square::Affine;
 
 /// The least length of the mean of normals that counts as one.
 const MIN_AGREEMENT: f64 = 0.7;

@@ -1,7 +1,7 @@
 //! The vector by which planes that lie on each other are moved apart: lemma O4 of docs/facts.md.
 
-use super::piece::{Patches, Whole};
-use super::separation::{heights, normal};
+use crate::overlap::piece::{Patches, Whole};
+use crate::overlap::separation::{heights, normal};
 use crate::rounding::upper_max;
 use glam::DVec3;
 

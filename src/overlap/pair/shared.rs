@@ -1,6 +1,6 @@
 //! Patches that both solids have.
 
-use super::piece::{Patches, Whole};
+use crate::overlap::piece::{Patches, Whole};
 use crate::rounding::upper_max;
 use crate::sorting::sort_by_number;
 use glam::DVec4;
@@ -12,14 +12,48 @@ pub(super) const RELATIVE_REACH: f64 = 1e-11;
 /// The largest relative difference of weights of patches that count as one.
 const WEIGHT_REACH: f64 = 1e-11;
 
-/// The partner of each patch of both solids, with an upper bound on the distance of their points at each parameter.
-pub(super) struct Shared {
-    pub(super) partners: [Vec<Option<f64>>; 2],
+/// The patch of the other solid that a patch is equal to.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::overlap) struct Partner {
+    index: usize,
+    /// An upper bound on the distance of their points at each parameter.
+    pub(in crate::overlap) distance: f64,
+}
+
+/// The partner of each patch of both solids.
+#[derive(Debug)]
+pub(in crate::overlap) struct Partners([Vec<Option<Partner>>; 2]);
+
+impl Partners {
+    /// Returns the partner of a patch.
+    pub(in crate::overlap) fn of(&self, solid: usize, index: usize) -> Option<Partner> {
+        self.0[solid].get(index).copied().flatten()
+    }
+
+    /// Returns whether every patch has a partner.
+    pub(super) fn are_all(&self) -> bool {
+        self.0.iter().flatten().all(Option::is_some)
+    }
+
+    /// Keeps the pairs of which both patches are kept: lemma O2 states the sum of both.
+    pub(super) fn retain(&mut self, patches: [&Patches; 2], is_kept: impl Fn(&Whole) -> bool) {
+        let kept = patches.map(|patches| patches.faces().map(&is_kept).collect::<Vec<bool>>());
+        for (solid, partners) in self.0.iter_mut().enumerate() {
+            for (partner, &is_kept) in partners.iter_mut().zip(&kept[solid]) {
+                *partner = partner.filter(|partner| is_kept && kept[1 - solid][partner.index]);
+            }
+        }
+    }
+
+    /// Adds to all distances.
+    pub(super) fn add(&mut self, distance: f64) {
+        self.0.iter_mut().flatten().flatten().for_each(|partner| partner.distance += distance);
+    }
 }
 
 /// Pairs patches of which one is the other in parameters that run along the same or other edges, and which no third
 /// patch is near to. O(n log n) in general position.
-pub(super) fn shared(a: &Patches, b: &Patches, reach: f64) -> Shared {
+pub(super) fn shared(a: &Patches, b: &Patches, reach: f64) -> Partners {
     let mut order: Vec<usize> = (0..b.faces().count()).collect();
     let at = |index: usize| b.wholes[index].root.middle.x;
     sort_by_number(&mut order, |&index| at(index));
@@ -45,11 +79,11 @@ pub(super) fn shared(a: &Patches, b: &Patches, reach: f64) -> Shared {
         let partner = |(index, list): (usize, &Vec<(usize, f64)>)| {
             let (other, distance) = only(list)?;
             let (back, _) = only(&found[1 - solid][other])?;
-            (back == index).then_some(distance)
+            (back == index).then_some(Partner { index: other, distance })
         };
         own.map(partner).collect()
     });
-    Shared { partners }
+    Partners(partners)
 }
 
 /// Returns an upper bound on the distance of points of two patches at parameters that correspond, the least over the
@@ -92,4 +126,33 @@ fn distance_as(a: &Whole, b: &Whole, place: impl Fn(usize) -> usize) -> Option<f
     // Four roundings of a ratio.
     let difference = difference + 4.0 * f64::EPSILON;
     (difference <= WEIGHT_REACH).then_some(distance + 4.0 * difference * a.root.radius)
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::bezier::extract;
+    use crate::overlap::BoundarySide;
+    use crate::shapes::sphere;
+    use glam::DVec3;
+    use std::cell::Cell;
+
+    /// Lemma O2 states the sum of two patches: one that counts half must not meet one that counts whole.
+    #[test]
+    fn a_pair_is_kept_only_if_both_of_its_patches_are() {
+        let ball = extract(&sphere(DVec3::ZERO, 1.0).unwrap());
+        let [a, b] =
+            [0, 1].map(|_| Patches::new(&ball.patches, std::iter::empty(), None, |_| BoundarySide::Outward));
+        let count = a.faces().count();
+        let mut partners = shared(&a, &b, 1e-11);
+        assert!(count > 2 && partners.are_all());
+        // The patches of A are asked first, so that the first question is about one of A alone.
+        let asked = Cell::new(0);
+        partners.retain([&a, &b], |_| asked.replace(asked.get() + 1) != 0);
+        for solid in [0, 1] {
+            let kept = (0..count).filter(|&index| partners.of(solid, index).is_some()).count();
+            assert_eq!(kept, count - 1, "solid {solid}");
+        }
+    }
 }
