@@ -24,7 +24,7 @@ fn cubic(height: f64, factor: f64) -> Net {
     ([3, 1], (0..4).flat_map(|i| [0.0, 1.0].map(|t| control(i, t))).collect())
 }
 
-/// S1 and S2: the remainder of third order is all that tells a cubic from the plane that touches it.
+/// S1 and S2: a cubic differs from its tangent plane by the remainder of third order alone, so that the bounds attain it.
 #[test]
 fn remainders_count_above_and_from_an_apex() {
     let (a, b) = (cubic(0.25, 0.4), plane([-2.0, 3.0]));
@@ -35,7 +35,8 @@ fn remainders_count_above_and_from_an_apex() {
     assert!(found.all[0] <= least && found.all[0] >= least - 1.0 / FAR, "{found:?}");
 }
 
-/// S1: what the certificate of an apex's distance leaves open is no part of the lower end, as far as it may be.
+/// S1: the lower end lies below the distance of a point of the cell, by the width of the apex's certified distance at
+/// least.
 #[test]
 fn the_least_distance_is_not_above_a_point_of_the_cell() {
     let a = graph(0.25, 0.0, [0, 0]);

@@ -12,14 +12,15 @@ use glam::DVec3;
 /// The number of balls tried.
 const BALLS: usize = 24;
 
-/// The way to the next ball's middle, as a part of the radius of the one so far, of which all points are inside both.
+/// The distance from one ball's middle to the next, relative to the radius of the first: below 1, so that the next
+/// middle is in the first ball and therefore inside both bodies.
 const FIRST_STEP: f64 = 0.9;
 
 /// The gap of distances, as a part of the larger body's diagonal.
 const RELATIVE_GAP: f64 = 1e-9;
 
-/// The ways from the point inside both to the middle of what both boxes have in common at which balls are begun: the
-/// point itself may lie on a boundary.
+/// The places at which the search for a ball starts, on the segment from the point inside both bodies to the middle of
+/// the intersection of their boxes: the point itself may lie on a boundary.
 const STARTS: [f64; 4] = [0.0, 0.125, 0.5, 1.0];
 
 /// A ball without points of either boundary.
@@ -41,7 +42,8 @@ pub(super) fn depth(models: [&PreparedModel; 2], inside_both: [f64; 3], nearest:
     let [a, b] = models.map(PreparedModel::control_box);
     let middle = 0.5 * (a.min.max(b.min) + a.max.min(b.max));
     let points = STARTS.map(|way| start + way * (middle - start));
-    let balls = points.into_iter().filter(|&point| models.iter().all(|model| is_inside(model, point)));
+    let is_inside = |point: &DVec3| models.iter().all(|model| model.side_within(*point, 0.0) == Side::Inside);
+    let balls = points.into_iter().filter(is_inside);
     let largest = balls.filter_map(|point| ball(models, point)).max_by(|a, b| a.radius.total_cmp(&b.radius));
     let Some(mut best) = largest else { return Interval { lower: 0.0, upper } };
     let mut step = FIRST_STEP;
@@ -56,21 +58,13 @@ pub(super) fn depth(models: [&PreparedModel; 2], inside_both: [f64; 3], nearest:
     Interval { lower: if lower < upper { lower } else { upper }, upper }
 }
 
-/// Returns whether a point is certainly inside a body.
-fn is_inside(model: &PreparedModel, point: DVec3) -> bool {
-    let target = model.target(Flatness::None);
-    let enclosing = model.boundary().enclosing(&target.target, point, 0.0);
-    enclosing.is_some_and(|enclosing| model.shells().side(&enclosing) == Side::Inside)
-}
-
 /// Returns a ball about a point that has no points of either boundary.
 fn ball(models: [&PreparedModel; 2], middle: DVec3) -> Option<Ball> {
     let balls = models.map(|model| {
         let target = &model.target(Flatness::None).target;
         let found = closest(target, middle, RELATIVE_GAP * model.control_box().diagonal())?;
         let radius = model.boundary().clear_radius(found.lower);
-        let point = target.patches.patch(found.patch).jet(found.parameters).point;
-        (radius > 0.0).then_some(Ball { middle, radius, away: (middle - point).try_normalize()? })
+        (radius > 0.0).then_some(Ball { middle, radius, away: (middle - found.point).try_normalize()? })
     });
     let [Some(a), Some(b)] = balls else { return None };
     Some(if a.radius < b.radius { a } else { b })

@@ -63,8 +63,9 @@ pub struct OverlapResult {
     pub seconds: Seconds,
 }
 
-/// The number of pieces from which on a search is given up once its width no longer falls, and the same after boundaries
-/// that lie on each other were moved apart: these are told apart by pieces of one size, all at about the same time.
+/// The number of pieces after which a search ends if its width no longer falls, first as the bodies lie and then after
+/// the motion. Coincident boundaries are separated only once pieces are small enough, so that the second search needs
+/// more patience: its width falls late, and at once.
 const PATIENCE: [usize; 2] = [8192, 131_072];
 
 /// The part of the permitted width that a motion may take where a search has stalled: boundaries that lie on each other

@@ -11,12 +11,12 @@ use crate::sorting::sort_by_number;
 use crate::threads::computed;
 use std::collections::BTreeSet;
 
-/// The number of pairs of cells after which the comparisons of all shells of a model end, but for the least share of
-/// those that are left: about a second. A damaged file may have some hundred shells of which none is apart from the
-/// others by more than its gap.
+/// The number of pairs of cells that the comparisons of a model's shells may take together, about a second of work. Each
+/// comparison still takes [`MIN_PAIRS`] after that. A damaged file may have some hundred shells that are all nearer to
+/// each other than its gap.
 const MAX_PAIRS_OF_ALL: usize = 8 * MAX_PAIRS;
 
-/// The least number of pairs of a comparison: those of shells that are apart are mostly decided by fewer.
+/// The least number of pairs of cells for one comparison: mostly, fewer decide that two shells are apart.
 const MIN_PAIRS: usize = 1_024;
 
 /// A body by its parts.
@@ -138,8 +138,8 @@ impl PreparedModel {
         around
     }
 
-    /// Returns the pairs of closed shells of which the box of the first lies in that of the second: the others need
-    /// not be compared.
+    /// Returns the pairs of closed shells that have to be compared: the box of the first lies within the box of the
+    /// second.
     fn nested_boxes(&self, shells: &[ShellParts], boxes: &[Aabb]) -> Vec<[usize; 2]> {
         let joined = self.joined();
         let is_closed = |index: usize| joined.of_shell[shells[index].shell as usize].free == 0;
@@ -169,7 +169,8 @@ impl Default for Budget {
 }
 
 impl Budget {
-    /// Returns the number of pairs that the next of so many comparisons may bound: an equal share of what is left.
+    /// Returns the number of pairs of cells for the next comparison: an equal share of the budget, for this number of
+    /// comparisons that are still to be made.
     fn share(&self, comparisons: usize) -> usize {
         (self.left / comparisons.max(1)).clamp(MIN_PAIRS, MAX_PAIRS)
     }
