@@ -172,7 +172,7 @@ pub use engine::{
     PartMotion, PartState, Percentile, Placement, Precision, PreparedModel, RequiredDistance, Requirement,
     Rule, Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, Shell, SignedDistanceOptions,
     SignedDistances, Signs, Solid, Statistics, StatisticsOptions, SurfaceScore, UnkeptRule, VolumesUnknown,
-    Witness,
+    Witness, checked_bodies,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

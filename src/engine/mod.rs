@@ -31,7 +31,7 @@ pub use best_fit::{BestFit, BestFitOptions, FitPose, FitStart, LeftOut};
 pub use bodies::{Body, BodyKind};
 pub use check::{
     BodyPair, CheckOptions, CheckResult, CheckRules, CheckedBody, NamedModel, NamesOfPair, PairState,
-    RequiredDistance, Rule, UnkeptRule,
+    RequiredDistance, Rule, UnkeptRule, checked_bodies,
 };
 pub use clearance::{
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, FaceGap, GapOptions, GapsResult, Overlap,

@@ -1,5 +1,5 @@
 //! Pictures of deviations, for reports that are printed or sent: each model in the colours of its
-//! deviations from the other one, seen from fixed directions and at the worst place.
+//! deviations from the other one, seen from fixed directions and at the worst place; and of clashes.
 //!
 //! The colours, the legend and the texts are those of the page. Between measured points they are
 //! estimates; the farthest point that a search found is one of them, so that the pictures show its
@@ -18,6 +18,7 @@
 //! ```
 
 mod camera;
+mod clash;
 mod draw;
 mod legend;
 mod map;
@@ -30,6 +31,7 @@ mod scale;
 mod views;
 
 use crate::model::RigidTransform;
+pub use clash::{Clash, clash_pictures};
 pub use models::pictures;
 
 /// What is known of a model that is shown, and shown with it.

@@ -43,7 +43,8 @@ pub fn pictures<E: From<Error>>(
     draw(Drawn { maps, diagonal, unit, allowed: options.allowed }, deflate)
 }
 
-fn map(
+/// Returns the map of a model, whose points are measured from another one.
+pub(super) fn map(
     model: &PreparedModel,
     other: &PreparedModel,
     placing: Placing,

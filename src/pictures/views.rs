@@ -11,11 +11,11 @@ use crate::engine::Signs;
 use glam::DVec3;
 
 /// The width and height of a picture, in pixels: 220 to the inch where two are beside each other on A4.
-const SIZE: [usize; 2] = [640, 560];
+pub(super) const SIZE: [usize; 2] = [640, 560];
 
 /// The directions from the model to the eye, with their names: the page's oblique view and its opposite. z
 /// is up; the front faces −y.
-const OVERVIEWS: [(DVec3, &str); 2] = [
+pub(super) const OVERVIEWS: [(DVec3, &str); 2] = [
     (DVec3::new(0.75, -1.25, 0.8), "from the front, the right and above"),
     (DVec3::new(-0.75, 1.25, -0.8), "from the back, the left and below"),
 ];

@@ -122,6 +122,40 @@ fn every_command_answers_as_it_does_alone() {
     assert_eq!(alone["files"], found[1]["files"]);
 }
 
+/// Squares are sheets, which are judged where they are apart: the answer is that of the command alone.
+#[test]
+fn lines_check_the_bodies_of_files() {
+    let (a, b) = (square("check", 0.0), square("check", 0.5));
+    let rules = json!({ "atLeast": [{ "a": "**", "b": "*-0.5/*", "distance": 0.75 }] });
+    let lines = [
+        json!({ "id": 1, "command": "check", "files": [a, b], "below": 1.0 }),
+        json!({ "id": 2, "command": "check", "files": [a, b], "rules": rules }),
+        json!({ "id": 3, "command": "check", "files": [a] }),
+        json!({ "id": 4, "command": "check", "files": [] }),
+        json!({ "id": 5, "command": "check", "a": a, "b": b }),
+        json!({ "id": 6, "command": "check", "files": [a], "transform": { "translation": [0, 0, 1] } }),
+        json!({ "id": 7, "a": a, "b": b, "files": [a] }),
+        json!({ "id": 8, "command": "check", "files": [a], "limit": 1 }),
+    ];
+    let output = batch(&lines, &["--max-seconds", "60"]);
+    let found = answers(&output.stdout);
+    let verdicts: Vec<&Value> = found[..3].iter().map(|answer| &answer["verdict"]).collect();
+    assert_eq!(verdicts, ["passed", "failed", "passed"], "{found:?}");
+    let pair = &found[0]["pairs"][0];
+    assert_eq!((&pair["state"], &found[1]["rules"][0]["broken"]), (&json!("near"), &json!(true)));
+    let [lower, upper] = ["lower", "upper"].map(|end| pair["clearance"][end].as_f64().unwrap());
+    assert!(lower <= 0.5 && 0.5 <= upper && upper - lower < 1e-5, "{pair}");
+    assert_eq!(found[3]["error"]["code"], "EMPTY_MODEL");
+    for answer in &found[4..] {
+        assert_eq!(answer["error"]["code"], "OPTION_INVALID", "{answer}");
+    }
+    let alone = command().args(["check", &a, &b, "--below", "1", "--json"]).output().unwrap();
+    let mut alone: Value = serde_json::from_slice(&alone.stdout).unwrap();
+    alone["id"] = json!(1);
+    alone["seconds"] = found[0]["seconds"].clone();
+    assert_eq!(alone, found[0]);
+}
+
 /// An output whose last line was cut off is gone on with: each pair is answered once.
 #[test]
 fn an_output_is_resumed_after_its_last_whole_line() {

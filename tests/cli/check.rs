@@ -11,7 +11,8 @@ fn boxes(name: &str, all: &[(&str, [f64; 3], [f64; 3])]) -> String {
     file(&format!("check-{name}.json"), &serde_json::json!({ "surfaces": faces }).to_string())
 }
 
-fn faces(name: &str, min: [f64; 3], max: [f64; 3]) -> Vec<Value> {
+/// The six faces of a box.
+pub(super) fn faces(name: &str, min: [f64; 3], max: [f64; 3]) -> Vec<Value> {
     let corner = |index: usize| {
         let [x, y, z] = [0, 1, 2].map(|axis| if index >> axis & 1 == 1 { max[axis] } else { min[axis] });
         serde_json::json!([x, y, z, 1.0])
@@ -110,6 +111,33 @@ fn reports_have_a_row_for_each_pair() {
     let markdown = run(&["check", &path, "--format", "markdown"]);
     assert_eq!(status(&markdown), 1);
     assert!(text(&markdown).contains("| a and b | **clash** |"), "{}", text(&markdown));
+}
+
+/// Each clash that is not meant has a section with three pictures, and what was measured.
+#[test]
+fn a_page_has_a_section_for_each_clash() {
+    let path = boxes(
+        "page",
+        &[("a <b>", [0.0; 3], [1.0; 3]), ("b", [0.5; 3], [2.0; 3]), ("c", [1.5, 1.5, 0.0], [2.5, 2.5, 1.0])],
+    );
+    let rules = serde_json::json!({ "intended": [{ "a": "b", "b": "c" }] });
+    let rules = file("check-page-rules.json", &rules.to_string());
+    let output = run(&["check", &path, "--rules", &rules, "--format", "html"]);
+    assert_eq!(status(&output), 1);
+    let page = text(&output);
+    assert!(page.contains("<title>nurbs-hausdorff check: 1 clash, 1 intended</title>"), "{page}");
+    assert_eq!(page.matches("<section class=\"pair status-1\">").count(), 1);
+    assert_eq!((page.matches("<section").count(), page.matches("<img ").count()), (1, 3));
+    for part in
+        ["<h2>a &lt;b&gt; and b</h2>", "<b class=\"badge\">FAIL</b>", "<dt>Depth</dt><dd>[", "<dt>At</dt>"]
+    {
+        assert!(page.contains(part), "{part}");
+    }
+    assert!(!page.contains("NO VERDICT") && !page.contains("Allowed deviation") && !page.contains("A: "));
+    let apart = boxes("page-apart", &[("a", [0.0; 3], [1.0; 3]), ("b", [5.0; 3], [6.0; 3])]);
+    let page = text(&run(&["check", &apart, "--format", "html"]));
+    assert!(page.contains("<b class=\"badge\">PASS</b> apart: 1 pair, none nearer than 0"), "{page}");
+    assert!(!page.contains("<img ") && !page.contains("have pictures"));
 }
 
 /// An open face in a file of STEP is clean, and said not to close.

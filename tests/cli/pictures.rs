@@ -1,5 +1,6 @@
 //! The pictures of the report for browsers, decoded by a reader of PNG of its own.
 
+use super::check::faces;
 use super::commands::{plane, run, status};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -176,6 +177,52 @@ fn the_worst_place_is_marked_where_it_is_seen() {
         pixels.iter().filter(|color| is_red(color)).count(),
     ];
     assert!(greens > 10_000 && reds > 10_000, "{greens} {reds}");
+}
+
+/// The numbers of pixels in the colours of the first body, of the second one, and of what is inside the other one.
+fn bodies_seen(pixels: &[[u8; 3]]) -> [usize; 3] {
+    let exceeds = |one: u8, other: u8| one > other.saturating_add(40);
+    let count = |is: &dyn Fn(&[u8; 3]) -> bool| pixels.iter().filter(|pixel| is(pixel)).count();
+    [
+        count(&|&[red, _, blue]| exceeds(blue, red)),
+        count(&|&[red, green, blue]| exceeds(red, blue) && exceeds(green, blue)),
+        count(&|&[red, green, _]| exceeds(red, green)),
+    ]
+}
+
+/// From outside nothing is seen of what is inside the other body; cut open, of a box within another one all is.
+#[test]
+fn clashes_are_cut_open_and_red_is_what_is_inside() {
+    let clash = |test: &str, min: f64, max: f64| {
+        let [shaft, hub] = [("shaft", 0.0, 1.0), ("hub", min, max)]
+            .map(|(name, min, max)| json!({ "surfaces": faces(name, [min; 3], [max; 3]) }));
+        // Of one file a box within another one would be a void.
+        let [a, b] = files(test, [&shaft, &hub]);
+        let output = run(&["check", &a, &b, "--format", "html"]);
+        assert_eq!(status(&output), 1, "{}", String::from_utf8_lossy(&output.stderr));
+        let page = String::from_utf8(output.stdout).unwrap();
+        let shown = pictures(&page);
+        assert!(
+            shown[0].0.starts_with("a / shaft in blue and b / hub in yellow; what is inside"),
+            "{}",
+            shown[0].0
+        );
+        let counts = shown.iter().map(|(_, decoded)| bodies_seen(&decoded.pixels));
+        let rings =
+            shown.iter().map(|(_, decoded)| decoded.pixels.iter().filter(|color| **color == [0; 3]).count());
+        assert!(rings.into_iter().all(|black| black > 50));
+        counts.collect::<Vec<_>>()
+    };
+    let [front, back, cut] = clash("clash", 0.5, 2.0)[..] else { panic!() };
+    for [blue, yellow, red] in [front, back] {
+        assert!(blue > 5_000 && yellow > 5_000 && red < 500, "{blue} {yellow} {red}");
+    }
+    assert!(cut.into_iter().all(|count| count > 5_000), "{cut:?}");
+    let [front, back, cut] = clash("within", -1.0, 2.0)[..] else { panic!() };
+    for [blue, yellow, red] in [front, back] {
+        assert!(blue == 0 && yellow > 50_000 && red == 0, "{blue} {yellow} {red}");
+    }
+    assert!(cut[0] == 0 && cut[1] > 5_000 && cut[2] > 5_000, "{cut:?}");
 }
 
 #[test]

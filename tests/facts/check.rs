@@ -192,6 +192,21 @@ fn a_shaft_in_a_bore_is_near_by_its_clearance_and_clashes_where_it_is_thicker() 
     assert_eq!(states(&check(&shaft_in_bore(1.01), &below(0.05))), [PairState::Clash]);
 }
 
+/// After the time is over each clearance is bounded once, which does not tell a hundredth from nothing.
+#[test]
+fn after_the_time_bounds_hold_and_what_they_do_not_decide_is_undecided() {
+    let options = CheckOptions { max_seconds: Some(1e-9), ..below(0.05) };
+    let result = check(&shaft_in_bore(0.99), &options);
+    assert_eq!((states(&result), result.clean), (vec![PairState::Undecided], None), "{:?}", result.pairs);
+    let clearance = result.pairs[0].clearance;
+    assert!(clearance.lower <= 0.01 + 1e-12 && clearance.upper >= 0.01 - 1e-12, "{clearance:?}");
+    let refused = CheckOptions { max_seconds: Some(0.0), ..CheckOptions::default() };
+    let model = shaft_in_bore(0.99);
+    let models = [NamedModel { name: None, model: &model }];
+    let refused = Engine::cpu().check(&models, &refused).wait();
+    assert!(matches!(refused, Err(Error::OptionOutOfRange { .. })), "{refused:?}");
+}
+
 /// A press fit of 1e-6 on a radius of 1 clashes wherever the tolerance is smaller.
 #[test]
 fn a_press_fit_clashes_where_the_tolerance_is_smaller_than_it() {
@@ -236,7 +251,7 @@ fn a_body_without_an_inside_is_degenerate() {
     let (vertices, triangles) = cuboid(DVec3::ZERO, DVec3::new(1.0, 1.0, 1e-3));
     let result = check(&mesh(&vertices, &triangles), &below(0.0));
     assert!(!result.bodies[0].degenerate);
-    assert_eq!((result.is_clean(), result.pair_count), (Some(true), 0));
+    assert_eq!((result.clean, result.pair_count), (Some(true), 0));
 }
 
 /// Three boxes in a row: the first two in each other, the third 0.25 away.
@@ -254,17 +269,17 @@ fn rules_say_what_is_meant_and_what_must_be() {
         Engine::cpu().check(&models, &options).wait()
     };
     let clash = result(CheckRules::default()).unwrap();
-    assert_eq!((clash.is_clean(), states(&clash)), (Some(false), vec![PairState::Clash]));
+    assert_eq!((clash.clean, states(&clash)), (Some(false), vec![PairState::Clash]));
     // A slash in the name of a file is no level: that is written `pump // shaft`.
     let intended = vec![names("* // shaft/*", "*hub/*")];
     let rules = CheckRules { intended: intended.clone(), ..CheckRules::default() };
     let fine = result(rules.clone()).unwrap();
-    assert_eq!((fine.is_clean(), fine.pairs[0].intended), (Some(true), true));
+    assert_eq!((fine.clean, fine.pairs[0].intended), (Some(true), true));
     for (distance, clean) in
         [(0.125, Some(true)), (0.24, Some(true)), (0.26, Some(false)), (2.0, Some(false))]
     {
         let found = result(CheckRules { at_least: vec![apart(distance)], ..rules.clone() }).unwrap();
-        assert_eq!(found.is_clean(), clean, "{distance}: {:?}", found.rules);
+        assert_eq!(found.clean, clean, "{distance}: {:?}", found.rules);
         if distance == 0.26 {
             let [unkept] = &found.rules[..] else { panic!("{:?}", found.rules) };
             assert_eq!((unkept.rule, unkept.broken, unkept.distance), (Rule::AtLeast, true, Some(0.26)));
@@ -273,8 +288,8 @@ fn rules_say_what_is_meant_and_what_must_be() {
         }
     }
     let touch = |a: &str, b: &str| CheckRules { must_touch: vec![names(a, b)], ..rules.clone() };
-    assert_eq!(result(touch("*hub/*", "*shaft/*")).unwrap().is_clean(), Some(true));
+    assert_eq!(result(touch("*hub/*", "*shaft/*")).unwrap().clean, Some(true));
     let found = result(touch("cover/*", "pump*/*")).unwrap();
-    assert_eq!((found.is_clean(), found.rules[0].rule), (Some(false), Rule::MustTouch));
+    assert_eq!((found.clean, found.rules[0].rule), (Some(false), Rule::MustTouch));
     assert!(matches!(result(touch("lid/*", "pump*/*")), Err(Error::OptionInvalid { .. })));
 }

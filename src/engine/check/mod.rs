@@ -13,6 +13,8 @@ pub use options::CheckOptions;
 pub use pair::{BodyPair, PairState};
 pub use rules::{CheckRules, NamesOfPair, RequiredDistance, Rule, UnkeptRule};
 
+use self::options::Limits;
+use self::rules::Bound;
 use super::bodies::unique_name;
 use super::section::Section;
 use super::{BodyKind, Computation, Engine, OverlapOptions, PreparedModel, Seconds, Stop};
@@ -90,6 +92,9 @@ pub struct CheckResult {
     pub pairs: Vec<BodyPair>,
     /// The rules that are not certainly kept.
     pub rules: Vec<UnkeptRule>,
+    /// Whether all is certainly clean: no pair clashes that is not intended to, and all rules are kept. `Some(false)`
+    /// is certain, too. Faults of single bodies are no part of it.
+    pub clean: Option<bool>,
     /// The number of all pairs.
     pub pair_count: usize,
     /// The diagonal of the box of all bodies.
@@ -107,17 +112,15 @@ impl CheckResult {
     pub fn count(&self, state: PairState) -> usize {
         self.pairs.iter().filter(|pair| pair.state == state).count()
     }
+}
 
-    /// Returns whether all is certainly clean: no pair clashes that is not intended to, and all rules are kept.
-    /// `Some(false)` is certain, too. Faults of single bodies are no part of it.
-    #[must_use]
-    pub fn is_clean(&self) -> Option<bool> {
-        let has = |state| self.pairs.iter().any(|pair| pair.state == state && !pair.intended);
-        if has(PairState::Clash) || self.rules.iter().any(|rule| rule.broken) {
-            return Some(false);
-        }
-        (!has(PairState::Undecided) && self.rules.is_empty()).then_some(true)
+/// Returns [`CheckResult::clean`].
+fn are_clean(pairs: &[BodyPair], rules: &[UnkeptRule]) -> Option<bool> {
+    let has = |state| pairs.iter().any(|pair| pair.state == state && !pair.intended);
+    if has(PairState::Clash) || rules.iter().any(|rule| rule.broken) {
+        return Some(false);
     }
+    (!has(PairState::Undecided) && rules.is_empty()).then_some(true)
 }
 
 /// A body as a model, and the box that it is certainly in.
@@ -164,62 +167,105 @@ impl Engine {
         let started = Instant::now();
         let (mut bodies, checked) = all_bodies(models, options)?;
         let aabb = checked.iter().fold(Aabb::EMPTY, |aabb, body| aabb.union(body.aabb));
-        let limits = options.limits(aabb.diagonal());
+        let limits = options.limits(aabb.diagonal(), started);
         for (body, of) in bodies.iter_mut().zip(&checked) {
             body.degenerate = of.is_degenerate(limits.tolerance);
         }
         let rules = options.rules.bound(&bodies)?;
-        let boxes: Vec<Aabb> = checked.iter().map(|body| body.aabb).collect();
-        let reach_of = |pair| upper_max(limits.reach(), rules.required(pair));
-        let mut near = sweep::pairs_within(&boxes, upper_max(limits.reach(), rules.largest()));
-        near.retain(|&[a, b]| sweep::are_within(&boxes[a], &boxes[b], reach_of([a, b])));
         let prepare = started.elapsed().as_secs_f64();
-        let mut section = Section { whole: monitor, part: [0.0, JUDGED_PART] };
-        let mut progress = Progress::new(&mut section, false);
-        let mut judged = Vec::with_capacity(near.len());
-        for chunk in near.chunks(PAIRS_AT_ONCE) {
-            judged.extend(map(chunk.len(), |place| {
-                let of = chunk[place];
-                let judged = pair::judged(of.map(|index| &checked[index].model), &limits, reach_of(of))?;
-                let [a, b] = of.map(|index| bodies[index].name.clone());
-                Ok((of, BodyPair { a, b, intended: rules.is_intended(of), ..judged }))
-            }));
-            progress.checkpoint(judged.len() as f64 / near.len() as f64).await?;
-        }
-        let mut judged = judged.into_iter().collect::<Result<Vec<([usize; 2], BodyPair)>>>()?;
+        let mut judged = judged(&bodies, &checked, &rules, &limits, monitor).await?;
+        self.measure_clashes(&mut judged, &checked, &limits, monitor).await?;
+        self.find_duplicates(&mut bodies, &judged, &checked, &limits).await?;
+        monitor.progress(1.0);
+        let rules = rules.unkept(&bodies, &judged);
+        let mut pairs: Vec<BodyPair> = judged.into_iter().map(|(_, pair)| pair).collect();
+        // Stable, so that pairs of one state stay in the order of their bodies.
+        pairs.sort_by_key(|pair| pair.state);
+        Ok(CheckResult {
+            clean: are_clean(&pairs, &rules),
+            below: options.below,
+            tolerance: limits.tolerance,
+            pair_count: bodies.len() * bodies.len().saturating_sub(1) / 2,
+            bodies,
+            pairs,
+            rules,
+            diagonal: aabb.diagonal(),
+            unit: models.first().and_then(|first| first.model.unit()),
+            seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
+        })
+    }
+
+    /// Measures the common volume of each clash, in the part of the progress behind [`JUDGED_PART`].
+    async fn measure_clashes(
+        &self,
+        judged: &mut [Judged],
+        checked: &[Checked],
+        limits: &Limits,
+        monitor: &mut dyn Monitor,
+    ) -> Result<()> {
         let mut clashes: Vec<_> =
             judged.iter_mut().filter(|(_, pair)| pair.state == PairState::Clash).collect();
         let length = (1.0 - JUDGED_PART) / clashes.len() as f64;
         for (place, (of, pair)) in clashes.iter_mut().enumerate() {
             let mut section = Section { whole: monitor, part: [JUDGED_PART + length * place as f64, length] };
             let models = of.map(|index| &checked[index].model);
-            pair.volume = self.common_volume(models, &mut section).await?;
+            pair.volume = self.common_volume(models, limits, &mut section).await?;
         }
-        let unkept = rules.unkept(&bodies, &judged);
-        let mut pairs: Vec<BodyPair> = judged.into_iter().map(|(_, pair)| pair).collect();
-        for [a, b] in duplicates::candidates(&near, &boxes, limits.tolerance) {
+        Ok(())
+    }
+
+    /// Names the bodies that have the shape and the place of another one.
+    async fn find_duplicates(
+        &self,
+        bodies: &mut [CheckedBody],
+        judged: &[Judged],
+        checked: &[Checked],
+        limits: &Limits,
+    ) -> Result<()> {
+        let alike = |of: [usize; 2]| {
+            let [a, b] = of.map(|index| &checked[index].aabb);
+            duplicates::are_alike(a, b, limits.tolerance)
+        };
+        for [a, b] in judged.iter().map(|&(of, _)| of).filter(|&of| alike(of)) {
             let models = [a, b].map(|index| &checked[index].model);
-            if self.is_duplicate(models, limits.tolerance).await? {
+            if self.is_duplicate(models, limits).await? {
                 let names = [a, b].map(|index| bodies[index].name.clone());
                 bodies[a].duplicates.push(names[1].clone());
                 bodies[b].duplicates.push(names[0].clone());
             }
         }
-        monitor.progress(1.0);
-        // Stable, so that pairs of one state stay in the order of their bodies.
-        pairs.sort_by_key(|pair| pair.state);
-        Ok(CheckResult {
-            below: options.below,
-            tolerance: limits.tolerance,
-            pair_count: bodies.len() * bodies.len().saturating_sub(1) / 2,
-            bodies,
-            pairs,
-            rules: unkept,
-            diagonal: aabb.diagonal(),
-            unit: models.first().and_then(|first| first.model.unit()),
-            seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
-        })
+        Ok(())
     }
+}
+
+/// The indices of two bodies, and how they lie to each other.
+type Judged = ([usize; 2], BodyPair);
+
+/// Returns the pairs whose boxes are near, without volumes, in the order of their bodies.
+async fn judged(
+    bodies: &[CheckedBody],
+    checked: &[Checked],
+    rules: &Bound,
+    limits: &Limits,
+    monitor: &mut dyn Monitor,
+) -> Result<Vec<Judged>> {
+    let boxes: Vec<Aabb> = checked.iter().map(|body| body.aabb).collect();
+    let reach_of = |pair| upper_max(limits.reach(), rules.required(pair));
+    let mut near = sweep::pairs_within(&boxes, upper_max(limits.reach(), rules.largest()));
+    near.retain(|&[a, b]| sweep::are_within(&boxes[a], &boxes[b], reach_of([a, b])));
+    let mut section = Section { whole: monitor, part: [0.0, JUDGED_PART] };
+    let mut progress = Progress::new(&mut section, false);
+    let mut judged = Vec::with_capacity(near.len());
+    for chunk in near.chunks(PAIRS_AT_ONCE) {
+        judged.extend(map(chunk.len(), |place| {
+            let of = chunk[place];
+            let judged = pair::judged(of.map(|index| &checked[index].model), limits, reach_of(of))?;
+            let [a, b] = of.map(|index| bodies[index].name.clone());
+            Ok((of, BodyPair { a, b, intended: rules.is_intended(of), ..judged }))
+        }));
+        progress.checkpoint(judged.len() as f64 / near.len() as f64).await?;
+    }
+    judged.into_iter().collect()
 }
 
 impl Engine {
@@ -227,10 +273,12 @@ impl Engine {
     async fn common_volume(
         &self,
         [a, b]: [&PreparedModel; 2],
+        limits: &Limits,
         monitor: &mut dyn Monitor,
     ) -> Result<Option<Interval>> {
         let options = OverlapOptions {
             tolerance: Some(VOLUME_TOLERANCE),
+            max_seconds: limits.seconds(),
             max_cells: Some(VOLUME_CELLS),
             ..OverlapOptions::default()
         };
@@ -240,6 +288,17 @@ impl Engine {
         }
         Ok(found.volumes.map(|volumes| volumes.intersection))
     }
+}
+
+/// Returns the bodies of these models, each as a model, in the order of [`CheckResult::bodies`] and in the unit of the
+/// first model, for pictures of them.
+///
+/// # Errors
+/// Those of [`Engine::check`] on models.
+pub fn checked_bodies(models: &[NamedModel<'_>], scale_units: bool) -> Result<Vec<PreparedModel>> {
+    let options = CheckOptions { scale_units, ..CheckOptions::default() };
+    let (_, checked) = all_bodies(models, &options)?;
+    Ok(checked.into_iter().map(|body| body.model).collect())
 }
 
 /// Returns the bodies of all models, those of other units scaled to that of the first.

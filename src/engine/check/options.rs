@@ -2,15 +2,20 @@
 
 use super::CheckRules;
 use crate::engine::options::at_least_zero;
+use crate::engine::section::seconds_left;
 use crate::error::{Error, Result};
-use crate::tolerance::PermittedWidth;
+use crate::tolerance::{PermittedWidth, positive};
 use serde::Deserialize;
+use web_time::Instant;
 
 /// The width of intervals, as a fraction of the diagonal, unless the options state one.
 const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-6;
 
 /// The default of [`CheckOptions::max_cells`]: about a second for one pair.
 const DEFAULT_MAX_CELLS: usize = 200_000;
+
+/// The pairs of cells of a pair that is searched after the time is over: its clearance is bounded once.
+const CELLS_AFTER_TIME: usize = 1;
 
 /// Options of [`crate::Engine::check`]; names in camelCase when deserialized.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -25,6 +30,9 @@ pub struct CheckOptions {
     pub relative_tolerance: Option<f64>,
     /// Pairs of cells, for each pair of bodies, after which its interval so far is taken, 1 or more.
     pub max_cells: usize,
+    /// Seconds after which a pair that is not searched yet is bounded once only, and is undecided where that decides
+    /// nothing; volumes and duplicates are bounded once only, too. Positive.
+    pub max_seconds: Option<f64>,
     /// Whether models are scaled to the unit of the first where they state different ones; else they are an error.
     pub scale_units: bool,
     /// What is meant, and what must be.
@@ -38,6 +46,7 @@ impl Default for CheckOptions {
             tolerance: None,
             relative_tolerance: None,
             max_cells: DEFAULT_MAX_CELLS,
+            max_seconds: None,
             scale_units: false,
             rules: CheckRules::default(),
         }
@@ -55,30 +64,44 @@ impl CheckOptions {
         if self.max_cells == 0 {
             return Err(Error::out_of_range("max cells", 0, "at least 1"));
         }
-        Ok(())
+        self.max_seconds.map_or(Ok(()), |seconds| positive("max seconds", seconds))
     }
 
     fn permitted_width(&self) -> PermittedWidth {
         PermittedWidth { tolerance: self.tolerance, relative_tolerance: self.relative_tolerance }
     }
 
-    /// Returns the distances that bodies within a box of this diagonal are judged by.
-    pub(super) fn limits(&self, diagonal: f64) -> Limits {
+    /// Returns what bodies within a box of this diagonal are judged by, in a check that started then.
+    pub(super) fn limits(&self, diagonal: f64, started: Instant) -> Limits {
         let tolerance = self.permitted_width().in_units(diagonal, DEFAULT_RELATIVE_TOLERANCE);
-        Limits { below: self.below, tolerance, max_cells: self.max_cells }
+        let &Self { below, max_cells, max_seconds, .. } = self;
+        Limits { below, tolerance, max_cells, max_seconds, started }
     }
 }
 
-/// The distances that pairs are judged by, in model units.
+/// What pairs are judged by: distances in model units, and budgets.
 pub(super) struct Limits {
     pub(super) below: f64,
     pub(super) tolerance: f64,
-    pub(super) max_cells: usize,
+    max_cells: usize,
+    max_seconds: Option<f64>,
+    started: Instant,
 }
 
 impl Limits {
     /// Returns the distance from which on bodies neither touch nor are near.
     pub(super) fn reach(&self) -> f64 {
         if self.below > self.tolerance { self.below } else { self.tolerance }
+    }
+
+    /// Returns the pairs of cells of the next search.
+    pub(super) fn cells(&self) -> usize {
+        let is_over = self.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most);
+        if is_over { CELLS_AFTER_TIME } else { self.max_cells }
+    }
+
+    /// Returns the seconds left for a computation that has a budget of its own.
+    pub(super) fn seconds(&self) -> Option<f64> {
+        seconds_left(self.started, self.max_seconds)
     }
 }

@@ -73,10 +73,10 @@ struct Found {
 /// one, for those that are, measures the clearance.
 pub(super) fn judged(models: [&PreparedModel; 2], limits: &Limits, reach: f64) -> Result<BodyPair> {
     let goal = |limit| Goal { tolerance: limits.tolerance, limit };
-    let mut found = searched(models, goal(Some(reach)), limits.max_cells)?;
+    let mut found = searched(models, goal(Some(reach)), limits.cells())?;
     let is_far = found.at_least == Some(true);
     if !is_far {
-        found = searched(models, goal(None), limits.max_cells)?;
+        found = searched(models, goal(None), limits.cells())?;
     }
     let Found { interval, nearest, .. } = found;
     let meets = interval.upper <= limits.tolerance;

@@ -16,6 +16,8 @@ enum CheckFormat {
     Junit,
     /// A table that forges show in comments and summaries.
     Markdown,
+    /// A page for browsers, with pictures of each clash.
+    Html,
 }
 
 #[derive(Debug, Args)]
@@ -35,6 +37,9 @@ pub(crate) struct CheckArguments {
     /// Pairs of cells, for each pair of bodies, after which its interval so far is taken.
     #[arg(long, hide_short_help = true, value_name = "CELLS", default_value_t = CheckOptions::default().max_cells)]
     max_cells: usize,
+    /// Seconds after which pairs that are not searched yet are bounded once only.
+    #[arg(long, hide_short_help = true, value_name = "SECONDS")]
+    max_seconds: Option<f64>,
     /// Scales models to the unit of the first if the files state different units; else that is an error.
     #[arg(long)]
     scale_units: bool,
@@ -60,6 +65,7 @@ impl CheckArguments {
             tolerance: self.tolerance,
             relative_tolerance: self.relative_tolerance,
             max_cells: self.max_cells,
+            max_seconds: self.max_seconds,
             scale_units: self.scale_units,
             rules,
         }
@@ -70,6 +76,7 @@ impl CheckArguments {
             Some(CheckFormat::Json) => Format::Json,
             Some(CheckFormat::Junit) => Format::Junit,
             Some(CheckFormat::Markdown) => Format::Markdown,
+            Some(CheckFormat::Html) => Format::Html,
             Some(CheckFormat::Text) => Format::Text,
             None if self.json => Format::Json,
             None => Format::Text,

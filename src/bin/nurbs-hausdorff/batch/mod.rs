@@ -8,20 +8,22 @@ mod cache;
 mod request;
 
 use crate::arguments::BatchArguments;
+use crate::commands::check::{levels, named};
 use crate::commands::distance::of_limit;
 use crate::failure::Failure;
 use crate::input::{Input, STANDARD_STREAM};
-use crate::output::json::{OfFiles, Reason, line};
+use crate::output::json::{OfAllFiles, OfFiles, Reason, line};
 use crate::reports::Verdict;
 use answers::{Answers, key, resumed};
 use cache::Cache;
-use nurbs_hausdorff::{Backend, Engine, Error, MethodName, Monitor};
+use nurbs_hausdorff::{Backend, CheckOptions, Engine, Error, MethodName, Monitor};
 use request::{Question, Request};
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::HashSet;
 use std::fs::OpenOptions;
 use std::io::{BufRead, BufReader, Write};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -198,8 +200,27 @@ impl Batch<'_> {
     }
 
     fn compare(&self, id: &Value, request: &Request) -> Result<String, Arc<Failure>> {
-        let (a, b) = (self.cache.get(&request.a)?, self.cache.get(&request.b)?);
-        self.question(id, &a, &b, &request.question).map_err(Arc::new)
+        match request {
+            Request::Pair { files: [a, b], question } => {
+                let (a, b) = (self.cache.get(a)?, self.cache.get(b)?);
+                self.question(id, &a, &b, question).map_err(Arc::new)
+            }
+            Request::Check { files, options } => self.check(id, files, options),
+        }
+    }
+
+    fn check(&self, id: &Value, files: &[PathBuf], options: &CheckOptions) -> Result<String, Arc<Failure>> {
+        let inputs = files.iter().map(|path| self.cache.get(path)).collect::<Result<Vec<_>, _>>()?;
+        let inputs: Vec<&Input> = inputs.iter().map(Arc::as_ref).collect();
+        let levels = levels(files);
+        let models = named(&levels, &inputs);
+        let monitor = &mut Interrupt([self.interrupted, &self.unread]);
+        let checked = self.cpu.check(&models, options).monitored(monitor).wait();
+        let result = checked.map_err(|error| Arc::new(error.into()))?;
+        let is_whole = inputs.iter().all(|input| input.report.read.skipped.is_empty());
+        let verdict = Verdict::of(result.clean.filter(|_| is_whole));
+        let answer = OfAllFiles::new("check", verdict, &result, &inputs);
+        line(&OfPair { id, answer }).map_err(Arc::new)
     }
 
     fn question(&self, id: &Value, a: &Input, b: &Input, question: &Question) -> Result<String, Failure> {

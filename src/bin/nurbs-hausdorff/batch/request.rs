@@ -1,24 +1,24 @@
-//! One line of the input: two files, a command and its options.
+//! One line of the input: files, a command and its options.
 
 use crate::output::json::Asked;
 use crate::reports::Verdict;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::{
-    ClearanceOptions, DiffOptions, DistanceOptions, Error, NamedOptions, Result, RigidTransform, ScoreOptions,
+    CheckOptions, ClearanceOptions, DiffOptions, DistanceOptions, Error, NamedOptions, Result,
+    RigidTransform, ScoreOptions,
 };
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 use std::path::PathBuf;
 
-/// A pair to be compared.
-pub(super) struct Request {
-    pub(super) a: PathBuf,
-    pub(super) b: PathBuf,
-    pub(super) question: Question,
+/// What is to be compared.
+pub(super) enum Request {
+    Pair { files: [PathBuf; 2], question: Question },
+    Check { files: Vec<PathBuf>, options: Box<CheckOptions> },
 }
 
-/// The command, with its checked options.
+/// The command of a pair, with its checked options.
 pub(super) enum Question {
     Distance(Box<DistanceOptions>),
     Diff(DiffOptions),
@@ -51,12 +51,12 @@ impl Question {
 #[derive(Deserialize)]
 struct Line {
     id: Value,
-    a: PathBuf,
-    b: PathBuf,
+    a: Option<PathBuf>,
+    b: Option<PathBuf>,
+    files: Option<Vec<PathBuf>>,
     #[serde(default)]
     command: CommandName,
-    #[serde(default)]
-    transform: Motion,
+    transform: Option<Motion>,
     #[serde(flatten)]
     options: Map<String, Value>,
 }
@@ -69,6 +69,7 @@ enum CommandName {
     Diff,
     Clearance,
     Score,
+    Check,
 }
 
 /// A motion of A.
@@ -85,24 +86,47 @@ impl Default for Motion {
     }
 }
 
-/// Parses a line: its id, null if it has none, and the pair. `max_seconds` is the budget of searches
+/// Parses a line: its id, null if it has none, and the request. `max_seconds` is the budget of searches
 /// that state none.
 pub(super) fn parse(text: &str, max_seconds: Option<f64>) -> (Value, Result<Request>) {
     match serde_json::from_str::<Line>(text) {
         Ok(line) => (line.id.clone(), request(line, max_seconds)),
         Err(error) => {
             let value: Map<String, Value> = serde_json::from_str(text).unwrap_or_default();
-            let found = format!("the line is no pair: {error}");
-            (value.get("id").cloned().unwrap_or_default(), Err(Error::OptionInvalid { found }))
+            (value.get("id").cloned().unwrap_or_default(), Err(no_pair(&error)))
         }
     }
 }
 
 fn request(line: Line, max_seconds: Option<f64>) -> Result<Request> {
-    let Line { a, b, command, transform, options, .. } = line;
-    let Motion { rotation, translation } = transform;
+    let Line { id: _, a, b, files, command, transform, options } = line;
+    match (command, files) {
+        (CommandName::Check, Some(files)) if a.is_none() && b.is_none() && transform.is_none() => {
+            let mut options: CheckOptions = named(options)?;
+            options.max_seconds = options.max_seconds.or(max_seconds);
+            options.validate()?;
+            Ok(Request::Check { files, options: Box::new(options) })
+        }
+        (CommandName::Check, _) => Err(no_check()),
+        (_, Some(_)) => Err(no_pair("`files` are of `check`")),
+        (command, None) => {
+            let file =
+                |path: Option<PathBuf>, name| path.ok_or_else(|| no_pair(format!("missing field `{name}`")));
+            let files = [file(a, "a")?, file(b, "b")?];
+            let question = question(command, transform.unwrap_or_default(), options, max_seconds)?;
+            Ok(Request::Pair { files, question })
+        }
+    }
+}
+
+fn question(
+    command: CommandName,
+    Motion { rotation, translation }: Motion,
+    options: Map<String, Value>,
+    max_seconds: Option<f64>,
+) -> Result<Question> {
     let transform = RigidTransform::new(DQuat::from_array(rotation), DVec3::from_array(translation))?;
-    let question = match command {
+    Ok(match command {
         CommandName::Distance => {
             let named: NamedOptions = named(options)?;
             let mut options = DistanceOptions::try_from(NamedOptions { transform, ..named })?;
@@ -130,8 +154,16 @@ fn request(line: Line, max_seconds: Option<f64>) -> Result<Request> {
             options.validate()?;
             Question::Score(Box::new(options))
         }
-    };
-    Ok(Request { a, b, question })
+        CommandName::Check => return Err(no_check()),
+    })
+}
+
+fn no_check() -> Error {
+    no_pair("`check` has `files`, and neither `a`, `b` nor `transform`")
+}
+
+fn no_pair(found: impl std::fmt::Display) -> Error {
+    Error::OptionInvalid { found: format!("the line is no pair: {found}") }
 }
 
 /// Returns options by their names.

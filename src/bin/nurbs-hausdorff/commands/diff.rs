@@ -6,7 +6,6 @@ use crate::input::{Input, is_judged};
 use crate::output::digits::{bounded, coordinates};
 use crate::output::headline::{self, GAPS_DECIDE};
 use crate::output::json::{Asked, OfFiles, raw};
-use crate::output::parts;
 use crate::output::progress::Bar;
 use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
@@ -56,6 +55,7 @@ impl Comparison for Diff<'_> {
         let answer = Answer {
             verdict,
             limit: Some(result.limit),
+            judged: false,
             word: word(state).to_owned(),
             text: format!("{}{summary}\n{}", headline::verdict(word(state), result.limit), text(&result)),
             summary,
@@ -130,7 +130,7 @@ fn summary(result: &DiffResult, a: &Input, b: &Input) -> String {
         format!("{} on {place}; ", bounded(face.lower, [face.lower, face.upper]))
     });
     let [a, b] = [&result.faces_of_a, &result.faces_of_b].map(|faces| counts(faces));
-    let parts = parts::summary(result).map_or(String::new(), |parts| format!("{parts}; "));
+    let parts = result.parts_summary().map_or(String::new(), |parts| format!("{parts}; "));
     format!("{largest}{parts}faces of A: {a}; of B: {b}{}", doubt(result))
 }
 
@@ -173,7 +173,7 @@ fn text(result: &DiffResult) -> String {
     for finding in findings(result) {
         let _ = writeln!(out, "{finding}");
     }
-    for part in parts::lines(result) {
+    for part in result.part_lines() {
         let _ = writeln!(out, "part       {part}");
     }
     let _ =

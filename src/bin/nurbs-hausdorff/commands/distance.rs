@@ -70,6 +70,7 @@ impl Comparison for Distance<'_> {
         let answer = Answer {
             verdict,
             limit,
+            judged: false,
             word: word.to_owned(),
             text: format!("{first}{found}{doubt}\n{}", report::text(&result)),
             summary: format!("{found}{gap}{doubt}"),

@@ -80,11 +80,16 @@ fn first(result: &CheckResult, verdict: Verdict) -> String {
     }
 }
 
-/// Returns a row for each pair that is listed, each rule that is not kept and each body with a fault.
+/// Returns a row for each pair that is listed, with what `draw` makes of it, each rule that is not kept and each body
+/// with a fault.
 ///
 /// # Errors
-/// That of JSON which cannot be written.
-pub(crate) fn rows(result: &CheckResult, files: &[PathBuf]) -> Result<Rows, Failure> {
+/// That of JSON which cannot be written; those of `draw`.
+pub(crate) fn rows(
+    result: &CheckResult,
+    files: &[PathBuf],
+    mut draw: impl FnMut(&BodyPair) -> Result<String, Failure>,
+) -> Result<Rows, Failure> {
     let mut rows = Vec::new();
     for pair in &result.pairs {
         let verdict = match pair.state {
@@ -93,27 +98,40 @@ pub(crate) fn rows(result: &CheckResult, files: &[PathBuf]) -> Result<Rows, Fail
             PairState::Undecided => Verdict::Undecided,
             _ => Verdict::Passed,
         };
-        rows.push(row(both(pair), verdict, word(pair), summary(pair, result), pair)?);
+        rows.push(row(both(pair), verdict, word(pair), summary(pair, result), pair, draw(pair)?)?);
     }
     for rule in &result.rules {
         let verdict = if rule.broken { Verdict::Failed } else { Verdict::Undecided };
         let path = format!("{} and {}", rule.a, rule.b);
-        rows.push(row(path, verdict, rule_word(rule), rule_text(rule), rule)?);
+        rows.push(row(path, verdict, rule_word(rule), rule_text(rule), rule, String::new())?);
     }
     for body in &result.bodies {
         let faults = faults(body);
         if !faults.is_empty() {
-            rows.push(row(body.name.clone(), Verdict::Passed, "body", faults.join(", "), body)?);
+            rows.push(row(
+                body.name.clone(),
+                Verdict::Passed,
+                "body",
+                faults.join(", "),
+                body,
+                String::new(),
+            )?);
         }
     }
     if rows.is_empty() {
         let summary =
             format!("{}, none nearer than {}", counted(result.pair_count, "pair"), number(result.below));
-        rows.push(row("all pairs".to_owned(), Verdict::Passed, "apart", summary, &result.bodies)?);
+        rows.push(row(
+            "all pairs".to_owned(),
+            Verdict::Passed,
+            "apart",
+            summary,
+            &result.bodies,
+            String::new(),
+        )?);
     }
     let names: Vec<String> = files.iter().map(|file| one_line(&file.display().to_string())).collect();
-    let names = names.join(", ");
-    Ok(Rows::new("check", [names.clone(), names], rows, [("", None), ("", None)]))
+    Ok(Rows::new("check", [names.join(", "), String::new()], rows, [("", None), ("", None)]))
 }
 
 fn row(
@@ -122,10 +140,12 @@ fn row(
     word: &str,
     summary: String,
     json: &impl serde::Serialize,
+    figures: String,
 ) -> Result<Row, Failure> {
     let answer = Answer {
         verdict,
         limit: None,
+        judged: true,
         word: word.to_owned(),
         summary,
         findings: Vec::new(),
@@ -133,7 +153,7 @@ fn row(
         seconds: 0.0,
         repeatable: true,
         json: raw(json)?,
-        figures: String::new(),
+        figures,
     };
     Ok(Row { path: one_line(&path), outcome: Outcome::Answered(Box::new(answer)) })
 }

@@ -106,7 +106,7 @@ pub(crate) struct OfAllFiles<'a, R> {
 }
 
 impl<'a, R> OfAllFiles<'a, R> {
-    pub(crate) fn new(command: &'static str, verdict: Verdict, result: &'a R, inputs: &'a [Input]) -> Self {
+    pub(crate) fn new(command: &'static str, verdict: Verdict, result: &'a R, inputs: &[&'a Input]) -> Self {
         Self {
             head: Head::new(),
             command,

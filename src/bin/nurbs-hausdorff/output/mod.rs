@@ -5,7 +5,6 @@ pub(crate) mod digits;
 pub(crate) mod grid;
 pub(crate) mod headline;
 pub(crate) mod json;
-pub(crate) mod parts;
 pub(crate) mod progress;
 pub(crate) mod report;
 

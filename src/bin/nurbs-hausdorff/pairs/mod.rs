@@ -15,7 +15,7 @@ use std::cell::Cell;
 use std::path::Path;
 
 /// The largest number of pairs with pictures in one report, which a pair makes some 500 KB longer.
-const MAX_DRAWN: usize = 20;
+pub(crate) const MAX_DRAWN: usize = 20;
 
 /// What a command does with a pair.
 pub(crate) trait Comparison {

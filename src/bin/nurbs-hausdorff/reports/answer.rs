@@ -53,9 +53,12 @@ impl From<FaceState> for Verdict {
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Answer {
     pub(crate) verdict: Verdict,
-    /// What the verdict is about; without it nothing was judged.
+    /// What the verdict is about; without it nothing was judged, unless `judged` says so.
     #[serde(default)]
     pub(crate) limit: Option<f64>,
+    /// Whether it was judged without a limit, as clashes are.
+    #[serde(default)]
+    pub(crate) judged: bool,
     /// The verdict in the command's word, such as `unchanged`.
     pub(crate) word: String,
     /// The answer in one line, without the verdict.

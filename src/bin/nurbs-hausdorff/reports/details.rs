@@ -10,7 +10,8 @@ use std::fmt::Write;
 const MAX_FACES: usize = 200;
 
 /// What a section without pictures says.
-const NO_PICTURES: &str = "The sections before this one have pictures; there are no more in one report.";
+pub(crate) const NO_PICTURES: &str =
+    "<p>The sections before this one have pictures; there are no more in one report.</p>";
 
 /// Both models, as JSON names them and as people read them.
 const SIDES: [(&str, &str); 2] = [("a", "A"), ("b", "B")];
@@ -30,7 +31,7 @@ pub(super) fn section(text: &mut String, row: &Row) {
         badge(answer),
         escape(&sentence)
     );
-    for (term, of) in terms(answer.limit, &found) {
+    for (term, of) in if answer.judged { terms_of_bodies(&found) } else { terms(answer.limit, &found) } {
         if let Some(of) = of {
             let _ = writeln!(text, "<dt>{term}</dt><dd>{}</dd>", escape(&of));
         }
@@ -38,8 +39,8 @@ pub(super) fn section(text: &mut String, row: &Row) {
     text.push_str("</dl>\n");
     files(text, &found);
     text.push_str(&answer.figures);
-    if answer.figures.is_empty() {
-        let _ = writeln!(text, "<p>{NO_PICTURES}</p>");
+    if answer.figures.is_empty() && !answer.judged {
+        let _ = writeln!(text, "{NO_PICTURES}");
     }
     text.push_str(&histogram(&upper_ends(&found), answer.limit));
     faces(text, &found);
@@ -47,8 +48,8 @@ pub(super) fn section(text: &mut String, row: &Row) {
 }
 
 fn badge(answer: &Answer) -> &'static str {
-    match (answer.limit, answer.verdict) {
-        (None, _) => "NO VERDICT",
+    match (answer.judged || answer.limit.is_some(), answer.verdict) {
+        (false, _) => "NO VERDICT",
         (_, Verdict::Passed) => "PASS",
         (_, Verdict::Failed) => "FAIL",
         (_, Verdict::Undecided) => "UNDECIDED",
@@ -57,11 +58,11 @@ fn badge(answer: &Answer) -> &'static str {
 }
 
 /// Terms with their texts, where the answer has them.
-fn terms(limit: Option<f64>, found: &Value) -> [(&'static str, Option<String>); 9] {
+fn terms(limit: Option<f64>, found: &Value) -> Vec<(&'static str, Option<String>)> {
     let gap = found["gap"].as_f64().filter(|&gap| gap > 0.0);
     let witness = &found["witness"];
     let point = &witness["a"]["point"];
-    [
+    vec![
         ("Allowed deviation", Some(limit.map_or("not stated".to_owned(), full))),
         ("Found", number(&found["computed"])),
         ("Certified interval", interval(found)),
@@ -71,6 +72,19 @@ fn terms(limit: Option<f64>, found: &Value) -> [(&'static str, Option<String>); 
         ("Where", witness.is_object().then(|| SIDES.map(|side| place(side, witness)).join(", "))),
         ("At", point.is_array().then(|| coordinates(point))),
         ("Metres per unit", number(&found["unit"])),
+    ]
+}
+
+/// The same of two bodies, or of a rule on them.
+fn terms_of_bodies(found: &Value) -> Vec<(&'static str, Option<String>)> {
+    let point = &found["point"];
+    vec![
+        ("Required distance", number(&found["distance"])),
+        ("Clearance", interval(&found["clearance"])),
+        ("Common volume", interval(&found["volume"])),
+        ("Depth", interval(&found["depth"])),
+        ("At", point.is_array().then(|| coordinates(point))),
+        ("Undecided because of", found["why"].as_str().map(str::to_owned)),
     ]
 }
 

@@ -6,7 +6,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
-use nurbs_hausdorff::pictures::{Figure, Picture, PictureOptions, Pictures, pictures};
+use nurbs_hausdorff::pictures::{Clash, Figure, Picture, PictureOptions, Pictures, clash_pictures, pictures};
 use quick_xml::escape::escape;
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -17,8 +17,20 @@ use std::io::Write as _;
 /// Those of [`pictures`].
 pub(crate) fn figures(a: &Input, b: &Input, options: &PictureOptions) -> Result<String, Failure> {
     let Pictures { figures, legend, .. } = pictures(&a.prepared, &b.prepared, options, compressed)?;
+    Ok(html(&figures, &legend))
+}
+
+/// Draws two bodies that clash, as [`figures`] does.
+///
+/// # Errors
+/// Those of [`clash_pictures`].
+pub(crate) fn clash_figures(clash: &Clash<'_>) -> Result<String, Failure> {
+    Ok(html(&clash_pictures(clash, compressed)?, ""))
+}
+
+fn html(figures: &[Figure], legend: &str) -> String {
     let mut text = String::new();
-    for Figure { caption, pictures, .. } in &figures {
+    for Figure { caption, pictures, .. } in figures {
         text.push_str("<figure class=\"views\">\n<div>\n");
         for Picture { alt, size: [width, height], png, .. } in pictures {
             // Writing to a string does not fail.
@@ -31,7 +43,7 @@ pub(crate) fn figures(a: &Input, b: &Input, options: &PictureOptions) -> Result<
         }
         let _ = writeln!(text, "{legend}\n</div>\n<figcaption>{}</figcaption>\n</figure>", escape(caption));
     }
-    Ok(text)
+    text
 }
 
 fn compressed(bytes: &[u8]) -> Result<Vec<u8>, Failure> {

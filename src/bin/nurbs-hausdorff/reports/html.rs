@@ -25,9 +25,8 @@ pub(super) fn report(rows: &Rows) -> String {
     // Writing to a string does not fail.
     let _ = write!(
         text,
-        "{STYLE}</style>\n<title>{title}</title>\n<h1>{title}</h1>\n<p>A: {} <br>B: {}</p>\n",
-        escape(&rows.a),
-        escape(&rows.b)
+        "{STYLE}</style>\n<title>{title}</title>\n<h1>{title}</h1>\n<p>{}</p>\n",
+        compared(rows)
     );
     if !rows.fields.is_empty() {
         text.push_str("<dl>\n");
@@ -50,6 +49,14 @@ pub(super) fn report(rows: &Rows) -> String {
         Utc::now().date_naive()
     );
     text
+}
+
+/// What was compared: both sides, or the only one.
+fn compared(rows: &Rows) -> String {
+    match rows.b.is_empty() {
+        true => escape(&rows.a).into_owned(),
+        false => format!("A: {} <br>B: {}", escape(&rows.a), escape(&rows.b)),
+    }
 }
 
 fn line(text: &mut String, row: &Row) {

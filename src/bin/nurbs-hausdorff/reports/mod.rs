@@ -11,7 +11,8 @@ mod rows;
 mod text;
 
 pub(crate) use answer::{Answer, Verdict};
-pub(crate) use figures::figures;
+pub(crate) use details::NO_PICTURES;
+pub(crate) use figures::{clash_figures, figures};
 pub(crate) use rows::{Outcome, Row, Rows};
 
 use crate::failure::Failure;

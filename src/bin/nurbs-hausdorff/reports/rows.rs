@@ -16,7 +16,7 @@ pub(crate) struct Rows {
     pub(crate) verdict: Verdict,
     /// What was compared, as given.
     pub(crate) a: String,
-    /// What it was compared with, as given.
+    /// What it was compared with, as given; empty where bodies of one side are compared with each other.
     pub(crate) b: String,
     #[serde(rename = "pairs")]
     pub(crate) rows: Vec<Row>,

@@ -1,6 +1,9 @@
 //! What became of the parts of assemblies, in words.
 
-use nurbs_hausdorff::{DiffResult, PartDifference, PartMotion, PartState, face_path, one_line};
+use super::{PartDifference, PartMotion, PartState};
+use crate::engine::DiffResult;
+use crate::model::face_path;
+use crate::one_line::one_line;
 
 /// The angle in degrees, and the part of a length, up to which nothing is said of a turn and of a direction.
 const NO_TURN: f64 = 1e-6;
@@ -9,52 +12,61 @@ const NO_TURN: f64 = 1e-6;
 const MAX_GROUPS: usize = 12;
 const MAX_LINES: usize = 100;
 
-/// Returns `3 of 41 parts changed: bracket (2 faces, at most 0.350 mm), bolt ×4 moved by 5.000 mm along z, cover
-/// added`; `None` of two models of one part.
-pub(crate) fn summary(result: &DiffResult) -> Option<String> {
-    let parts = &result.parts;
-    if parts.len() < 2 {
-        return None;
-    }
-    let changed: Vec<&PartDifference> = parts.iter().filter(|part| part.state != PartState::Same).collect();
-    if changed.is_empty() {
-        return Some(format!("all {} parts are the same", parts.len()));
-    }
-    let mut groups: Vec<(String, String, usize)> = Vec::new();
-    for part in &changed {
-        let (name, what) = (short_name(part), what(part, result.unit));
-        match groups.iter_mut().find(|(other, of, _)| *other == name && *of == what) {
-            Some((_, _, count)) => *count += 1,
-            None => groups.push((name, what, 1)),
+impl DiffResult {
+    /// Returns `3 of 41 parts changed: bracket (2 faces, at most 0.350 mm), bolt ×4 moved by 5.000 mm along z, cover
+    /// added`; `None` of two models of one part.
+    #[must_use]
+    pub fn parts_summary(&self) -> Option<String> {
+        let parts = &self.parts;
+        if parts.len() < 2 {
+            return None;
         }
+        let changed: Vec<&PartDifference> =
+            parts.iter().filter(|part| part.state != PartState::Same).collect();
+        if changed.is_empty() {
+            return Some(format!("all {} parts are the same", parts.len()));
+        }
+        let mut groups: Vec<(String, String, usize)> = Vec::new();
+        for part in &changed {
+            let (name, what) = (short_name(part), what(part, self.unit));
+            match groups.iter_mut().find(|(other, of, _)| *other == name && *of == what) {
+                Some((_, _, count)) => *count += 1,
+                None => groups.push((name, what, 1)),
+            }
+        }
+        let text = |(name, what, count): &(String, String, usize)| match count {
+            1 => format!("{name} {what}"),
+            _ => format!("{name} ×{count} {what}"),
+        };
+        let mut texts: Vec<String> = groups.iter().take(MAX_GROUPS).map(text).collect();
+        if groups.len() > MAX_GROUPS {
+            texts.push(format!("and {} more", groups.len() - MAX_GROUPS));
+        }
+        let verb = if changed.iter().all(|part| part.state == PartState::Undecided) {
+            "undecided"
+        } else {
+            "changed"
+        };
+        Some(format!("{} of {} parts {verb}: {}", changed.len(), parts.len(), texts.join(", ")))
     }
-    let text = |(name, what, count): &(String, String, usize)| match count {
-        1 => format!("{name} {what}"),
-        _ => format!("{name} ×{count} {what}"),
-    };
-    let mut texts: Vec<String> = groups.iter().take(MAX_GROUPS).map(text).collect();
-    if groups.len() > MAX_GROUPS {
-        texts.push(format!("and {} more", groups.len() - MAX_GROUPS));
-    }
-    let verb =
-        if changed.iter().all(|part| part.state == PartState::Undecided) { "undecided" } else { "changed" };
-    Some(format!("{} of {} parts {verb}: {}", changed.len(), parts.len(), texts.join(", ")))
-}
 
-/// Returns a line for each part that is not the same, of assemblies.
-pub(crate) fn lines(result: &DiffResult) -> Vec<String> {
-    if result.parts.len() < 2 {
-        return Vec::new();
+    /// Returns a line for each part that is not the same, of assemblies.
+    #[must_use]
+    pub fn part_lines(&self) -> Vec<String> {
+        if self.parts.len() < 2 {
+            return Vec::new();
+        }
+        let changed = self.parts.iter().filter(|part| part.state != PartState::Same);
+        let line =
+            |part: &PartDifference| one_line(&format!("{}: {}", full_name(part), what(part, self.unit)));
+        let mut lines: Vec<String> = changed.map(line).collect();
+        if lines.len() > MAX_LINES {
+            let more = lines.len() - MAX_LINES;
+            lines.truncate(MAX_LINES);
+            lines.push(format!("and {more} more"));
+        }
+        lines
     }
-    let changed = result.parts.iter().filter(|part| part.state != PartState::Same);
-    let line = |part: &PartDifference| one_line(&format!("{}: {}", full_name(part), what(part, result.unit)));
-    let mut lines: Vec<String> = changed.map(line).collect();
-    if lines.len() > MAX_LINES {
-        let more = lines.len() - MAX_LINES;
-        lines.truncate(MAX_LINES);
-        lines.push(format!("and {more} more"));
-    }
-    lines
 }
 
 fn full_name(part: &PartDifference) -> &str {
