@@ -10,6 +10,7 @@ from __future__ import annotations
 from importlib.metadata import version as _version
 
 from . import testing
+from ._check import check
 from ._errors import NurbsHausdorffError
 from ._fit import BestFit, FitPose, LeftOut, best_fit
 from ._interval import Interval
@@ -17,6 +18,7 @@ from ._measure import (
     clearance, closest_points, diff, distance, field, gaps, overlap, signed_distances, statistics,
 )  # fmt: skip
 from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell, Solid
+from ._results.check import BodyPair, CheckedBody, CheckResult, UnkeptRule
 from ._results.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
 from ._results.closest import ClosestPoints
 from ._results.common import SurfacePoint, Witness
@@ -39,13 +41,14 @@ from ._transform import Transform
 __version__ = _version("nurbs-hausdorff")
 
 __all__ = [
-    "AtThreshold", "BestFit", "Beyond", "Body", "CertifiedStatistics", "ClearanceResult",
-    "ClosestPoints", "DiffResult", "Difference", "DistanceResult", "FaceCounts", "FaceDifference",
-    "FaceGap", "Facts", "Field", "FieldPart", "FitPose", "FreeEdge", "GapsResult", "HausdorffScore",
-    "Interval", "LeftOut", "Mesh", "MeshReport", "Model", "NurbsHausdorffError", "Overlap",
-    "OverlapResult", "OverlapVolumes", "PartDifference", "PartFaces", "PartMotion", "Placement",
-    "ReadReport", "Remark", "Requirement", "Score", "ScoredModel", "Shell", "SignedDistances",
-    "Solid", "Statistics", "SurfacePoint", "SurfaceScore", "Transform", "Witness", "best_fit",
-    "clearance", "closest_points", "diff", "distance", "field", "gaps", "model", "overlap", "read",
-    "score", "signed_distances", "statistics", "testing",
+    "AtThreshold", "BestFit", "Beyond", "Body", "BodyPair", "CertifiedStatistics", "CheckResult",
+    "CheckedBody", "ClearanceResult", "ClosestPoints", "DiffResult", "Difference", "DistanceResult",
+    "FaceCounts", "FaceDifference", "FaceGap", "Facts", "Field", "FieldPart", "FitPose", "FreeEdge",
+    "GapsResult", "HausdorffScore", "Interval", "LeftOut", "Mesh", "MeshReport", "Model",
+    "NurbsHausdorffError", "Overlap", "OverlapResult", "OverlapVolumes", "PartDifference",
+    "PartFaces", "PartMotion", "Placement", "ReadReport", "Remark", "Requirement", "Score",
+    "ScoredModel", "Shell", "SignedDistances", "Solid", "Statistics", "SurfacePoint",
+    "SurfaceScore", "Transform", "UnkeptRule", "Witness", "best_fit", "check", "clearance",
+    "closest_points", "diff", "distance", "field", "gaps", "model", "overlap", "read", "score",
+    "signed_distances", "statistics", "testing",
 ]  # fmt: skip

@@ -4,7 +4,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Model", "best_fit", "clearance", "closest_points", "diff", "distance", "field", "gaps", "names_beside", "overlap", "score", "signed_distances", "statistics"]
+__all__ = ["Model", "best_fit", "check", "clearance", "closest_points", "diff", "distance", "field", "gaps", "names_beside", "overlap", "score", "signed_distances", "statistics"]
 
 _Report = Callable[[float, tuple[float, float] | None], bool]
 _Motion = tuple[tuple[float, float, float, float], tuple[float, float, float]]
@@ -54,6 +54,9 @@ def diff(
 ) -> dict[str, Any]: ...
 def best_fit(
     a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
+) -> dict[str, Any]: ...
+def check(
+    models: list[tuple[str | None, Model]], options: dict[str, Any], report: _Report | None
 ) -> dict[str, Any]: ...
 def clearance(
     a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None

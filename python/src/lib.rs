@@ -17,7 +17,7 @@ use pyo3::prelude::*;
 mod _native {
     #[pymodule_export]
     use crate::measure::{
-        best_fit, clearance, closest_points, diff, distance, field, gaps, overlap, score,
+        best_fit, check, clearance, closest_points, diff, distance, field, gaps, overlap, score,
         signed_distances, statistics,
     };
     #[pymodule_export]

@@ -7,10 +7,9 @@ use crate::running::{Caller, on_live_threads, run};
 use numpy::PyReadonlyArray1;
 use nurbs_hausdorff::result::Stop;
 use nurbs_hausdorff::{
-    Backend, BestFitOptions, ClearanceOptions, ClosestPointOptions, DiffOptions, DistanceOptions,
-    DistanceResult, Engine, FieldOptions, GapOptions, MethodName, NamedOptions, OverlapOptions,
-    ScoreOptions,
-    SignedDistanceOptions, StatisticsOptions,
+    Backend, BestFitOptions, CheckOptions, ClearanceOptions, ClosestPointOptions, DiffOptions,
+    DistanceOptions, DistanceResult, Engine, FieldOptions, GapOptions, MethodName, NamedModel, NamedOptions,
+    OverlapOptions, ScoreOptions, SignedDistanceOptions, StatisticsOptions,
 };
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -85,6 +84,25 @@ pub(crate) fn diff<'py>(
     let engine = cpu(py);
     let compute =
         |caller: &mut Caller| engine.diff(a.prepared(), b.prepared(), &options).monitored(caller).wait();
+    let result = run(py, report, compute, |_| false)?;
+    let dict = to_dict(py, &result)?;
+    dict.set_item("partsSummary", result.parts_summary())?;
+    Ok(dict)
+}
+
+#[pyfunction]
+pub(crate) fn check<'py>(
+    py: Python<'py>,
+    models: Vec<(Option<String>, PyRef<'py, Model>)>,
+    options: &Bound<'py, PyDict>,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let options: CheckOptions = convert::options(options)?;
+    let named =
+        models.iter().map(|(name, model)| NamedModel { name: name.as_deref(), model: model.prepared() });
+    let models: Vec<NamedModel<'_>> = named.collect();
+    let engine = cpu(py);
+    let compute = |caller: &mut Caller| engine.check(&models, &options).monitored(caller).wait();
     to_dict(py, &run(py, report, compute, |_| false)?)
 }
 

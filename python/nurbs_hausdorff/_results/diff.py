@@ -117,6 +117,9 @@ class DiffResult:
         Every face, in order, compared with the other model.
     parts : tuple of PartDifference
         What became of each body: what moved, changed, was added or removed.
+    parts_summary : str or None
+        That in words, ``3 of 41 parts changed: bracket (2 faces, at most 0.350 mm), ...``; None of
+        two models of one part.
     """
 
     state: State
@@ -130,6 +133,7 @@ class DiffResult:
     gap: float
     unit: float | None = None
     parts: tuple[PartDifference, ...] = ()
+    parts_summary: str | None = None
     hint: str | None = None
 
     @property
@@ -155,6 +159,8 @@ class DiffResult:
 
     def _repr_html_(self) -> str:
         rows = [("models", f"{self.state} at a limit of {self.limit!r}")]
+        if self.parts_summary is not None:
+            rows.append(("parts", self.parts_summary))
         for state in ("changed", "undecided"):
             for name, faces in zip("AB", self.in_state(state), strict=True):
                 for face in faces:
