@@ -7,6 +7,7 @@ import { HausdorffError, translated, translating } from "./error.js";
 import { checkKeys } from "./keys.js";
 import { load, type ModuleSource, requireLoaded, setSource } from "./load.js";
 import { Reached, requireWhole } from "./measure/cancelled.js";
+import { type CheckOptions, type CheckResult, checkRules, levels } from "./measure/check.js";
 import type {
   ClearanceOptions,
   ClearanceResult,
@@ -39,7 +40,7 @@ import {
   prepare,
   type SurfaceArrays,
 } from "./model/surface.js";
-import { Call, Engine, PreparedModel, shapes } from "./wasm/nurbs_hausdorff.js";
+import { Call, Engine, NamedModels, PreparedModel, shapes } from "./wasm/nurbs_hausdorff.js";
 
 /** Options of `Hausdorff.create`. */
 export interface CreateOptions {
@@ -242,6 +243,22 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#inTurn(options, (engine, call) => engine.overlap(...models, call));
   }
 
+  async check(
+    models: NurbsModel | readonly NurbsModel[],
+    options: CheckOptions = {},
+  ): Promise<CheckResult> {
+    const all = Array.isArray(models) ? models : [models];
+    const { names, ...rest } = options;
+    const above = levels(all.length, names);
+    checkRules(rest.rules);
+    const wanted = all.map((model, index) => prepared(model, `models[${index}]`));
+    return this.#inTurn(rest, (engine, call) => {
+      const named = new NamedModels();
+      for (const [index, model] of wanted.entries()) named.add(model, above[index]);
+      return engine.check(named, call);
+    });
+  }
+
   async gaps(a: NurbsModel, b: NurbsModel, options: GapOptions = {}): Promise<GapsResult> {
     const models = [prepared(a, "a"), prepared(b, "b")] as const;
     return this.#inTurn(options, (engine, call) => engine.gaps(...models, call));
@@ -282,6 +299,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
       | DiffOptions
       | ClearanceOptions
       | GapOptions
+      | Omit<CheckOptions, "names">
       | ClosestPointOptions
       | SignedDistanceOptions,
     run: (engine: Engine, call: Call) => Promise<unknown>,

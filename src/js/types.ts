@@ -8,6 +8,16 @@ export type { CadReader, CadReport, FaceNote, SkippedFace } from "./cad/report.j
 export { type ErrorCode, HausdorffError, type HausdorffErrorOptions } from "./error.js";
 export type { ModuleSource } from "./load.js";
 export type {
+  BodyPair,
+  CheckedBody,
+  CheckOptions,
+  CheckResult,
+  CheckRules,
+  NamesOfPair,
+  PairState,
+  UnkeptRule,
+} from "./measure/check.js";
+export type {
   ClearanceOptions,
   ClearanceResult,
   FaceGap,

@@ -2,10 +2,10 @@
 
 use super::failure::to_object;
 use crate::engine::{
-    BestFitOptions, ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField, DiffOptions,
-    DistanceOptions, DistanceResult, FaceDeviations, FieldOptions, GapOptions, Grid, NamedOptions,
-    OverlapOptions, Precision, ScoreOptions, SignedDistanceOptions, SignedDistances, Signs, Statistics,
-    StatisticsOptions,
+    BestFitOptions, CheckOptions, ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField,
+    DiffOptions, DistanceOptions, DistanceResult, FaceDeviations, FieldOptions, GapOptions, Grid,
+    NamedOptions, OverlapOptions, Precision, ScoreOptions, SignedDistanceOptions, SignedDistances, Signs,
+    Statistics, StatisticsOptions,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -98,8 +98,20 @@ pub(super) fn signed_distance_options(
     options: &JsValue,
     transform: &JsValue,
 ) -> Result<SignedDistanceOptions> {
+    without_transform(options, transform, "grids")
+}
+
+/// The options of a check, as [`options`]; they have no transform.
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn check_options(options: &JsValue, transform: &JsValue) -> Result<CheckOptions> {
+    without_transform(options, transform, "checks")
+}
+
+fn without_transform<T: DeserializeOwned>(options: &JsValue, transform: &JsValue, what: &str) -> Result<T> {
     if !transform.is_undefined() {
-        return Err(Error::OptionInvalid { found: "a transform, which grids do not have".to_owned() });
+        return Err(invalid(format!("a transform, which {what} do not have")));
     }
     properties(options).map_err(invalid)
 }

@@ -3,7 +3,7 @@
 use super::call::Call;
 use super::convert;
 use super::failure::to_object;
-use super::model::PreparedModel;
+use super::model::{NamedModels, PreparedModel};
 use crate::engine;
 use js_sys::Promise;
 use std::rc::Rc;
@@ -111,6 +111,15 @@ impl Engine {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
         let options = call.options(convert::gap_options);
         call.run(async move |monitor| to_object(&engine.gaps(&a, &b, &options?).monitored(monitor).await?))
+    }
+
+    /// All pairs of bodies of models.
+    pub fn check(&self, models: NamedModels, call: Call) -> Promise {
+        let engine = Rc::clone(&self.0);
+        let options = call.options(convert::check_options);
+        call.run(async move |monitor| {
+            to_object(&engine.check(&models.named(), &options?).monitored(monitor).await?)
+        })
     }
 
     /// The signed distances of a solid on a grid.

@@ -258,6 +258,29 @@ impl PreparedModel {
     }
 }
 
+/// The models of a check with the levels above the names of their bodies.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct NamedModels(Vec<(Option<String>, Rc<engine::PreparedModel>)>);
+
+#[wasm_bindgen]
+impl NamedModels {
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    pub fn add(&mut self, model: &PreparedModel, name: Option<String>) {
+        self.0.push((name, model.inner()));
+    }
+}
+
+impl NamedModels {
+    pub(super) fn named(&self) -> Vec<engine::NamedModel<'_>> {
+        self.0.iter().map(|(name, model)| engine::NamedModel { name: name.as_deref(), model }).collect()
+    }
+}
+
 /// The area of a model with those of its faces.
 #[derive(Serialize)]
 struct ModelArea<'a> {

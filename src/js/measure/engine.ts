@@ -1,6 +1,7 @@
 import type { MeshFormat, MeshOptions } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
 import type { BrepText, Numbers } from "../model/surface.js";
+import type { CheckOptions, CheckResult } from "./check.js";
 import type { ClearanceOptions, ClearanceResult, GapOptions, GapsResult } from "./clearance.js";
 import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 import type { DiffOptions, DiffResult } from "./diff.js";
@@ -93,6 +94,15 @@ export interface DistanceEngine<Model> {
    * @throws {HausdorffError} as `clearance`.
    */
   gaps(a: Model, b: Model, options?: GapOptions): Promise<GapsResult>;
+
+  /**
+   * All pairs of bodies of one assembly, or of several models where they stand: which certainly clash, touch or come
+   * near, how deep and where, and the rules that are not kept.
+   *
+   * @throws {HausdorffError} `CANCELLED`, with the signal's reason as its cause; `OPTION_OUT_OF_RANGE`,
+   * `OPTION_INVALID`, also for a rule of no body; `UNITS_DIFFER`; `FACETS_UNSUPPORTED` for a cloud.
+   */
+  check(models: Model | readonly Model[], options?: CheckOptions): Promise<CheckResult>;
 
   /**
    * Statistics of the distances from all points of `a`, moved by `transform`, to `b`, each an

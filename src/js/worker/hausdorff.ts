@@ -7,6 +7,7 @@ import { HausdorffError } from "../error.js";
 import type { CreateOptions, ShapeInfo } from "../hausdorff.js";
 import type { ModuleSource } from "../load.js";
 import { requireSignal } from "../measure/cancelled.js";
+import type { CheckOptions, CheckResult } from "../measure/check.js";
 import type {
   ClearanceOptions,
   ClearanceResult,
@@ -237,6 +238,15 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#measure("overlap", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
 
+  async check(
+    models: NurbsModel | readonly NurbsModel[],
+    options: CheckOptions = {},
+  ): Promise<CheckResult> {
+    const all = Array.isArray(models) ? models : [models];
+    const ids = all.map((model, index) => this.#id(model, `models[${index}]`));
+    return this.#measure("check", [ids], options);
+  }
+
   async gaps(a: NurbsModel, b: NurbsModel, options: GapOptions = {}): Promise<GapsResult> {
     return this.#measure("gaps", [this.#id(a, "a"), this.#id(b, "b")], options);
   }
@@ -305,6 +315,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
       | DiffOptions
       | ClearanceOptions
       | GapOptions
+      | CheckOptions
       | OverlapOptions
       | ClosestPointOptions
       | SignedDistanceOptions

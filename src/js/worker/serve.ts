@@ -127,6 +127,10 @@ class Server {
       this.#open.score(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     clearance: ([, a, b, options], watch) =>
       this.#open.clearance(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
+    check: ([, ids, options], watch) => {
+      const models = (ids as number[]).map((id) => this.#model(id));
+      return this.#open.check(models, { ...(options as object), ...watch });
+    },
     gaps: ([, a, b, options], watch) =>
       this.#open.gaps(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     bestFit: ([, a, b, options], watch) =>
