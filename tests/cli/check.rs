@@ -133,6 +133,7 @@ fn a_page_has_a_section_for_each_clash() {
     {
         assert!(page.contains(part), "{part}");
     }
+    assert!(page.contains("<th>Bodies</th>") && !page.contains("SHA-256"));
     assert!(!page.contains("NO VERDICT") && !page.contains("Allowed deviation") && !page.contains("A: "));
     let apart = boxes("page-apart", &[("a", [0.0; 3], [1.0; 3]), ("b", [5.0; 3], [6.0; 3])]);
     let page = text(&run(&["check", &apart, "--format", "html"]));

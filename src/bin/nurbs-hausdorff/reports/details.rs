@@ -114,6 +114,10 @@ fn coordinates(point: &Value) -> String {
 }
 
 fn files(text: &mut String, found: &Value) {
+    // Bodies are of files that the head of the page names.
+    if !found["files"].is_object() {
+        return;
+    }
     let rows = SIDES.into_iter().filter_map(|(key, name)| {
         let file = &found["files"][key];
         let skipped = found["skipped"][key].as_array().map_or(0, Vec::len);

@@ -35,7 +35,10 @@ pub(super) fn report(rows: &Rows) -> String {
         }
         text.push_str("</dl>\n");
     }
-    text.push_str("<table>\n<thead><tr><th>File</th><th>Result</th><th></th></tr></thead>\n<tbody>\n");
+    let kind = if rows.b.is_empty() { "Bodies" } else { "File" };
+    // Writing to a string does not fail.
+    let _ =
+        writeln!(text, "<table>\n<thead><tr><th>{kind}</th><th>Result</th><th></th></tr></thead>\n<tbody>");
     rows.rows.iter().for_each(|row| line(&mut text, row));
     text.push_str("</tbody>\n</table>\n");
     let is_alone = rows.rows.len() == 1;
