@@ -10,6 +10,7 @@ use crate::engine::{DistanceOptions, Engine, PreparedModel};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::progress::Monitor;
+use glam::DVec3;
 use std::collections::HashSet;
 use web_time::Instant;
 
@@ -146,13 +147,8 @@ impl Engine {
                     &compared
                 }
             };
-            let moved = match most_matching(one, other, &rest) {
-                Some(motion) if place.state == FaceState::Changed => {
-                    let moved = self.compared([one, other], motion, pairing, monitor).await?;
-                    let is_better = changed(&moved) < changed(place)
-                        && 2 * changed(&moved) <= moved.faces_of_a.len() + moved.faces_of_b.len();
-                    is_better.then_some((motion, moved))
-                }
+            let moved = match place.state {
+                FaceState::Changed => self.moved_and_changed([one, other], place, pairing, monitor).await?,
                 _ => None,
             };
             let faces = |of: &DiffResult| PartFaces {
@@ -181,6 +177,31 @@ impl Engine {
             pairing.add([a, b], state, motion, bounds, faces);
         }
         Ok(())
+    }
+
+    /// Returns the first motion that leaves fewer faces changed than there are in place and at most half of all, with
+    /// the comparison after it.
+    async fn moved_and_changed(
+        &self,
+        [one, other]: [&Part; 2],
+        place: &DiffResult,
+        pairing: &Pairing<'_>,
+        monitor: &mut dyn Monitor,
+    ) -> Result<Option<(RigidTransform, DiffResult)>> {
+        let (rest, limit) = (pairing.options.transform, pairing.options.limit);
+        let mut tried = vec![rest];
+        for motion in most_matching(one, other, &rest) {
+            if !tried.iter().all(|earlier| moves(&motion, earlier, one, limit)) {
+                continue;
+            }
+            tried.push(motion);
+            let moved = self.compared([one, other], motion, pairing, monitor).await?;
+            let faces = moved.faces_of_a.len() + moved.faces_of_b.len();
+            if changed(&moved) < changed(place) && 2 * changed(&moved) <= faces {
+                return Ok(Some((motion, moved)));
+            }
+        }
+        Ok(None)
     }
 
     /// Returns the bounds of the Hausdorff distance under a motion, if it is certainly at most the limit.
@@ -326,6 +347,15 @@ fn common_part(a: &Part, b: &Part, rest: &RigidTransform) -> f64 {
     let [one, other] = [a.aabb.diagonal(), b.aabb.diagonal()];
     let largest = if one > other { one } else { other };
     (high - low).length() / largest
+}
+
+/// Returns whether a motion takes a corner of the part's box farther than the limit from where another one takes it.
+fn moves(motion: &RigidTransform, other: &RigidTransform, part: &Part, limit: f64) -> bool {
+    let corner = |index: u32| {
+        let side = |axis: u32| f64::from(index >> axis & 1);
+        part.aabb.min + (part.aabb.max - part.aabb.min) * DVec3::new(side(0), side(1), side(2))
+    };
+    (0..8).map(corner).any(|at| motion.apply(at).distance(other.apply(at)) > limit)
 }
 
 /// Returns a motion without another one that came before it.
