@@ -5,7 +5,7 @@ use super::part::{Part, parts_of};
 use super::{PartDifference, PartFaces, PartMotion, PartState};
 use crate::engine::diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::engine::options::{CertifiedOptions, Method};
-use crate::engine::section::seconds_left;
+use crate::engine::section::{is_over, seconds_left};
 use crate::engine::{DistanceOptions, Engine, PreparedModel};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -41,9 +41,8 @@ struct Pairing<'a> {
 impl Engine {
     /// Returns what became of each part of A, in their order, and then the parts of B alone.
     ///
-    /// None are returned of clouds and of models of more than 2,000 bodies.
-    ///
-    /// The budget of seconds counts from `started`; what it leaves no time for is undecided.
+    /// None are returned of clouds, of models of more than 2,000 bodies, and where the budget of seconds, which counts
+    /// from `started`, is spent before; what it leaves no time for is undecided.
     ///
     /// # Errors
     /// Those of [`Engine::distance`] and [`Engine::diff`].
@@ -56,7 +55,7 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<Vec<PartDifference>> {
         let is_paired = |model: &PreparedModel| !model.is_cloud() && model.bodies().len() <= MAX_PARTS;
-        if !models.into_iter().all(is_paired) {
+        if !models.into_iter().all(is_paired) || is_over(started, options.max_seconds) {
             return Ok(Vec::new());
         }
         let parts = [parts_of(models[0])?, parts_of(models[1])?];
@@ -84,6 +83,9 @@ impl Engine {
     async fn pair_in_place(&self, pairing: &mut Pairing<'_>, monitor: &mut dyn Monitor) -> Result<()> {
         let rest = pairing.options.transform;
         for [a, b] in pairing.alike(|a, b, limit| has_place(a, b, &rest, limit)) {
+            if pairing.is_late() {
+                break;
+            }
             if !pairing.is_open([a, b]) {
                 continue;
             }
@@ -105,6 +107,9 @@ impl Engine {
     ) -> Result<()> {
         let rest = pairing.options.transform;
         for [a, b] in pairing.alike(|_, _, _| true) {
+            if pairing.is_late() {
+                break;
+            }
             if !pairing.is_open([a, b]) {
                 continue;
             }
@@ -135,6 +140,9 @@ impl Engine {
         let by_name = pairing.ordered(|a, b| a.given.is_some() && a.given == b.given);
         let by_place = pairing.ordered(|a, b| common_part(a, b, &rest) >= COMMON_PART);
         for [a, b] in by_name.into_iter().chain(by_place) {
+            if pairing.is_late() {
+                break;
+            }
             if !pairing.is_open([a, b]) {
                 continue;
             }
@@ -251,6 +259,10 @@ impl Pairing<'_> {
         seconds_left(self.started, self.options.max_seconds)
     }
 
+    fn is_late(&self) -> bool {
+        is_over(self.started, self.options.max_seconds)
+    }
+
     fn is_open(&self, [a, b]: [usize; 2]) -> bool {
         self.open[0][a] && self.open[1][b]
     }
@@ -309,13 +321,15 @@ impl Pairing<'_> {
             upper: None,
             faces: PartFaces::default(),
         };
+        let is_late = self.is_late();
+        let or_undecided = |state| if is_late { PartState::Undecided } else { state };
         let [of_a, of_b] = &self.parts;
         for (index, part) in of_a.iter().enumerate().filter(|&(index, _)| self.open[0][index]) {
-            self.found.push((index, alone(Some(part), None, PartState::Removed)));
+            self.found.push((index, alone(Some(part), None, or_undecided(PartState::Removed))));
         }
         self.found.sort_by_key(|&(index, _)| index);
         let added = of_b.iter().enumerate().filter(|&(index, _)| self.open[1][index]);
-        let added = added.map(|(_, part)| alone(None, Some(part), PartState::Added));
+        let added = added.map(|(_, part)| alone(None, Some(part), or_undecided(PartState::Added)));
         self.found.into_iter().map(|(_, part)| part).chain(added).collect()
     }
 }
