@@ -80,6 +80,13 @@ pub(crate) fn to_bernstein<T: Linear>(coefficients: &[T], degree: usize) -> Vec<
         .collect()
 }
 
+/// Returns how many times the largest size of coefficients [`to_bernstein`] may make of them.
+pub(crate) fn bernstein_condition(degree: usize) -> f64 {
+    let matrix = bernstein_matrix(degree);
+    let of_one = |i: usize| matrix.iter().map(|row| row[i].abs()).sum::<f64>();
+    (0..=degree).map(of_one).fold(0.0, |most, one| if one > most { one } else { most })
+}
+
 /// Returns the factor for which `factor · max |P(x_k)|` over the `count` nodes is an
 /// upper bound on |P| over [0, 1], for every polynomial P of degree `degree < count`; infinite
 /// where there are no more nodes than the degree, which bound nothing.

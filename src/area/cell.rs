@@ -1,19 +1,22 @@
 //! The area of one patch over a part of its parameters, as an interval.
 
+use super::collapsed::Divided;
 use super::density::Density;
 use super::ellipse::{Region, Sizes};
 use super::gauss::{GAUSS_FACTOR, MAX_NODES, rule};
+use super::planar::Planar;
 use super::{Area, MAX_RELATIVE_WIDTH, QUADRATURE_SHARE};
 use crate::axis::Axis;
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
+use glam::DVec3;
 
 /// The part of the allowed relative width that the error along one parameter may take: both
 /// count on both sides, and the bound of a density exceeds its mean.
-const AXIS_SHARE: f64 = 0.0625;
+pub(super) const AXIS_SHARE: f64 = 0.0625;
 
 /// The smallest number of nodes for which that lemma holds.
-const MIN_NODES: usize = 2;
+pub(super) const MIN_NODES: usize = 2;
 
 /// The error of a node of a rule in [-1, 1], and that of all weights together, relative to their sum.
 const RULE_ERROR: f64 = 8.0 * f64::EPSILON;
@@ -36,12 +39,25 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// Computes the area over `part`: narrow by quadrature where the density is proven to be
+    /// Computes the area over `part`: narrow by quadrature where it is plane or where the density is proven to be
     /// analytic in ellipses wide enough, else between 0 and an upper bound.
     pub(super) fn new(density: &Density<'_>, part: ParamBox) -> Self {
-        let sizes = Sizes::new(&density.series(part));
+        let series = density.series(part);
+        if let Some(plane) = Planar::of(&series) {
+            return Self::planar(density, part, &plane);
+        }
+        if let Some(divided) = Divided::of(&series)
+            && let Some(mut regions) = Sizes::new(&divided.quotient).regions()
+        {
+            for (region, axis) in regions.iter_mut().zip(Axis::BOTH) {
+                region.bound *= divided.largest_factor(axis, region.radius);
+            }
+            // Once for the integral, and once at the nodes.
+            return Self::regular(density, part, regions, 2.0 * density.upper_bound(divided.remainder));
+        }
+        let sizes = Sizes::new(&series);
         match sizes.regions() {
-            Some(regions) => Self::regular(density, part, regions),
+            Some(regions) => Self::regular(density, part, regions, 0.0),
             None => {
                 let [bound, rounding] = sizes.square_bound();
                 let upper = volume(part) * density.upper_bound(bound.sqrt());
@@ -52,20 +68,35 @@ impl Cell {
         }
     }
 
-    /// Computes the area over a part by quadrature: lemmas A1 and A3 of docs/area.md.
-    fn regular(density: &Density<'_>, part: ParamBox, regions: [Region; 2]) -> Self {
+    /// Computes the area over a part by quadrature of a density that is `astray` of the function which the regions
+    /// are of: lemmas A1 and A3 of docs/area.md.
+    fn regular(density: &Density<'_>, part: ParamBox, regions: [Region; 2], astray: f64) -> Self {
         let counts = regions.map(|region| node_count(region.radius));
         let errors = [0, 1].map(|axis| regions[axis].bound * axis_error(regions[axis].radius, counts[axis]));
         let moved: f64 = regions.iter().map(|region| region.bound * moved_node(region.radius)).sum();
-        let Mean { value, rounding } = mean(density, part, counts);
+        let Mean { value, rounding } = mean(density, part, counts, |numerator| numerator.length());
         let error = errors[0] + errors[1];
-        let off = (error + moved + rounding) * (1.0 + gamma(DENSITY_ROUNDINGS));
+        let off = (error + moved + rounding + astray) * (1.0 + gamma(DENSITY_ROUNDINGS));
         let scale = volume(part);
         let area = Area { lower: (scale * (value - off)).max(0.0), upper: scale * (value + off) };
         let narrow =
             2.0 * error <= QUADRATURE_SHARE * MAX_RELATIVE_WIDTH * value || error <= moved + rounding;
         let worse = if errors[1] > errors[0] { Axis::V } else { Axis::U };
         Self { part, area, halve: (!narrow).then_some(worse) }
+    }
+
+    /// Computes the area over a part in a plane, by quadrature of the flux along its normal: lemmas A1, A3 and A4.
+    fn planar(density: &Density<'_>, part: ParamBox, plane: &Planar) -> Self {
+        let counts = plane.rules.map(|rule| rule.count);
+        let Mean { value, rounding } =
+            mean(density, part, counts, |numerator| numerator.dot(plane.direction));
+        let off = plane.rules.iter().map(|rule| rule.error + rule.moved).sum::<f64>() + rounding;
+        let off = off * (1.0 + gamma(DENSITY_ROUNDINGS));
+        let scale = volume(part);
+        let above = off + density.upper_bound(plane.astray);
+        let least = value - off;
+        let lower = if least > 0.0 { scale * least } else { 0.0 };
+        Self { part, area: Area { lower, upper: scale * (value + above) }, halve: None }
     }
 
     /// Returns the width of the area.
@@ -87,7 +118,7 @@ fn node_count(radius: f64) -> usize {
 }
 
 /// Returns the error of the mean along one parameter, relative to the bound in the region.
-fn axis_error(radius: f64, count: usize) -> f64 {
+pub(super) fn axis_error(radius: f64, count: usize) -> f64 {
     let square = radius * radius;
     GAUSS_FACTOR * square.powi(-(count as i32)) / (1.0 - 1.0 / square)
 }
@@ -95,7 +126,7 @@ fn axis_error(radius: f64, count: usize) -> f64 {
 /// Returns what the error of a rule's nodes and weights moves a mean by, relative to the bound
 /// in the region: a node that is off moves the value by the slope, which Cauchy's formula
 /// bounds by the distance of the ellipse from the interval.
-fn moved_node(radius: f64) -> f64 {
+pub(super) fn moved_node(radius: f64) -> f64 {
     let distance = (radius - 1.0) * (radius - 1.0) / (2.0 * radius);
     RULE_ERROR * (1.0 + 1.0 / distance)
 }
@@ -106,8 +137,9 @@ struct Mean {
     rounding: f64,
 }
 
-/// Returns the mean over `part` by Gauss's rules with these numbers of nodes (lemma A3).
-fn mean(density: &Density<'_>, part: ParamBox, counts: [usize; 2]) -> Mean {
+/// Returns the mean over `part` of a size of N over w³, by Gauss's rules with these numbers of nodes (lemma A3). The
+/// size changes by at most what N changes by.
+fn mean(density: &Density<'_>, part: ParamBox, counts: [usize; 2], size: impl Fn(DVec3) -> f64) -> Mean {
     let rules = counts.map(rule);
     let [in_s, in_t] = [0, 1].map(|axis| {
         let [start, end] = part[axis];
@@ -118,10 +150,10 @@ fn mean(density: &Density<'_>, part: ParamBox, counts: [usize; 2]) -> Mean {
     for (row, in_s) in values.chunks_exact(counts[1]).zip(&rules[0].weights) {
         for (&(numerator, weight), in_t) in row.iter().zip(&rules[1].weights) {
             let cube = weight * weight * weight;
-            let value = numerator.length() / cube;
+            let value = size(numerator) / cube;
             mean.value += in_s * in_t * value;
             let relative = 4.0 * density.weight_rounding / weight + gamma(DENSITY_ROUNDINGS);
-            mean.rounding += in_s * in_t * (2.0 * density.rounding / cube + relative * value);
+            mean.rounding += in_s * in_t * (2.0 * density.rounding / cube + relative * value.abs());
         }
     }
     mean

@@ -5,7 +5,7 @@ use crate::axis::Axis;
 use crate::rounding::gamma;
 
 /// The radii tried: sums of the half-axes of the ellipse with the foci -1 and 1, in ascending order.
-const RADII: [f64; 18] = [
+pub(super) const RADII: [f64; 18] = [
     1.25, 1.375, 1.5, 1.625, 1.75, 2.0, 2.25, 2.5, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 32.0, 64.0, 256.0, 2048.0,
 ];
 
@@ -112,7 +112,7 @@ impl Sizes {
 }
 
 /// Returns `Σ c_ij ρ^i σ^j`, a bound on the series in the ellipses as `|T_j| <= ρ^j` there.
-fn weighted(sizes: &[f64], counts: [usize; 2], [in_s, in_t]: [f64; 2]) -> f64 {
+pub(super) fn weighted(sizes: &[f64], counts: [usize; 2], [in_s, in_t]: [f64; 2]) -> f64 {
     let row = |row: &[f64]| row.iter().rev().fold(0.0, |sum, size| sum * in_t + size);
     sizes.chunks_exact(counts[1]).rev().fold(0.0, |sum, sizes| sum * in_s + row(sizes))
 }

@@ -1,14 +1,17 @@
 //! Areas of patches, faces and models, as intervals that contain them.
 //!
-//! The area of a patch is the integral of a density whose square is a rational function.
+//! The area of a patch is the integral of a density whose square is a rational function, and of a plane one that of
+//! the flux along its normal, which is one itself.
 //! Chebyshev series prove complex ellipses in which the density is analytic, and the bound
 //! there proves the error of Gauss's rule; parts for which that fails, as at poles, are
 //! halved. Lemmas and proofs are in docs/area.md.
 
 mod cell;
+mod collapsed;
 pub(crate) mod density;
 mod ellipse;
 pub(crate) mod gauss;
+mod planar;
 
 use crate::axis::Axis;
 use crate::bezier::Patch;

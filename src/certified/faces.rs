@@ -18,9 +18,15 @@ const END_ROUNDING: f64 = 1e-9;
 /// A piece ends where the cut has put a line, the face goes on beyond it.
 #[derive(Debug)]
 pub(crate) struct TrimmedFaces {
-    model: Model,
+    model: Arc<LazyFaces>,
     /// The face of each piece, with the map to its parameters.
     origins: Arc<[(usize, ParameterMap)]>,
+}
+
+/// A model, and the surfaces of its trimmed faces from their first use on.
+#[derive(Debug)]
+struct LazyFaces {
+    model: Model,
     whole: OnceLock<Option<WholeFaces>>,
 }
 
@@ -47,13 +53,20 @@ pub(super) struct FaceChart<'a> {
 impl TrimmedFaces {
     /// Keeps the model for the first use.
     pub(crate) fn new(model: Model, origins: Arc<[(usize, ParameterMap)]>) -> Self {
-        Self { model, origins, whole: OnceLock::new() }
+        Self { model: Arc::new(LazyFaces { model, whole: OnceLock::new() }), origins }
+    }
+
+    /// Returns the way from some of the pieces alone, in the order given, to the same faces.
+    pub(crate) fn some(&self, pieces: &[u32]) -> Self {
+        let origins = pieces.iter().map(|&piece| self.origins[piece as usize].clone()).collect();
+        Self { model: Arc::clone(&self.model), origins }
     }
 
     /// Returns the face of a point of a piece, about that point; `None` if the face is not trimmed.
     pub(super) fn chart(&self, pieces: &Chart<'_>) -> Option<FaceChart<'_>> {
         let (face, map) = self.origins.get(pieces.surface())?;
-        let whole = self.whole.get_or_init(|| WholeFaces::new(&self.model)).as_ref()?;
+        let LazyFaces { model, whole } = &*self.model;
+        let whole = whole.get_or_init(|| WholeFaces::new(model)).as_ref()?;
         let surface = whole.surfaces[*face]?;
         let parameters = map.face_parameters(pieces.surface_parameters());
         let sheets = Sheets { bezier: &whole.bezier, places: &whole.places, cache: &whole.cache };

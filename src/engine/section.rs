@@ -12,6 +12,11 @@ pub(super) fn seconds_left(started: Instant, max_seconds: Option<f64>) -> Option
     Some(if left > LEAST_SECONDS { left } else { LEAST_SECONDS })
 }
 
+/// Returns whether a budget of seconds is spent.
+pub(super) fn is_over(started: Instant, max_seconds: Option<f64>) -> bool {
+    max_seconds.is_some_and(|most| started.elapsed().as_secs_f64() >= most)
+}
+
 /// The monitor of a computation that is a part of another one.
 pub(super) struct Section<'a> {
     pub(super) whole: &'a mut dyn Monitor,

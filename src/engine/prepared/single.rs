@@ -30,7 +30,7 @@ impl PreparedModel {
     }
 
     /// Returns the model of some pieces of these faces, both in order. Coordinates and their errors are those of
-    /// the whole; the whole faces of pieces, which only quicken searches, are left out.
+    /// the whole, and so are the faces beyond the ends of pieces.
     fn of_surfaces(&self, surfaces: &[u32], faces: &[usize]) -> Self {
         let mut patches = PatchSet::default();
         let mut grids = Vec::with_capacity(surfaces.len());
@@ -48,7 +48,8 @@ impl PreparedModel {
         let face_gaps: Vec<f64> = faces.iter().map(|&face| self.face_gaps[face]).collect();
         let pieces = self.pieces.some(surfaces, faces);
         let revolutions = surfaces.iter().map(|&surface| self.revolutions[surface as usize]).collect();
-        self.of_patches(patches, grids, (face_gaps, pieces, revolutions))
+        let trimmed_faces = self.trimmed_faces.as_ref().map(|faces| faces.some(surfaces));
+        Self { trimmed_faces, ..self.of_patches(patches, grids, (face_gaps, pieces, revolutions)) }
     }
 
     /// Returns a model of other patches with this one's unit, gaps and errors, and what is known of its surfaces.
@@ -96,5 +97,72 @@ impl PreparedModel {
         let mut prepared = PreparedFacets::new(&Facets::Mesh(TriangleMesh::new(&corners, &triangles)?));
         prepared.error = facets.error;
         Ok(Self::with_facets(prepared, self.gap, self.unit))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::model::trim::{FaceArrays, TrimCurveArrays};
+    use crate::model::{InstanceArrays, Model, ModelArrays, RigidTransform, SurfaceArrays};
+    use crate::{DQuat, DVec3, DistanceOptions, Engine, PreparedModel};
+
+    /// The square [-1, 1]² at height 0 with a square hole that stands askew.
+    fn plate() -> FaceArrays {
+        let outer = [[-0.9, -0.9], [0.9, -0.9], [0.9, 0.9], [-0.9, 0.9]];
+        let hole = [[0.4, 0.1], [0.1, -0.4], [-0.4, -0.1], [-0.1, 0.4]];
+        let side = |corners: [[f64; 2]; 4], k: usize| TrimCurveArrays {
+            degree: 1,
+            knots: vec![0.0, 0.0, 1.0, 1.0],
+            control_points: [corners[k], corners[(k + 1) % 4]].map(|[u, v]| [u, v, 1.0]).to_vec(),
+            ..TrimCurveArrays::default()
+        };
+        let sides = |corners| (0..4).map(|k| side(corners, k)).collect();
+        let ends = [-1.0, 1.0];
+        let surface = SurfaceArrays {
+            degree: [1, 1],
+            knots: [0; 2].map(|_| vec![-1.0, -1.0, 1.0, 1.0]),
+            counts: [2, 2],
+            control_points: ends.map(|x| ends.map(|y| [x, y, 0.0, 1.0])).concat(),
+        };
+        FaceArrays {
+            surface,
+            trim: Some(vec![sides(outer), sides(hole)]),
+            reversed: false,
+            face_name: None,
+            kind: None,
+            gap: 0.0,
+            gap_measured: false,
+            color: None,
+        }
+    }
+
+    /// Plates beside each other, each its own body.
+    fn plates(count: usize) -> PreparedModel {
+        let place = |index: usize| {
+            let x = 10.0 * index as f64;
+            [1.0, 0.0, 0.0, x, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]
+        };
+        let instance = |index| InstanceArrays { surfaces: vec![index], transform: place(index), name: None };
+        let arrays = ModelArrays {
+            faces: vec![plate(); count],
+            instances: (0..count).map(instance).collect(),
+            ..ModelArrays::default()
+        };
+        PreparedModel::new(&Model::from_faces(arrays).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_body_is_searched_as_the_model_that_it_is_alone() {
+        let alone = plates(1);
+        let of_two = plates(2).single_bodies().unwrap().swap_remove(0);
+        // By a quarter turn the plate lies on itself, cut along other lines.
+        let turn = DQuat::from_axis_angle(DVec3::Z, std::f64::consts::FRAC_PI_2);
+        let transform = RigidTransform::about(turn, DVec3::ZERO, DVec3::ZERO);
+        let options = DistanceOptions { transform, ..DistanceOptions::default() };
+        let found =
+            [&alone, &of_two].map(|model| Engine::cpu().distance(model, model, &options).wait().unwrap());
+        assert!(found[0].converged && found[0].upper < 1e-5, "{:?}", found[0]);
+        let cells = found.map(|result| result.certified().unwrap().cells);
+        assert_eq!(cells[0], cells[1]);
     }
 }

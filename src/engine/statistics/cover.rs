@@ -155,6 +155,18 @@ impl<'a> Cells<'a> {
     }
 }
 
+impl Cells<'_> {
+    /// The area of a whole patch between 0 and the product of the bounds on its first derivatives; of a triangle its
+    /// own.
+    fn rough_area(&self, cell: &Cell) -> Area {
+        if self.triangles.is_some() {
+            return self.area(cell);
+        }
+        let [by_s, by_t] = self.pair.patch_of_a(cell.patch).derivative_bounds().first;
+        Area { lower: 0.0, upper: by_s * by_t * (1.0 + gamma(1.0)) }
+    }
+}
+
 impl Cover for Cells<'_> {
     type Part = WeightedCell;
 
@@ -169,7 +181,8 @@ impl Cover for Cells<'_> {
     fn first(&self, range: Range<usize>, is_late: &dyn Fn() -> bool) -> Option<Vec<WeightedCell>> {
         let mut start = self.spreads.start();
         let next = |index: usize| {
-            if is_late() {
+            // The first is always measured, so that the model has an area.
+            if index > 0 && is_late() {
                 return self.unmeasured(index);
             }
             let part = self.bounded(Cell::whole(index as u32), &start);
@@ -182,7 +195,7 @@ impl Cover for Cells<'_> {
     fn unmeasured(&self, index: usize) -> WeightedCell {
         let cell = Cell::whole(index as u32);
         let spread = Spread::exact([0.0, self.spreads.farthest()]);
-        let (weight, start) = (self.area(&cell), self.spreads.start());
+        let (weight, start) = (self.rough_area(&cell), self.spreads.start());
         WeightedCell { cell, weight, spread, axis: Axis::U, start }
     }
 
@@ -207,7 +220,7 @@ impl Cover for Cells<'_> {
         let Spread { lower, upper, mean: stated, .. } = part.spread;
         let all = [lower, upper];
         let of_points = self.spreads.refutation(&part.cell, all, further);
-        let of_mean = || self.spreads.refutation_of_mean(&part.cell, all, stated).filter(|_| mean);
+        let of_mean = || mean.then(|| self.spreads.refutation_of_mean(&part.cell, all, stated)).flatten();
         let SpreadRefutation { patch, parameters, is_mean, stated, found } = of_points.or_else(of_mean)?;
         let what = if is_mean { "mean about" } else { "point" };
         let surface = self.pair.patch_of_a(patch).surface;

@@ -4,7 +4,7 @@ use crate::support::trims::{circle, cylinder, face, plane, quarter_parameter, re
 use nurbs_hausdorff::internals::engine::PreparedModel;
 use nurbs_hausdorff::shapes::{self, shape};
 use nurbs_hausdorff::trim::FaceArrays;
-use nurbs_hausdorff::{Area, Model, ModelArrays, ModelInfo};
+use nurbs_hausdorff::{Area, DVec3, Model, ModelArrays, ModelInfo, SurfaceArrays};
 use std::f64::consts::PI;
 
 /// The width of an area, relative to it.
@@ -78,6 +78,64 @@ fn a_cap_of_a_ball() {
     faces[0].trim = Some(vec![rectangle([u0, cut], [u1, v1])]);
     let expected = 2.0 * PI * 2.0 * (2.0 - height);
     assert_area(of(faces).area(), expected, 1e-12 * expected);
+}
+
+/// A sheet of degree 1 through four corners: those at (s, t) = (0, 0), (0, 1), (1, 0), (1, 1).
+fn sheet(corners: [[f64; 3]; 4]) -> PreparedModel {
+    let surface = SurfaceArrays {
+        degree: [1, 1],
+        knots: [0; 2].map(|_| vec![0.0, 0.0, 1.0, 1.0]),
+        counts: [2, 2],
+        control_points: corners.map(|[x, y, z]| [x, y, z, 1.0]).to_vec(),
+    };
+    PreparedModel::new(&Model::from_arrays(None, vec![surface]).unwrap()).unwrap()
+}
+
+/// Asserts that an area contains `expected` and is as narrow as a rule over whole patches makes it: parts that shrink
+/// towards a point leave what is permitted.
+fn assert_whole(found: Area, expected: f64) {
+    assert_area(found, expected, 1e-14 * expected);
+    assert!(found.upper - found.lower <= 0.1 * MAX_RELATIVE_WIDTH * expected, "{found:?} is wide");
+}
+
+/// A triangle by a collapsed edge, and one by a corner in the middle of a side: the normal is 0 there.
+#[test]
+fn plane_sheets_without_an_angle_at_a_corner_are_measured_whole() {
+    let side = [3.0, 0.0, 4.0];
+    let collapsed = sheet([[0.0; 3], [0.0; 3], side, [0.0, 2.0, 0.0]]);
+    assert_whole(collapsed.area(), 5.0);
+    let middle = sheet([[0.0; 3], [0.0, 1.0, 0.0], side, [0.0, 2.0, 0.0]]);
+    assert_whole(middle.area(), 5.0);
+}
+
+/// With the normal (1 - 1.5 s) e_z the sheet is folded at s = 2/3, and both sides count.
+#[test]
+fn a_fold_is_not_taken_for_a_plane() {
+    let folded = sheet([[0.0; 3], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, -0.5, 0.0]]);
+    assert_area(folded.area(), 5.0 / 12.0, 1e-14);
+}
+
+/// A cone's tip and a ball's poles are edges that are points.
+#[test]
+fn tips_and_poles() {
+    let (radius, height) = (1.5_f64, 2.0_f64);
+    let circle = shapes::cylinder(radius, height).unwrap();
+    let surface = circle.surfaces()[0].clone().into_arrays();
+    let mut cone = surface;
+    // The controls at the top move to the axis; those of both rows have the same weights.
+    let top = cone.control_points.iter().map(|[_, _, z, w]| z / w).fold(f64::NEG_INFINITY, f64::max);
+    for [x, y, z, w] in &mut cone.control_points {
+        if (*z / *w - top).abs() < 0.5 * height {
+            (*x, *y) = (0.0, 0.0);
+        }
+    }
+    let cone = PreparedModel::new(&Model::from_arrays(None, vec![cone]).unwrap()).unwrap();
+    assert_area(cone.area(), PI * radius * radius.hypot(height), 1e-13);
+    assert_area(
+        PreparedModel::new(&shapes::sphere(DVec3::ZERO, 2.0).unwrap()).unwrap().area(),
+        16.0 * PI,
+        1e-13,
+    );
 }
 
 #[test]

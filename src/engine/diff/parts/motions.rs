@@ -5,6 +5,7 @@ use super::part::Part;
 use crate::alignment::PointPair;
 use crate::model::RigidTransform;
 use glam::{DMat3, DQuat, DVec3};
+use std::collections::BTreeMap;
 
 /// The largest number of motions that are tried for two parts.
 const MAX_TRIED: usize = 12;
@@ -22,8 +23,12 @@ const FINEST: f64 = 1e-6;
 /// The part of a length to which distances of vertices agree in a frame of them.
 const FRAME_PART: f64 = 1e-4;
 
-/// The part of the vertices that a motion must lay on each other to be more than a guess.
-const MATCHED: f64 = 0.5;
+/// The number of moves that are guessed for parts that changed.
+const VOTED_MOVES: usize = 2;
+
+/// The vertices that a motion must lay on such of B to be worth a comparison: one more than give it. Of parts with
+/// few vertices half are enough. Patches have corners about every hole, so that no share of all would do.
+const ENOUGH_VERTICES: f64 = 4.0;
 
 /// Returns motions that may lay A on B, those that turn least and match most vertices first. `rest` is the motion
 /// that counts as none.
@@ -44,7 +49,7 @@ pub(super) fn candidates(a: &Part, b: &Part, rest: &RigidTransform) -> Vec<Rigid
     let mut found: Vec<(bool, RigidTransform)> = Vec::new();
     for rotation in distinct {
         let start = RigidTransform::about(rotation, a.center, b.center);
-        let motion = refined(a, b, &start, rotation == rest.rotation());
+        let motion = refined(a, b, &start, COARSEST * a.aabb.diagonal(), rotation == rest.rotation());
         found.push((matched(a, b, &motion) < 1.0, motion));
     }
     // Stable: by what they turn within each half.
@@ -52,18 +57,20 @@ pub(super) fn candidates(a: &Part, b: &Part, rest: &RigidTransform) -> Vec<Rigid
     found.into_iter().map(|(_, motion)| motion).take(MAX_TRIED).collect()
 }
 
-/// Returns the motion that lays most vertices of A on those of B, and more than half; of parts that changed.
-pub(super) fn most_matching(a: &Part, b: &Part, rest: &RigidTransform) -> Option<RigidTransform> {
-    let shift = most_voted(a, b, rest);
-    let guesses = shift.into_iter().chain(candidates(a, b, rest));
-    let mut best: Option<(f64, RigidTransform)> = None;
-    for motion in guesses {
-        let share = matched(a, b, &motion);
-        if share >= MATCHED && best.is_none_or(|(most, _)| share > most) {
-            best = Some((share, motion));
-        }
-    }
-    best.map(|(_, motion)| motion)
+/// Returns motions that lay enough vertices of A on those of B, of parts that changed: moves alone first, each of which
+/// explains vertices that those before it do not, and then the one by turns that lays most.
+///
+/// What stayed may have fewer vertices than a hole that moved, so that the motion of most alone would not do.
+pub(super) fn most_matching(a: &Part, b: &Part, rest: &RigidTransform) -> Vec<RigidTransform> {
+    let count = a.vertices.len() as f64;
+    let enough = if 0.5 * count < ENOUGH_VERTICES { 0.5 * count } else { ENOUGH_VERTICES };
+    let mut found = most_voted(a, b, rest);
+    let share = |motion: &RigidTransform| matched(a, b, motion);
+    found.extend(
+        candidates(a, b, rest).into_iter().rev().max_by(|one, other| share(one).total_cmp(&share(other))),
+    );
+    found.retain(|motion| count > 0.0 && count * share(motion) >= enough);
+    found
 }
 
 /// Returns rotations that map the principal axes of A to those of B: four if all three moments are distinct, two if
@@ -124,10 +131,10 @@ fn frame_of(a: &Part) -> Option<(DVec3, DVec3)> {
     (p.cross(q).length() > FRAME_PART * p.length_squared()).then_some((p, q))
 }
 
-/// Narrows a motion by the vertices that it lays near each other; `moves` only, or turns, too.
-fn refined(a: &Part, b: &Part, start: &RigidTransform, moves: bool) -> RigidTransform {
+/// Narrows a motion by the vertices that it lays within `coarsest` of each other; `moves` only, or turns, too.
+fn refined(a: &Part, b: &Part, start: &RigidTransform, coarsest: f64, moves: bool) -> RigidTransform {
     let size = a.aabb.diagonal();
-    let (mut motion, mut radius) = (*start, COARSEST * size);
+    let (mut motion, mut radius) = (*start, coarsest);
     while radius > FINEST * size {
         let pairs = pairs_within(a, b, &motion, radius);
         let next = if moves { shifted(&pairs, &motion) } else { fitted(&pairs) };
@@ -163,22 +170,71 @@ fn pairs_within(a: &Part, b: &Part, motion: &RigidTransform, radius: f64) -> Vec
 
 /// Returns the part of A's vertices that a motion lays on such of B.
 fn matched(a: &Part, b: &Part, motion: &RigidTransform) -> f64 {
-    let slack = 10.0 * FINEST * a.aabb.diagonal();
-    pairs_within(a, b, motion, slack).len() as f64 / a.vertices.len().max(1) as f64
+    pairs_within(a, b, motion, matching_distance(a)).len() as f64 / a.vertices.len().max(1) as f64
 }
 
-/// Returns the move, after the turn of `rest`, that lays most vertices on such of B. O(vertices² log).
-fn most_voted(a: &Part, b: &Part, rest: &RigidTransform) -> Option<RigidTransform> {
+/// Returns moves after the turn of `rest`: the one that lays most vertices on such of B, then the one that lays most of
+/// the others, and so on. O(vertices² log).
+fn most_voted(a: &Part, b: &Part, rest: &RigidTransform) -> Vec<RigidTransform> {
     let cell = FRAME_PART * a.aabb.diagonal();
-    let mut votes: std::collections::BTreeMap<[i64; 3], (usize, DVec3)> = std::collections::BTreeMap::new();
-    for of_a in &a.vertices {
-        for of_b in &b.vertices {
-            let shift = of_b - rest.rotate(*of_a);
-            let key = (shift / cell).round().to_array().map(|x| x as i64);
-            votes.entry(key).or_insert((0, shift)).0 += 1;
+    let (mut left, mut found) = (a.vertices.clone(), Vec::new());
+    for _ in 0..VOTED_MOVES {
+        let mut votes: BTreeMap<[i64; 3], (usize, DVec3)> = BTreeMap::new();
+        for of_a in &left {
+            for of_b in &b.vertices {
+                let shift = of_b - rest.rotate(*of_a);
+                let key = (shift / cell).round().to_array().map(|x| x as i64);
+                votes.entry(key).or_insert((0, shift)).0 += 1;
+            }
         }
+        let Some((_, shift)) = votes.into_values().max_by_key(|&(count, _)| count) else { break };
+        let Ok(start) = RigidTransform::new(rest.rotation(), shift) else { break };
+        let motion = refined(a, b, &start, cell, true);
+        let explained = pairs_within(a, b, &motion, matching_distance(a));
+        left.retain(|vertex| explained.iter().all(|[of_a, _]| of_a != vertex));
+        found.push(motion);
     }
-    let (_, shift) = votes.into_values().max_by_key(|&(count, _)| count)?;
-    let start = RigidTransform::new(rest.rotation(), shift).ok()?;
-    Some(refined(a, b, &start, true))
+    found
+}
+
+/// Returns the distance up to which vertices lie on each other.
+fn matching_distance(a: &Part) -> f64 {
+    10.0 * FINEST * a.aabb.diagonal()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::diff::parts::part::parts_of;
+    use crate::{PreparedModel, shapes};
+
+    /// A part with these vertices.
+    fn part(vertices: Vec<DVec3>) -> Part {
+        let ball = PreparedModel::new(&shapes::sphere(DVec3::ZERO, 20.0).unwrap()).unwrap();
+        let mut only = parts_of(&ball).unwrap().swap_remove(0);
+        only.vertices = vertices;
+        only
+    }
+
+    #[test]
+    fn what_stayed_gives_a_motion_also_where_what_moved_has_more_vertices() {
+        let corner =
+            |index: i32| DVec3::new(f64::from(index & 1), f64::from(index >> 1 & 1), f64::from(index >> 2));
+        let (move_of_all, move_of_hole) = (DVec3::new(3.0, 9.0, 4.0), DVec3::new(0.1, 0.2, 0.2));
+        let vertices = |by: DVec3, of_hole: DVec3| {
+            let corners = (0..8).map(|index| by + DVec3::new(29.0, 20.0, 17.0) * corner(index));
+            let hole = (0..26).map(|index| {
+                let angle = 0.24 * f64::from(index);
+                by + of_hole + DVec3::new(3.0, 9.0 + 1.5 * angle.cos(), 8.0 + 1.5 * angle.sin())
+            });
+            corners.chain(hole).collect::<Vec<_>>()
+        };
+        let (a, b) = (part(vertices(DVec3::ZERO, DVec3::ZERO)), part(vertices(move_of_all, move_of_hole)));
+        let found = most_matching(&a, &b, &RigidTransform::IDENTITY);
+        let is_near = |motion: &RigidTransform, by: DVec3| {
+            (0..8).all(|index| motion.apply(corner(index)).distance(corner(index) + by) < 1e-9)
+        };
+        assert!(is_near(&found[0], move_of_all + move_of_hole), "{found:?}");
+        assert!(is_near(&found[1], move_of_all), "{found:?}");
+    }
 }

@@ -5,11 +5,12 @@ use super::part::{Part, parts_of};
 use super::{PartDifference, PartFaces, PartMotion, PartState};
 use crate::engine::diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::engine::options::{CertifiedOptions, Method};
-use crate::engine::section::seconds_left;
+use crate::engine::section::{is_over, seconds_left};
 use crate::engine::{DistanceOptions, Engine, PreparedModel};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::progress::Monitor;
+use glam::DVec3;
 use std::collections::HashSet;
 use web_time::Instant;
 
@@ -40,9 +41,8 @@ struct Pairing<'a> {
 impl Engine {
     /// Returns what became of each part of A, in their order, and then the parts of B alone.
     ///
-    /// None are returned of clouds and of models of more than 2,000 bodies.
-    ///
-    /// The budget of seconds counts from `started`; what it leaves no time for is undecided.
+    /// None are returned of clouds, of models of more than 2,000 bodies, and where the budget of seconds, which counts
+    /// from `started`, is spent before; what it leaves no time for is undecided.
     ///
     /// # Errors
     /// Those of [`Engine::distance`] and [`Engine::diff`].
@@ -55,7 +55,7 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<Vec<PartDifference>> {
         let is_paired = |model: &PreparedModel| !model.is_cloud() && model.bodies().len() <= MAX_PARTS;
-        if !models.into_iter().all(is_paired) {
+        if !models.into_iter().all(is_paired) || is_over(started, options.max_seconds) {
             return Ok(Vec::new());
         }
         let parts = [parts_of(models[0])?, parts_of(models[1])?];
@@ -83,6 +83,9 @@ impl Engine {
     async fn pair_in_place(&self, pairing: &mut Pairing<'_>, monitor: &mut dyn Monitor) -> Result<()> {
         let rest = pairing.options.transform;
         for [a, b] in pairing.alike(|a, b, limit| has_place(a, b, &rest, limit)) {
+            if pairing.is_late() {
+                break;
+            }
             if !pairing.is_open([a, b]) {
                 continue;
             }
@@ -104,6 +107,9 @@ impl Engine {
     ) -> Result<()> {
         let rest = pairing.options.transform;
         for [a, b] in pairing.alike(|_, _, _| true) {
+            if pairing.is_late() {
+                break;
+            }
             if !pairing.is_open([a, b]) {
                 continue;
             }
@@ -134,6 +140,9 @@ impl Engine {
         let by_name = pairing.ordered(|a, b| a.given.is_some() && a.given == b.given);
         let by_place = pairing.ordered(|a, b| common_part(a, b, &rest) >= COMMON_PART);
         for [a, b] in by_name.into_iter().chain(by_place) {
+            if pairing.is_late() {
+                break;
+            }
             if !pairing.is_open([a, b]) {
                 continue;
             }
@@ -146,13 +155,8 @@ impl Engine {
                     &compared
                 }
             };
-            let moved = match most_matching(one, other, &rest) {
-                Some(motion) if place.state == FaceState::Changed => {
-                    let moved = self.compared([one, other], motion, pairing, monitor).await?;
-                    let is_better = changed(&moved) < changed(place)
-                        && 2 * changed(&moved) <= moved.faces_of_a.len() + moved.faces_of_b.len();
-                    is_better.then_some((motion, moved))
-                }
+            let moved = match place.state {
+                FaceState::Changed => self.moved_and_changed([one, other], place, pairing, monitor).await?,
                 _ => None,
             };
             let faces = |of: &DiffResult| PartFaces {
@@ -181,6 +185,31 @@ impl Engine {
             pairing.add([a, b], state, motion, bounds, faces);
         }
         Ok(())
+    }
+
+    /// Returns the first motion that leaves fewer faces changed than there are in place and at most half of all, with
+    /// the comparison after it.
+    async fn moved_and_changed(
+        &self,
+        [one, other]: [&Part; 2],
+        place: &DiffResult,
+        pairing: &Pairing<'_>,
+        monitor: &mut dyn Monitor,
+    ) -> Result<Option<(RigidTransform, DiffResult)>> {
+        let (rest, limit) = (pairing.options.transform, pairing.options.limit);
+        let mut tried = vec![rest];
+        for motion in most_matching(one, other, &rest) {
+            if !tried.iter().all(|earlier| moves(&motion, earlier, one, limit)) {
+                continue;
+            }
+            tried.push(motion);
+            let moved = self.compared([one, other], motion, pairing, monitor).await?;
+            let faces = moved.faces_of_a.len() + moved.faces_of_b.len();
+            if changed(&moved) < changed(place) && 2 * changed(&moved) <= faces {
+                return Ok(Some((motion, moved)));
+            }
+        }
+        Ok(None)
     }
 
     /// Returns the bounds of the Hausdorff distance under a motion, if it is certainly at most the limit.
@@ -228,6 +257,10 @@ impl Engine {
 impl Pairing<'_> {
     fn seconds_left(&self) -> Option<f64> {
         seconds_left(self.started, self.options.max_seconds)
+    }
+
+    fn is_late(&self) -> bool {
+        is_over(self.started, self.options.max_seconds)
     }
 
     fn is_open(&self, [a, b]: [usize; 2]) -> bool {
@@ -288,13 +321,15 @@ impl Pairing<'_> {
             upper: None,
             faces: PartFaces::default(),
         };
+        let is_late = self.is_late();
+        let or_undecided = |state| if is_late { PartState::Undecided } else { state };
         let [of_a, of_b] = &self.parts;
         for (index, part) in of_a.iter().enumerate().filter(|&(index, _)| self.open[0][index]) {
-            self.found.push((index, alone(Some(part), None, PartState::Removed)));
+            self.found.push((index, alone(Some(part), None, or_undecided(PartState::Removed))));
         }
         self.found.sort_by_key(|&(index, _)| index);
         let added = of_b.iter().enumerate().filter(|&(index, _)| self.open[1][index]);
-        let added = added.map(|(_, part)| alone(None, Some(part), PartState::Added));
+        let added = added.map(|(_, part)| alone(None, Some(part), or_undecided(PartState::Added)));
         self.found.into_iter().map(|(_, part)| part).chain(added).collect()
     }
 }
@@ -326,6 +361,15 @@ fn common_part(a: &Part, b: &Part, rest: &RigidTransform) -> f64 {
     let [one, other] = [a.aabb.diagonal(), b.aabb.diagonal()];
     let largest = if one > other { one } else { other };
     (high - low).length() / largest
+}
+
+/// Returns whether a motion takes a corner of the part's box farther than the limit from where another one takes it.
+fn moves(motion: &RigidTransform, other: &RigidTransform, part: &Part, limit: f64) -> bool {
+    let corner = |index: u32| {
+        let side = |axis: u32| f64::from(index >> axis & 1);
+        part.aabb.min + (part.aabb.max - part.aabb.min) * DVec3::new(side(0), side(1), side(2))
+    };
+    (0..8).map(corner).any(|at| motion.apply(at).distance(other.apply(at)) > limit)
 }
 
 /// Returns a motion without another one that came before it.

@@ -73,10 +73,12 @@ fn full_name(part: &PartDifference) -> &str {
     part.name_of_a.as_deref().or(part.name_of_b.as_deref()).unwrap_or_default()
 }
 
-/// The last level of the name, without the number of a copy.
+/// The last level of the name, without the number of a copy and without the name of the use in parentheses.
 fn short_name(part: &PartDifference) -> String {
     let last = face_path(full_name(part)).pop().unwrap_or_default();
-    let base = last.trim_end_matches(|one: char| one.is_ascii_digit() || "():-_#. ".contains(one));
+    let product =
+        last.strip_suffix(')').and_then(|level| level.rsplit_once(" (")).map_or(&*last, |(name, _)| name);
+    let base = product.trim_end_matches(|one: char| one.is_ascii_digit() || "():-_#. ".contains(one));
     one_line(if base.is_empty() { &last } else { base })
 }
 
