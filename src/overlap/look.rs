@@ -46,7 +46,8 @@ impl<'a> Looking<'a> {
         let placed = &self.pair.solids[solid];
         let moved = placed.moved(piece.depth);
         let is_oriented = whole.side != BoundarySide::Unknown;
-        let level = if near.is_empty() { None } else { Level::around(&near, piece, known.level.as_ref()) };
+        let level =
+            if near.is_empty() { None } else { Level::around(&near, (whole, piece), known.level.as_ref()) };
         let crossing = level.as_ref().map(|level| self.parts(solid, (whole, piece), &near, level));
         if near.is_empty() || crossing.is_some_and(|crossing| crossing.is_one_part()) {
             match self.side(solid, (whole, piece), &known) {

@@ -10,6 +10,9 @@ use std::sync::Arc;
 /// The least length of the mean of normals that counts as one.
 const MIN_AGREEMENT: f64 = 0.7;
 
+/// The largest number of pieces that a carrier is fitted to: others are near these.
+const MAX_FITTED: usize = 12;
+
 /// A carrier with the range of its values on all of the other boundary that is near a piece.
 #[derive(Debug, Clone)]
 pub(in crate::overlap) struct Level {
@@ -22,9 +25,12 @@ impl Level {
     /// Returns the carrier of pieces about a place; that of the piece that this one is a part of where it fits well.
     pub(in crate::overlap) fn around(
         near: &[(&Whole, &Piece)],
-        piece: &Piece,
+        (whole, piece): (&Whole, &Piece),
         before: Option<&Self>,
     ) -> Option<Self> {
+        if lie_on((whole, piece), near) {
+            return None;
+        }
         if let Some(level) = before.filter(|level| level.high - level.low <= EXACT * piece.radius) {
             return Some(level.clone());
         }
@@ -40,7 +46,7 @@ impl Level {
         if !(sum.length() >= MIN_AGREEMENT * sizes && sizes > 0.0) {
             return None;
         }
-        let carrier = Carrier::of(near, piece.middle, sum.normalize(), piece.radius)?;
+        let carrier = Carrier::of(&largest(near), piece.middle, sum.normalize(), piece.radius)?;
         let mut level = Self { carrier: Arc::new(carrier), low: f64::INFINITY, high: f64::NEG_INFINITY };
         for &(whole, piece) in near {
             let [low, high] = Form::new(&level.carrier, whole, piece).range();
@@ -62,6 +68,29 @@ impl Level {
     }
 }
 
+/// Returns whether pieces lie on the carrier of a piece as far as that tells: none of them can be decided from others.
+fn lie_on((whole, piece): (&Whole, &Piece), near: &[(&Whole, &Piece)]) -> bool {
+    let own = normal((whole, piece));
+    // Where they cross at an angle no carrier is needed to tell that they do.
+    if near.first().is_none_or(|&near| normal(near).dot(own).abs() < MIN_AGREEMENT) {
+        return false;
+    }
+    let Some(fitted) = whole.carrier(piece) else { return false };
+    near.iter().all(|(whole, piece)| {
+        whole.corners(piece).iter().all(|&corner| fitted.carrier.at(corner).abs() <= fitted.reach)
+    })
+}
+
+/// Returns the largest of pieces.
+fn largest<'a>(near: &[(&'a Whole, &'a Piece)]) -> Vec<(&'a Whole, &'a Piece)> {
+    let mut pieces: Vec<_> = near.iter().copied().filter(|(whole, _)| !whole.is_strip).collect();
+    if pieces.len() > MAX_FITTED {
+        pieces.sort_by(|one, other| other.1.radius.total_cmp(&one.1.radius));
+        pieces.truncate(MAX_FITTED);
+    }
+    pieces
+}
+
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
@@ -81,9 +110,9 @@ mod tests {
     fn levels_have_all_values_within_the_margin() {
         let patches = ball(2.0);
         let margin = 0.01;
-        for whole in patches.faces() {
+        for (whole, inner) in patches.faces().zip(ball(1.9).faces()) {
             let near = (whole, &whole.root);
-            let level = Level::around(&[near], &whole.root, None).unwrap();
+            let level = Level::around(&[near], (inner, &inner.root), None).unwrap();
             let [above, below] = level.levels(&whole.root, margin);
             let mut most = 0.0_f64;
             for &point in &whole.corners(&whole.root) {
@@ -100,14 +129,15 @@ mod tests {
     /// The level of a part is that of the whole where it fits well, and another one where it does not.
     #[test]
     fn a_level_that_fits_is_kept() {
-        let patches = ball(2.0);
+        let (patches, inner) = (ball(2.0), ball(1.9));
         let whole = patches.faces().next().unwrap();
         let piece = whole.halves(&whole.root).unwrap()[0];
-        let level = Level::around(&[(whole, &whole.root)], &whole.root, None).unwrap();
-        let again = Level::around(&[(whole, piece)], piece, Some(&level)).unwrap();
+        let of = (&inner.wholes[0], &inner.wholes[0].root);
+        let level = Level::around(&[(whole, &whole.root)], of, None).unwrap();
+        let again = Level::around(&[(whole, piece)], of, Some(&level)).unwrap();
         assert!(Arc::ptr_eq(&again.carrier, &level.carrier));
         let wide = Level { high: 0.5, ..level.clone() };
-        let other = Level::around(&[(whole, piece)], piece, Some(&wide)).unwrap();
+        let other = Level::around(&[(whole, piece)], of, Some(&wide)).unwrap();
         assert!(!Arc::ptr_eq(&other.carrier, &level.carrier) && other.high < 1e-9);
     }
 
@@ -119,7 +149,7 @@ mod tests {
             [&one, &other].map(|patches| &patches.wholes[0]).map(|whole| (whole, &whole.root)).into();
         for order in [[0, 1], [1, 0]] {
             let near = order.map(|index| near[index]);
-            let level = Level::around(&near, near[0].1, None).unwrap();
+            let level = Level::around(&near, near[0], None).unwrap();
             for &(whole, piece) in &near {
                 for point in whole.corners(piece) {
                     let value = level.carrier.at(point);

@@ -49,12 +49,14 @@ impl Pair {
         let vector = if partners.are_all() {
             DVec3::ZERO
         } else {
-            let part = if has_stalled { PART_OF_PIECES } else { PART_OF_CARRIERS };
-            // What half of this changes of the volume is known to the width.
-            let length = part * width / if a.area < b.area { a.area } else { b.area };
-            let length = length * moved_part(&a, &partners, diagonal);
-            let is_far = has_stalled || lie_on_each_other([&a.patches, &b.patches], &partners, length);
-            shift([&a.patches, &b.patches], margin, if is_far { length } else { 0.0 })
+            // Half of this times the area is the width.
+            let most = width / if a.area < b.area { a.area } else { b.area };
+            let lengths = [PART_OF_CARRIERS, PART_OF_PIECES].map(|part| part * most);
+            let lengths = lengths.map(|length| length * moved_part(&a, &partners, diagonal));
+            let patches = [&a.patches, &b.patches];
+            let lie_on = |length: &f64| lie_on_each_other(patches, &partners, *length);
+            let length = if has_stalled { Some(lengths[1]) } else { lengths.into_iter().find(lie_on) };
+            shift(patches, margin, length.unwrap_or(0.0))
         };
         let mut pair = Self { solids: [a, b], partners, shift: DVec3::ZERO, change: 0.0, margins };
         if vector != DVec3::ZERO {
