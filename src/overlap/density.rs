@@ -22,7 +22,7 @@ pub(super) struct Slopes {
     /// Upper bounds on the lengths of the derivatives of the point.
     pub(super) point: [f64; 2],
     /// Upper bounds on the lengths of the derivatives of x_s × x_t.
-    normal: [f64; 2],
+    pub(super) normal: [f64; 2],
 }
 
 impl Slopes {

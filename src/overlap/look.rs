@@ -1,9 +1,9 @@
 //! The comparison of a piece with the other boundary.
 
-use super::crossing::Slab;
+use super::crossing::{CORNERS, Crossing, Level};
 use super::pair::Pair;
 use super::piece::{Piece, Whole};
-use super::separation::may_meet;
+use super::separation::{are_told, may_meet};
 use super::solid::MAX_DEPTH;
 use super::undecided::{Known, Undecided};
 use super::{BoundarySide, Sides};
@@ -46,8 +46,11 @@ impl<'a> Looking<'a> {
         let placed = &self.pair.solids[solid];
         let moved = placed.moved(piece.depth);
         let is_oriented = whole.side != BoundarySide::Unknown;
-        if near.is_empty() {
-            match self.side_of_hull(solid, piece, &known) {
+        let level =
+            if near.is_empty() { None } else { Level::around(&near, (whole, piece), known.level.as_ref()) };
+        let crossing = level.as_ref().map(|level| self.parts(solid, (whole, piece), &near, level));
+        if near.is_empty() || crossing.is_some_and(|crossing| crossing.is_one_part()) {
+            match self.side(solid, (whole, piece), &known) {
                 Some(false) => return Found::Decided(Interval::exactly(0.0)),
                 Some(true) if is_oriented => {
                     return Found::Decided(self.cone(solid, whole, piece, moved));
@@ -58,10 +61,14 @@ impl<'a> Looking<'a> {
         let weight = placed.patches.weight(whole, piece, self.origin, moved);
         let bound = weight.bound();
         let undecided = |near, known| Undecided { solid, whole, piece, bound, value: None, near, known };
-        if is_oriented && let Some(slab) = self.slab(solid, piece, &near, &mut known) {
+        known.level = level;
+        if is_oriented
+            && let Some(crossing) =
+                crossing.and_then(|parts| self.sided(solid, (whole, piece), parts, &mut known))
+        {
             let slopes = placed.patches.slopes(whole, piece);
             let cone = self.cone(solid, whole, piece, 0.0);
-            let value = slab.inner((whole, piece), &slopes, &weight, cone, moved);
+            let value = crossing.inner(&slopes, &weight, cone, moved);
             let width = value.width();
             if width <= MAX_REMAINDER * bound {
                 return Found::Undecided(Undecided {
@@ -82,39 +89,55 @@ impl<'a> Looking<'a> {
         if known.reference.is_none() {
             known.reference = self.reference(solid, piece.points[0]);
         }
-        Some(halves.map(|half| self.look_at(solid, (whole, half), near, known.clone())))
+        let axis = whole.axis(piece);
+        let [low, high] = halves;
+        Some([(low, false), (high, true)].map(|(half, is_high)| {
+            let crossing = known.crossing.map(|crossing| crossing.half(axis, is_high));
+            self.look_at(solid, (whole, half), near, Known { crossing, ..known.clone() })
+        }))
     }
 
-    /// Returns a slab about all near pieces, with the sides of the piece's hull above and below it.
-    fn slab(
+    /// Returns the parts of a piece that are off all near pieces.
+    fn parts(
         &self,
         solid: usize,
-        piece: &Piece,
+        (whole, piece): (&Whole, &Piece),
         near: &[(&'a Whole, &'a Piece)],
-        known: &mut Known,
-    ) -> Option<Slab> {
+        level: &Level,
+    ) -> Crossing {
         let reach = near.iter().map(|near| near.0.reach).fold(0.0, upper_max);
-        let mut slab = Slab::around(near, self.pair.margins[solid] + reach, piece.middle)?;
-        let beyond = slab.beyond(piece);
-        if beyond == [None; 2] {
-            return None;
-        }
-        for (is_inside, point) in slab.is_inside.iter_mut().zip(beyond) {
-            let Some(point) = point else { continue };
-            *is_inside =
-                known.slab.and_then(|slab| slab.side(point)).or_else(|| self.is_inside(solid, point, known));
-        }
-        known.slab = Some(slab);
-        Some(slab)
+        let levels = level.levels(piece, self.pair.margins[solid] + reach);
+        Crossing::new(&level.form(whole, piece), levels)
     }
 
-    /// Returns whether the hull of a piece that has no point of the other boundary near is inside the other solid.
-    fn side_of_hull(&self, solid: usize, piece: &Piece, known: &Known) -> Option<bool> {
-        let points = &piece.points;
-        let last = points.len() - 1;
-        let of_slab = known.slab.and_then(|slab| points.iter().find_map(|&point| slab.side(point)));
-        of_slab.or_else(|| {
-            [0, last, last / 2].into_iter().find_map(|index| self.is_inside(solid, points[index], known))
+    /// Returns the parts of a piece with their sides; `None` where there are none.
+    fn sided(
+        &self,
+        solid: usize,
+        (whole, piece): (&Whole, &Piece),
+        mut parts: Crossing,
+        known: &mut Known,
+    ) -> Option<Crossing> {
+        let corners = parts.corners();
+        if corners == [None; 2] {
+            return None;
+        }
+        let points = whole.corners(piece);
+        for (is_inside, corner) in parts.is_inside.iter_mut().zip(corners) {
+            let Some(corner) = corner else { continue };
+            let before = known.crossing.and_then(|crossing| crossing.side(corner));
+            *is_inside = before.or_else(|| self.is_inside(solid, points[corner], known));
+        }
+        known.crossing = Some(parts);
+        Some(parts)
+    }
+
+    /// Returns whether a piece that has no point of the other boundary near is inside the other solid.
+    fn side(&self, solid: usize, (whole, piece): (&Whole, &Piece), known: &Known) -> Option<bool> {
+        let before =
+            (0..CORNERS.len()).find_map(|corner| known.crossing.and_then(|crossing| crossing.side(corner)));
+        before.or_else(|| {
+            whole.corners(piece).into_iter().find_map(|point| self.is_inside(solid, point, known))
         })
     }
 
@@ -147,9 +170,10 @@ impl<'a> Looking<'a> {
         near: &[(&'a Whole, &'a Piece)],
     ) -> Vec<(&'a Whole, &'a Piece)> {
         let margin = self.pair.margins[solid];
-        let (mut found, mut stack) = (Vec::new(), near.to_vec());
+        let (mut found, mut stack, mut tried) = (Vec::new(), near.to_vec(), Vec::new());
         while let Some(other) = stack.pop() {
-            if !may_meet(piece, other, margin + other.0.reach) {
+            let margin = margin + other.0.reach;
+            if !may_meet(piece, other, margin) || are_told(piece, other, margin, &mut tried) {
                 continue;
             }
             let is_large = other.1.radius > SIZE_RATIO * piece.1.radius && other.1.depth < MAX_DEPTH;

@@ -1,5 +1,6 @@
 //! Pieces of patches, halved when they are first needed and kept for both solids.
 
+use super::carrier::{EXACT, Fitted};
 use super::density::Slopes;
 use super::solid::{BoundarySide, MAX_DEPTH};
 use crate::area::density::Density;
@@ -27,13 +28,14 @@ pub(super) struct Whole {
     surface: usize,
     degree: [usize; 2],
     rational: bool,
-    center: DVec3,
+    pub(super) center: DVec3,
     pub(super) side: BoundarySide,
     /// Whether it is a strip between edges of patches, over which nothing is integrated.
     pub(super) is_strip: bool,
     /// The distance from the patch within which the other solid's patch lies that takes its place; 0 where none does.
     pub(super) reach: f64,
     pub(super) root: Piece,
+    carrier: OnceLock<Option<Fitted>>,
 }
 
 /// A part of a patch.
@@ -49,12 +51,13 @@ pub(super) struct Piece {
     pub(super) radius: f64,
     pub(super) depth: u32,
     halves: OnceLock<Box<[Piece; 2]>>,
+    carrier: OnceLock<Option<Fitted>>,
 }
 
 /// Upper bounds on the area of a piece and on the distance of its points from the origin.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Weight {
-    area: f64,
+    pub(super) area: f64,
     pub(super) radius: f64,
 }
 
@@ -109,12 +112,23 @@ impl Patches {
                 is_strip: false,
                 reach: 0.0,
                 root,
+                carrier: OnceLock::new(),
             }
         };
         let strip = |strip: Ruled| {
             let (center, root) = placed(strip.center, &strip.controls);
             let (degree, side) = ([1, strip.degree], BoundarySide::Unknown);
-            Whole { surface: 0, degree, rational: true, center, side, is_strip: true, reach: 0.0, root }
+            Whole {
+                surface: 0,
+                degree,
+                rational: true,
+                center,
+                side,
+                is_strip: true,
+                reach: 0.0,
+                root,
+                carrier: OnceLock::new(),
+            }
         };
         Self::of(patches.iter().map(whole).chain(strips.map(strip)).collect())
     }
@@ -123,7 +137,12 @@ impl Patches {
     pub(super) fn moved_by(self, vector: DVec3) -> Self {
         let moved = |whole: Whole| {
             let center = whole.center + vector;
-            Whole { center, root: Piece::new(center, whole.root.controls, 0), ..whole }
+            Whole {
+                center,
+                root: Piece::new(center, whole.root.controls, 0),
+                carrier: OnceLock::new(),
+                ..whole
+            }
         };
         Self::of(self.wholes.into_iter().map(moved).collect())
     }
@@ -202,6 +221,37 @@ impl Whole {
         Patch { surface, degree, domain: ParamBox::UNIT, center, controls, rational }
     }
 
+    /// Returns the quadric that the patch lies on, if there is one.
+    pub(super) fn exact_carrier(&self) -> Option<&Fitted> {
+        let own = self.carrier.get_or_init(|| Fitted::new(self, &self.root)).as_ref();
+        own.filter(|own| own.reach <= EXACT * self.root.radius)
+    }
+
+    /// Returns a quadric that a piece lies on or nearly so: that of the patch where the patch lies on it; `None` where
+    /// there is none.
+    pub(super) fn carrier<'a>(&'a self, piece: &'a Piece) -> Option<&'a Fitted> {
+        self.exact_carrier().or_else(|| piece.carrier.get_or_init(|| Fitted::new(self, piece)).as_ref())
+    }
+
+    /// Returns the controls of a piece about a point.
+    pub(super) fn around(&self, piece: &Piece, origin: DVec3) -> Vec<DVec4> {
+        let offset = self.center - origin;
+        let moved = |control: &DVec4| (control.xyz() + control.w * offset).extend(control.w);
+        piece.controls.iter().map(moved).collect()
+    }
+
+    /// Returns the points of a piece at the corners of its parameters.
+    pub(super) fn corners(&self, piece: &Piece) -> [DVec3; 4] {
+        let columns = self.degree[1];
+        let last = piece.points.len() - 1;
+        [0, columns, last - columns, last].map(|index| piece.points[index])
+    }
+
+    /// Returns the axis along which a piece is halved.
+    pub(super) fn axis(&self, piece: &Piece) -> Axis {
+        longer_axis(self.degree, &piece.controls)
+    }
+
     /// Returns the degrees.
     pub(super) fn degree(&self) -> [usize; 2] {
         self.degree
@@ -213,8 +263,7 @@ impl Whole {
             return None;
         }
         let [low, high] = &**piece.halves.get_or_init(|| {
-            let axis: Axis = longer_axis(self.degree, &piece.controls);
-            let halves = self.patch(self.center, &piece.controls).halves(axis);
+            let halves = self.patch(self.center, &piece.controls).halves(self.axis(piece));
             Box::new(halves.map(|half| Piece::new(self.center, half, piece.depth + 1)))
         });
         Some([low, high])
@@ -227,6 +276,15 @@ impl Piece {
         let aabb = points.iter().copied().fold(Aabb::EMPTY, Aabb::with);
         let middle = aabb.center();
         let radius = points.iter().map(|point| point.distance(middle)).fold(0.0, upper_max);
-        Self { controls, points, aabb, middle, radius, depth, halves: OnceLock::new() }
+        Self {
+            controls,
+            points,
+            aabb,
+            middle,
+            radius,
+            depth,
+            halves: OnceLock::new(),
+            carrier: OnceLock::new(),
+        }
     }
 }

@@ -1,8 +1,13 @@
-//! Planes between the hulls of pieces.
+//! Planes and carriers between pieces.
 
+use super::carrier::Fitted;
 use super::piece::{Piece, Whole};
 use crate::rounding::unit;
 use glam::DVec3;
+use std::ptr;
+
+/// The least cosine of the angle of two pieces that their carriers may tell apart: planes do where they cross.
+const MIN_COSINE: f64 = 0.5;
 
 /// Returns whether the hulls of two pieces may be within `margin` of each other: no plane across an axis is between
 /// them, none that is tangent to the sphere of the first one, and none along the diagonals of either.
@@ -17,6 +22,28 @@ pub(super) fn may_meet(a: (&Whole, &Piece), b: (&Whole, &Piece), margin: f64) ->
         return false;
     }
     ![normal(a), normal(b)].into_iter().any(|normal| is_between(normal, first, second, margin))
+}
+
+/// Returns whether no points of two pieces are within `margin` of each other by the carrier of either. Those in `tried`
+/// do not tell the first piece from theirs, and this adds to them.
+pub(super) fn are_told<'a>(
+    piece: (&Whole, &Piece),
+    other: (&'a Whole, &'a Piece),
+    margin: f64,
+    tried: &mut Vec<&'a Fitted>,
+) -> bool {
+    if normal(piece).dot(normal(other)).abs() < MIN_COSINE {
+        return false;
+    }
+    let of_other = other.0.exact_carrier();
+    if let Some(carrier) = of_other.filter(|carrier| !tried.iter().any(|tried| ptr::eq(*tried, *carrier))) {
+        if carrier.tells(piece.0, piece.1, margin) {
+            return true;
+        }
+        tried.push(carrier);
+    }
+    // That of the piece fits best there, as pieces of the other boundary are no larger.
+    piece.0.carrier(piece.1).is_some_and(|carrier| carrier.tells(other.0, other.1, margin))
 }
 
 /// Returns the unit normal of the plane along both diagonals of a piece's corners; 0 where there is none.

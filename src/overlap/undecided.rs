@@ -1,6 +1,6 @@
 //! Pieces that may have points on either side of the other boundary.
 
-use super::crossing::Slab;
+use super::crossing::{Crossing, Level};
 use super::piece::{Piece, Whole};
 use crate::facts::Interval;
 use crate::solid::Enclosing;
@@ -25,12 +25,14 @@ pub(super) struct Undecided<'a> {
     pub(super) known: Known,
 }
 
-/// What is known of the sides of points of a piece's hull.
+/// What is known of the sides of points of a piece.
 #[derive(Clone, Default)]
 pub(super) struct Known {
     pub(super) reference: Option<Reference>,
-    /// The slab of a piece that this one is a part of.
-    pub(super) slab: Option<Slab>,
+    /// The carrier of what is near a piece that this one is a part of.
+    pub(super) level: Option<Level>,
+    /// The parts of the square of this piece's parameters that are known from that piece.
+    pub(super) crossing: Option<Crossing>,
 }
 
 impl PartialEq for Undecided<'_> {

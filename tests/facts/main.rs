@@ -7,6 +7,7 @@ mod support;
 
 mod bodies;
 mod check;
+mod coincidence;
 mod exact;
 mod formulas;
 mod hints;

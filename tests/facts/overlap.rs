@@ -11,12 +11,12 @@ use std::f64::consts::PI;
 /// What the weights of arcs, rounded to float64, make of a volume at most, relative to it.
 const OF_WEIGHTS: f64 = 1e-13;
 
-fn overlap(a: &PreparedModel, b: &PreparedModel, tolerance: f64) -> OverlapResult {
+pub(crate) fn overlap(a: &PreparedModel, b: &PreparedModel, tolerance: f64) -> OverlapResult {
     let options = OverlapOptions { tolerance: Some(tolerance), ..OverlapOptions::default() };
     Engine::cpu().overlap(a, b, &options).wait().unwrap()
 }
 
-fn moved_by(
+pub(crate) fn moved_by(
     a: &PreparedModel,
     b: &PreparedModel,
     transform: RigidTransform,
@@ -51,17 +51,17 @@ fn assert_sound(found: &OverlapResult, [a, b, common]: [f64; 3]) -> f64 {
 }
 
 /// As [`assert_sound`], and that the width is the one asked for.
-fn assert_holds(found: &OverlapResult, volumes: [f64; 3], tolerance: f64) {
+pub(crate) fn assert_holds(found: &OverlapResult, volumes: [f64; 3], tolerance: f64) {
     let width = assert_sound(found, volumes);
     assert!(found.converged && width <= tolerance, "{width} wide: {found:?}");
 }
 
-fn ball(radius: f64, center: [f64; 3]) -> Model {
+pub(crate) fn ball(radius: f64, center: [f64; 3]) -> Model {
     let unit = placed(&shape("sphere").unwrap(), stretched([0.5 * radius; 3]));
     placed(&unit, moved(center))
 }
 
-fn ball_volume(radius: f64) -> f64 {
+pub(crate) fn ball_volume(radius: f64) -> f64 {
     4.0 / 3.0 * PI * radius.powi(3)
 }
 
@@ -244,7 +244,7 @@ fn faces_that_are_flush_are_decided() {
 }
 
 /// The plate from (−1, −1, 0) to (1, 1, 1) with a bore about an axis along z, in ruled faces.
-fn bored_plate(center: [f64; 2], radius: f64) -> Model {
+pub(crate) fn bored_plate(center: [f64; 2], radius: f64) -> Model {
     let weight = 0.5_f64.sqrt();
     let row = |points: [[f64; 2]; 3], height: f64| {
         let weights = [1.0, weight, 1.0];

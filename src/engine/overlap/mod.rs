@@ -68,10 +68,6 @@ pub struct OverlapResult {
 /// more patience: its width falls late, and at once.
 const PATIENCE: [usize; 2] = [8192, 131_072];
 
-/// The part of the permitted width that a motion may take where a search has stalled: boundaries that lie on each other
-/// are that far apart then, and pieces are the larger.
-const MOTION_PART: f64 = 0.25;
-
 impl Engine {
     /// Returns intervals that contain the volumes of A ∩ B, A ∪ B, A \ B and B \ A, for A moved by the options'
     /// transform, and the ratio of the first two.
@@ -139,12 +135,12 @@ impl Engine {
         let larger = volumes[0].larger(volumes[1]).lower;
         let width = options.relative_width() * larger;
         let mut budget = Budget { started, max_seconds: options.max_seconds, left: options.most_cells() };
-        let pair = Pair::new([first, second], 0.0);
+        let pair = Pair::new([first, second], width, false);
         let mut search = Search::new(&pair, &solids, PATIENCE[0]);
         result.stop = run(&mut search, width, &mut budget, &mut progress).await?;
         let mut common = search.volume();
         if search.has_stalled() {
-            let pair = Pair::new(placed(), pair.motion(MOTION_PART * width));
+            let pair = Pair::new(placed(), width, true);
             let mut search = Search::new(&pair, &solids, PATIENCE[1]);
             result.stop = run(&mut search, width, &mut budget, &mut progress).await?;
             common = common.within(search.volume());

@@ -1,5 +1,6 @@
 //! Parts of the unit square on one side of a line.
 
+use crate::axis::Axis;
 use crate::facts::Interval;
 use crate::rounding::gamma;
 
@@ -8,21 +9,29 @@ const PART_ROUNDINGS: f64 = 32.0;
 
 /// An affine function of two parameters in [0, 1].
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Affine {
+pub(in crate::overlap) struct Affine {
     /// The value at (½, ½).
-    pub(super) middle: f64,
-    pub(super) slopes: [f64; 2],
+    pub(in crate::overlap) middle: f64,
+    pub(in crate::overlap) slopes: [f64; 2],
 }
 
 impl Affine {
     /// Returns the value at a place.
-    pub(super) fn at(&self, place: [f64; 2]) -> f64 {
+    pub(in crate::overlap) fn at(&self, place: [f64; 2]) -> f64 {
         self.middle + self.slopes[0] * (place[0] - 0.5) + self.slopes[1] * (place[1] - 0.5)
     }
 
     /// Returns the sum of the sizes of the value at the middle and of both slopes.
-    pub(super) fn size(&self) -> f64 {
+    pub(in crate::overlap) fn size(&self) -> f64 {
         self.middle.abs() + self.slopes[0].abs() + self.slopes[1].abs()
+    }
+
+    /// Returns the function of the parameters of a half of the square, off by one rounding of its size.
+    pub(super) fn half(&self, axis: Axis, is_high: bool) -> Self {
+        let mut slopes = self.slopes;
+        let step = 0.25 * slopes[axis.index()];
+        slopes[axis.index()] *= 0.5;
+        Self { middle: self.middle + if is_high { step } else { -step }, slopes }
     }
 
     /// Returns the area of the part of the square in which the function is above `level`.

@@ -1,103 +1,84 @@
-//! Pieces that the other boundary crosses near a plane: lemma O3 of docs/facts.md.
+//! Pieces that the other boundary crosses near a level set: lemma O3 of docs/facts.md.
 
 mod half_square;
+mod level;
 
+use super::carrier::Form;
 use super::density::Slopes;
-use super::piece::{Piece, Weight, Whole};
-use super::separation::{heights, normal};
+use super::piece::Weight;
+use crate::axis::Axis;
 use crate::facts::Interval;
-use crate::rounding::{gamma, upper_max};
-use glam::DVec3;
-use half_square::Affine;
+use crate::rounding::gamma;
+pub(super) use half_square::Affine;
+pub(super) use level::Level;
 
-/// The least length of the mean of normals that counts as one.
-const MIN_AGREEMENT: f64 = 0.7;
+/// The roundings of the value of an affine function, relative to its size.
+const VALUE_ROUNDINGS: f64 = 8.0;
 
-/// The roundings of a sum of four products, relative to it.
-const HEIGHT_ROUNDINGS: f64 = 16.0;
+/// The parameters of a piece's corners, in the order of its control points.
+pub(super) const CORNERS: [[f64; 2]; 4] = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
 
-/// A slab that contains all of the other boundary that is near a piece.
+/// Two convex parts of the square of a piece's parameters in which it has no point of the other boundary.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Slab {
-    normal: DVec3,
-    middle: DVec3,
-    /// Half of its thickness, with the margin within which the boundary counts as near.
-    half: f64,
-    /// Whether the points of the piece's hull above and below it are inside the other solid, where that is known.
+pub(super) struct Crossing {
+    height: Affine,
+    /// The value above which the first part lies, and that below which the second one does.
+    levels: [f64; 2],
+    /// Whether the parts are inside the other solid, where that is known.
     pub(super) is_inside: [Option<bool>; 2],
 }
 
-impl Slab {
-    /// Returns the slab about the mean plane of pieces that contains all of them; `None` where they have none.
-    pub(super) fn around(near: &[(&Whole, &Piece)], margin: f64, middle: DVec3) -> Option<Self> {
-        let mut sum = DVec3::ZERO;
-        let mut sizes = 0.0;
-        for &piece in near {
-            // A strip has hardly a normal.
-            let size = if piece.0.is_strip { 0.0 } else { piece.1.radius * piece.1.radius };
-            let normal = normal(piece) * size;
-            sum += if normal.dot(sum) < 0.0 { -normal } else { normal };
-            sizes += size;
-        }
-        if !(sum.length() >= MIN_AGREEMENT * sizes && sizes > 0.0) {
-            return None;
-        }
-        let normal = sum.normalize();
-        let [low, high] = near.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], piece| {
-            let [least, most] = heights(piece.1, normal, middle);
-            [if least >= low { low } else { least }, if most <= high { high } else { most }]
-        });
-        let half = 0.5 * (high - low) + margin;
-        let at = middle + 0.5 * (low + high) * normal;
-        half.is_finite().then_some(Self { normal, middle: at, half, is_inside: [None; 2] })
+impl Crossing {
+    /// Returns the parts in which a function is certain to be above and below two values.
+    pub(super) fn new(form: &Form, [above, below]: [f64; 2]) -> Self {
+        let (height, [low, high]) = form.affine();
+        let levels = [(above - low).next_up(), (below - high).next_down()];
+        Self { height, levels, is_inside: [None; 2] }
     }
 
-    /// Returns the height of a point above the slab's middle.
-    pub(super) fn height(&self, point: DVec3) -> f64 {
-        self.normal.dot(point - self.middle)
+    /// Returns whether one of the parts is the whole square.
+    pub(super) fn is_one_part(&self) -> bool {
+        let first = self.part(0);
+        first.is_some() && (1..CORNERS.len()).all(|corner| self.part(corner) == first)
     }
 
-    /// Returns the control points of a piece that are farthest above and below the slab, where any are.
-    pub(super) fn beyond(&self, piece: &Piece) -> [Option<DVec3>; 2] {
-        [1.0, -1.0].map(|sign| {
-            let farthest = piece
-                .points
-                .iter()
-                .copied()
-                .max_by(|&a, &b| (sign * self.height(a)).total_cmp(&(sign * self.height(b))));
-            farthest.filter(|&point| sign * self.height(point) > self.half)
-        })
+    /// Returns a corner of the square in each part, where one has any.
+    pub(super) fn corners(&self) -> [Option<usize>; 2] {
+        [0, 1].map(|part| (0..CORNERS.len()).find(|&corner| self.part(corner) == Some(part)))
     }
 
-    /// Returns whether a point of the piece's hull, for which the slab was made, is inside the other solid, where that
-    /// is known.
-    pub(super) fn side(&self, point: DVec3) -> Option<bool> {
-        let height = self.height(point);
-        if height > self.half {
-            self.is_inside[0]
-        } else if height < -self.half {
-            self.is_inside[1]
+    /// Returns whether a corner of the square is inside the other solid, where that is known.
+    pub(super) fn side(&self, corner: usize) -> Option<bool> {
+        self.part(corner).and_then(|part| self.is_inside[part])
+    }
+
+    /// Returns the part that a corner lies in.
+    fn part(&self, corner: usize) -> Option<usize> {
+        let error = gamma(VALUE_ROUNDINGS) * self.height.size();
+        let value = self.height.at(CORNERS[corner]);
+        if value - error > self.levels[0] {
+            Some(0)
+        } else if value + error < self.levels[1] {
+            Some(1)
         } else {
             None
         }
     }
 
+    /// Returns the parts of a half of the square.
+    pub(super) fn half(&self, axis: Axis, is_high: bool) -> Self {
+        let height = self.height.half(axis, is_high);
+        let error = gamma(VALUE_ROUNDINGS) * self.height.size();
+        Self { height, levels: [self.levels[0] + error, self.levels[1] - error], ..*self }
+    }
+
     /// Returns the interval of ⅓ ∫ b (x − origin)·n over a piece, b being 1 inside the other solid, 0 outside and
     /// anything between on its boundary. `cone` is the integral without b for the computed piece, and exact points are
     /// off from its own by at most `moved`.
-    pub(super) fn inner(
-        &self,
-        (whole, piece): (&Whole, &Piece),
-        slopes: &Slopes,
-        weight: &Weight,
-        cone: Interval,
-        moved: f64,
-    ) -> Interval {
-        let (height, error) = self.affine(whole.degree(), piece);
-        let reach = self.half + error;
-        let above = height.part_above(reach);
+    pub(super) fn inner(&self, slopes: &Slopes, weight: &Weight, cone: Interval, moved: f64) -> Interval {
+        let above = self.height.part_above(self.levels[0]);
         let one = Interval::exactly(1.0);
-        let below = one - height.part_above(-reach);
+        let below = one - self.height.part_above(self.levels[1]);
         let between = (one - above - below).not_negative();
         let variation = slopes.variation(weight.radius);
         let density = cone + Interval::about(0.0, variation);
@@ -122,30 +103,82 @@ impl Slab {
         let sum = side(inside_above, above) + side(inside_below, below) + any(between);
         sum + Interval::about(0.0, 3.0 * weight.displacement(moved, slopes.border()))
     }
+}
 
-    /// Returns an affine function of a piece's parameters, and an upper bound on its distance from the height.
-    fn affine(&self, [p, q]: [usize; 2], piece: &Piece) -> (Affine, f64) {
-        let columns = q + 1;
-        let heights: Vec<f64> = piece.points.iter().map(|&point| self.height(point)).collect();
-        let [one, two, three, four] = [0, q, p * columns, p * columns + q].map(|place| heights[place]);
-        let function = Affine {
-            middle: 0.25 * (one + two + three + four),
-            slopes: [0.5 * ((three + four) - (one + two)), 0.5 * ((two + four) - (one + three))],
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    fn crossing(middle: f64, slopes: [f64; 2], levels: [f64; 2]) -> Crossing {
+        Crossing { height: Affine { middle, slopes }, levels, is_inside: [Some(true), Some(false)] }
+    }
+
+    #[test]
+    fn corners_are_those_of_the_parts() {
+        let across = crossing(0.0, [2.0, 1.0], [0.25, -1.25]);
+        // The corners' values are −1.5, −0.5, 0.5 and 1.5.
+        assert_eq!([0, 1, 2, 3].map(|corner| across.part(corner)), [Some(1), None, Some(0), Some(0)]);
+        assert_eq!(across.corners(), [Some(2), Some(0)]);
+        assert_eq!([0, 1, 2].map(|corner| across.side(corner)), [Some(false), None, Some(true)]);
+        assert!(!across.is_one_part());
+        assert!(crossing(2.0, [2.0, 1.0], [0.25, -1.25]).is_one_part());
+        assert!(crossing(-3.0, [2.0, 1.0], [0.25, -1.25]).is_one_part());
+        // On a level, and where it is not told from it.
+        assert_eq!(crossing(0.0, [2.0, 1.0], [1.5, -1.5 - 1e-17]).corners(), [None; 2]);
+        assert_eq!(crossing(f64::NAN, [2.0, 1.0], [0.0; 2]).corners(), [None; 2]);
+    }
+
+    #[test]
+    fn a_half_has_the_values_and_sides_of_its_corners() {
+        let whole = crossing(0.0, [2.0, 1.0], [0.25, -0.75]);
+        let at = |crossing: &Crossing, place| crossing.height.at(place);
+        for (axis, is_high, offset) in [
+            (Axis::U, false, [0.0, 0.0]),
+            (Axis::U, true, [0.5, 0.0]),
+            (Axis::V, false, [0.0, 0.0]),
+            (Axis::V, true, [0.0, 0.5]),
+        ] {
+            let half = whole.half(axis, is_high);
+            for (corner, place) in CORNERS.into_iter().enumerate() {
+                let mut there = place;
+                there[axis.index()] *= 0.5;
+                let there = [there[0] + offset[0], there[1] + offset[1]];
+                let value = at(&whole, there);
+                assert_eq!(at(&half, place), value);
+                let side = if value > 0.25 { Some(true) } else { (value < -0.75).then_some(false) };
+                assert_eq!(half.side(corner), side, "{axis} {is_high} {corner}");
+            }
+            assert!(half.levels[0] > 0.25 && half.levels[1] < -0.75, "they grow by the rounding");
+        }
+    }
+
+    /// A plane square whose cones have one density, of which a line cuts off 3/8.
+    #[test]
+    fn parts_have_their_shares_of_the_cone() {
+        let slopes = Slopes { point: [0.0; 2], normal: [0.0; 2] };
+        let weight = Weight { area: 1.0, radius: 3.0 };
+        let cone = Interval::exactly(1.0);
+        let inner = |levels, is_inside| {
+            Crossing { is_inside, ..crossing(0.0, [2.0, 0.0], levels) }.inner(&slopes, &weight, cone, 0.0)
         };
-        let place = |index: usize| [(index / columns) as f64 / p as f64, (index % columns) as f64 / q as f64];
-        let off =
-            heights.iter().enumerate().map(|(index, height)| (height - function.at(place(index))).abs());
-        let off = off.fold(0.0, upper_max);
-        // Other weights change the mean of the values at control points by their ratio less 1 at most.
-        let weights = piece.controls.iter().map(|control| control.w);
-        let (least, most) = weights.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), weight| {
-            (if weight < least { weight } else { least }, upper_max(most, weight))
-        });
-        let spread = 0.5 * (function.slopes[0].abs() + function.slopes[1].abs());
-        let of_weights = (most / least - 1.0) * spread;
-        (
-            function,
-            (off + of_weights) * (1.0 + gamma(HEIGHT_ROUNDINGS)) + gamma(HEIGHT_ROUNDINGS) * function.size(),
-        )
+        let close = |found: Interval, expected: [f64; 2]| {
+            let off = [found.lower - expected[0], found.upper - expected[1]];
+            assert!(off.iter().all(|off| off.abs() < 1e-12), "{found:?} without {expected:?}");
+        };
+        close(inner([0.25, 0.25], [Some(true), Some(false)]), [0.375; 2]);
+        close(inner([0.25, 0.25], [Some(false), Some(true)]), [0.625; 2]);
+        close(inner([0.25, -0.25], [Some(true), Some(false)]), [0.375, 0.625]);
+        close(inner([0.25, -0.25], [Some(true), None]), [0.375, 1.0]);
+        close(inner([0.25, -0.25], [None, Some(true)]), [0.375, 1.0]);
+        // A density that varies by up to V is off by V times the smaller part.
+        let slopes = Slopes { point: [0.5; 2], normal: [0.25; 2] };
+        let variation = slopes.variation(weight.radius);
+        let found = crossing(0.0, [2.0, 0.0], [0.5, 0.5]).inner(&slopes, &weight, cone, 0.0);
+        close(found, [0.25 - 0.25 * variation, 0.25 + 0.25 * variation]);
+        let found = crossing(0.0, [2.0, 0.0], [-0.5, -0.5]).inner(&slopes, &weight, cone, 0.0);
+        close(found, [0.75 - 0.25 * variation, 0.75 + 0.25 * variation]);
+        // Moved by 0.01, with borders of at most 2 about each of the three parts: 3 (1 + 3 · 2 / 3) / 100.
+        let found = crossing(0.0, [2.0, 0.0], [0.5, 0.5]).inner(&slopes, &weight, cone, 0.01);
+        close(found, [0.25 - 0.25 * variation - 0.09, 0.25 + 0.25 * variation + 0.09]);
     }
 }

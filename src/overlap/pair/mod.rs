@@ -7,7 +7,15 @@ use super::solid::{BoundarySide, PlacedSolid};
 use crate::rounding::{gamma, upper_max};
 use glam::DVec3;
 use shared::{Partners, RELATIVE_REACH, shared};
-use shift::{plane, shift};
+use shift::{lie_on_each_other, plane, shift};
+
+/// The part of a permitted width that a motion may take where curved patches lie on each other: carriers tell patches
+/// apart that are ever so near.
+const PART_OF_CARRIERS: f64 = 0.015_625;
+
+/// The same where a search has stalled: only small pieces tell patches apart that have no carrier, and pieces are the
+/// larger the farther these are.
+const PART_OF_PIECES: f64 = 0.25;
 
 /// The roundings of the change of a volume, a product.
 const CHANGE_ROUNDINGS: f64 = 8.0;
@@ -15,7 +23,7 @@ const CHANGE_ROUNDINGS: f64 = 8.0;
 /// The roundings of a patch that is moved, relative to the largest coordinate.
 const MOTION_ROUNDINGS: f64 = 4.0;
 
-/// Two solids in a common frame. A short motion of the first one has parted their coincident planes, and the patches that
+/// Two solids in a common frame. A short motion of the first one has parted their coincident planes and curved patches, and the patches that
 /// both solids have are paired.
 #[derive(Debug)]
 pub(crate) struct Pair {
@@ -30,8 +38,9 @@ pub(crate) struct Pair {
 }
 
 impl Pair {
-    /// Makes two solids ready, the first one moved by about `least` where that is not 0. O(n log n) in general position.
-    pub(crate) fn new([a, b]: [PlacedSolid; 2], least: f64) -> Self {
+    /// Makes two solids ready for a volume of this width, the first one moved for pieces to be told apart where
+    /// `has_stalled` says that they were not. O(n log n) in general position.
+    pub(crate) fn new([a, b]: [PlacedSolid; 2], width: f64, has_stalled: bool) -> Self {
         let diagonal = upper_max(a.aabb.diagonal(), b.aabb.diagonal());
         let mut partners = shared(&a.patches, &b.patches, RELATIVE_REACH * diagonal);
         partners.retain([&a.patches, &b.patches], |whole| whole.side != BoundarySide::Unknown);
@@ -40,7 +49,14 @@ impl Pair {
         let vector = if partners.are_all() {
             DVec3::ZERO
         } else {
-            shift([&a.patches, &b.patches], margin, least * moved_part(&a, &partners, diagonal))
+            // Half of this times the area is the width.
+            let most = width / if a.area < b.area { a.area } else { b.area };
+            let lengths = [PART_OF_CARRIERS, PART_OF_PIECES].map(|part| part * most);
+            let lengths = lengths.map(|length| length * moved_part(&a, &partners, diagonal));
+            let patches = [&a.patches, &b.patches];
+            let lie_on = |length: &f64| lie_on_each_other(patches, &partners, *length);
+            let length = if has_stalled { Some(lengths[1]) } else { lengths.into_iter().find(lie_on) };
+            shift(patches, margin, length.unwrap_or(0.0))
         };
         let mut pair = Self { solids: [a, b], partners, shift: DVec3::ZERO, change: 0.0, margins };
         if vector != DVec3::ZERO {
@@ -52,12 +68,6 @@ impl Pair {
             }
         }
         pair
-    }
-
-    /// Returns the length of a motion of the first solid that changes the volume in common by at most half of this width.
-    pub(crate) fn motion(&self, width: f64) -> f64 {
-        let [a, b] = &self.solids;
-        width / if a.area < b.area { a.area } else { b.area }
     }
 
     /// Moves the first solid. The motion separates plane patches, which then need no partners.

@@ -1,5 +1,6 @@
 //! The vector by which planes that lie on each other are moved apart: lemma O4 of docs/facts.md.
 
+use super::shared::Partners;
 use crate::overlap::piece::{Patches, Whole};
 use crate::overlap::separation::{heights, normal};
 use crate::rounding::upper_max;
@@ -13,6 +14,9 @@ const MAX_OFFSET: f64 = 128.0;
 
 /// The distance of planes, in margins, that tells them apart with their flatness.
 const MIN_OFFSET: f64 = 1.0 + 2.0 * FLATNESS;
+
+/// The distance of curved patches that a motion parts, relative to its length: it is less along most of their normals.
+const COINCIDENCE: f64 = 0.25;
 
 /// The length of the shortest vectors that are tried, in margins: they serve planes across their direction.
 const LENGTH: f64 = 2.0;
@@ -71,6 +75,23 @@ pub(super) fn shift([a, b]: [&Patches; 2], margin: f64, least: f64) -> DVec3 {
         }
     }
     best
+}
+
+/// Returns whether a curved patch of the first solid lies on one of the second one that is not its partner, or within a
+/// part of a length of it. O(n log n) in general position.
+pub(super) fn lie_on_each_other([a, b]: [&Patches; 2], partners: &Partners, length: f64) -> bool {
+    let reach = COINCIDENCE * length;
+    a.faces().enumerate().filter(|&(index, _)| partners.of(0, index).is_none()).any(|(_, whole)| {
+        let near = b.near(&whole.root.aabb, reach);
+        if near.is_empty() || plane(whole, reach).is_some() {
+            return false;
+        }
+        let Some(fitted) = whole.carrier(&whole.root).filter(|fitted| fitted.reach <= reach) else {
+            return false;
+        };
+        let near = near.into_iter().filter_map(|index| b.wholes.get(index as usize));
+        near.filter(|other| !other.is_strip).any(|other| fitted.is_within(other, &other.root, reach))
+    })
 }
 
 /// Returns the unit normal of a patch that is plane, if it is.
