@@ -185,7 +185,7 @@ mod tests {
             pairs.filter(|&pair| told(pair)).count()
         };
         let all = own.faces().count();
-        assert_eq!([1e-12, 0.0005, 0.0011].map(|margin| told(&inner, margin)), [all, all, 0]);
+        assert_eq!([1e-12, 0.0002, 0.0011].map(|margin| told(&inner, margin)), [all, all, 0]);
         assert!(told(&across, 1e-12) < all);
     }
 }
