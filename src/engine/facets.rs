@@ -6,6 +6,7 @@ use super::direction::{DirectedRun, Direction};
 use super::options::CertifiedOptions;
 use super::prepared::PreparedTarget;
 use super::result::DirectedResult;
+use super::section::is_over;
 use super::{CertifiedDetails, Details, DistanceOptions, PreparedModel, Processor, Seconds, Stop};
 use crate::bezier::PatchSet;
 use crate::certified::{AuditReport, Gains, Interval, Limit};
@@ -186,7 +187,7 @@ async fn search_within(
         if search.work().cells >= max_cells {
             break Stop::Cells;
         }
-        if budgets.max_seconds.is_some_and(|most| started.elapsed().as_secs_f64() >= most) {
+        if is_over(started, budgets.max_seconds) {
             break Stop::Time;
         }
         if progress.is_due() {

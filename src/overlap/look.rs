@@ -81,6 +81,18 @@ impl<'a> Looking<'a> {
         Found::Undecided(undecided(near, known))
     }
 
+    /// Returns what holds of a piece, these being all pieces near it, without a comparison.
+    pub(super) fn not_looked_at(
+        &self,
+        solid: usize,
+        (whole, piece): (&'a Whole, &'a Piece),
+        near: Vec<(&'a Whole, &'a Piece)>,
+    ) -> Found<'a> {
+        let placed = &self.pair.solids[solid];
+        let bound = placed.patches.weight(whole, piece, self.origin, placed.moved(piece.depth)).bound();
+        Found::Undecided(Undecided { solid, whole, piece, bound, value: None, near, known: Known::default() })
+    }
+
     /// Compares both halves of a piece; `None` where it is halved no further.
     pub(super) fn look_at_halves(&self, of: &Undecided<'a>) -> Option<[Found<'a>; 2]> {
         let &Undecided { solid, whole, piece, ref near, ref known, .. } = of;

@@ -48,8 +48,14 @@ pub(crate) struct Search<'a> {
 impl<'a> Search<'a> {
     /// Begins with all patches of both solids.
     ///
-    /// `patience` is the number of pieces from which on it is given up once its width no longer falls.
-    pub(crate) fn new(pair: &'a Pair, sides: &'a dyn Sides, patience: usize) -> Self {
+    /// `patience` is the number of pieces from which on it is given up once its width no longer falls. Patches are
+    /// compared until `is_late`, and the others have the bounds that need no look at the other solid.
+    pub(crate) fn new(
+        pair: &'a Pair,
+        sides: &'a dyn Sides,
+        patience: usize,
+        is_late: &(dyn Fn() -> bool + Sync),
+    ) -> Self {
         let [a, b] = &pair.solids;
         let common = [a.aabb, b.aabb].into_iter().reduce(intersection).unwrap_or(a.aabb);
         let looking = Looking { pair, sides, origin: common.center() };
@@ -67,7 +73,7 @@ impl<'a> Search<'a> {
         };
         for solid in [0, 1] {
             search.include_cracks(&pair.solids[solid]);
-            search.include(solid);
+            search.include(solid, is_late);
         }
         search
     }
@@ -80,7 +86,7 @@ impl<'a> Search<'a> {
     }
 
     /// Adds the patches of a solid: half of those that the other one has too, the rest to the queue.
-    fn include(&mut self, solid: usize) {
+    fn include(&mut self, solid: usize, is_late: &(dyn Fn() -> bool + Sync)) {
         let pair = self.looking.pair;
         let [own, other] = [solid, 1 - solid].map(|index| &pair.solids[index].patches);
         // The patch that takes the place of another one is within its reach.
@@ -93,6 +99,9 @@ impl<'a> Search<'a> {
             let found = other.near(&whole.root.aabb, pair.margins[solid] + reach);
             let near = found.into_iter().map(|index| &other.wholes[index as usize]);
             let near: Vec<_> = near.map(|whole| (whole, &whole.root)).collect();
+            if is_late() {
+                return self.looking.not_looked_at(solid, (whole, &whole.root), near);
+            }
             self.looking.look_at(solid, (whole, &whole.root), &near, Known::default())
         });
         found.into_iter().for_each(|found| self.add(found));

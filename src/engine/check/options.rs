@@ -2,7 +2,7 @@
 
 use super::CheckRules;
 use crate::engine::options::at_least_zero;
-use crate::engine::section::seconds_left;
+use crate::engine::section::{is_over, seconds_left};
 use crate::error::{Error, Result};
 use crate::tolerance::{PermittedWidth, positive};
 use serde::Deserialize;
@@ -96,8 +96,7 @@ impl Limits {
 
     /// Returns the pairs of cells of the next search.
     pub(super) fn cells(&self) -> usize {
-        let is_over = self.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most);
-        if is_over { CELLS_AFTER_TIME } else { self.max_cells }
+        if is_over(self.started, self.max_seconds) { CELLS_AFTER_TIME } else { self.max_cells }
     }
 
     /// Returns the seconds left for a computation that has a budget of its own.

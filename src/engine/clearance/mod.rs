@@ -14,6 +14,7 @@ pub use with_gaps::ClearanceWithGaps;
 
 use super::direction::Direction;
 use super::hint::hint;
+use super::section::is_over;
 use super::{Computation, Engine, PreparedModel, PreparedTarget, Seconds, Stop, Witness};
 use crate::certified::Interval;
 use crate::clearance::{Body, Goal, Nearest, Search};
@@ -171,9 +172,7 @@ async fn run(
         if search.pairs() >= max_cells && search.nearest().is_some() {
             return Ok(Stop::Cells);
         }
-        if options.max_seconds.is_some_and(|most| started.elapsed().as_secs_f64() >= most)
-            && search.nearest().is_some()
-        {
+        if is_over(started, options.max_seconds) && search.nearest().is_some() {
             return Ok(Stop::Time);
         }
         if progress.is_due() && search.nearest().is_some() {

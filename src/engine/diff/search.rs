@@ -6,7 +6,7 @@ use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::certified::{Interval, Limit};
 use crate::engine::certified::deadline;
 use crate::engine::hint::hint;
-use crate::engine::section::Section;
+use crate::engine::section::{Section, is_over};
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -239,7 +239,7 @@ impl Budget {
 
     /// Returns whether the time is over.
     fn is_over(&self) -> bool {
-        self.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most)
+        is_over(self.started, self.max_seconds)
     }
 }
 

@@ -10,6 +10,7 @@ pub use volumes::OverlapVolumes;
 
 use super::direction::Direction;
 use super::hint::hint;
+use super::section::is_over;
 use super::{Computation, Engine, PreparedModel, Seconds, Stop};
 use crate::error::{Error, Result};
 use crate::facts::Interval;
@@ -134,14 +135,15 @@ impl Engine {
         // The union has at least the volume of the larger one.
         let larger = volumes[0].larger(volumes[1]).lower;
         let width = options.relative_width() * larger;
+        let is_late = || is_over(started, options.max_seconds);
         let mut budget = Budget { started, max_seconds: options.max_seconds, left: options.most_cells() };
         let pair = Pair::new([first, second], width, false);
-        let mut search = Search::new(&pair, &solids, PATIENCE[0]);
+        let mut search = Search::new(&pair, &solids, PATIENCE[0], &is_late);
         result.stop = run(&mut search, width, &mut budget, &mut progress).await?;
         let mut common = search.volume();
-        if search.has_stalled() {
+        if search.has_stalled() && !is_late() {
             let pair = Pair::new(placed(), width, true);
-            let mut search = Search::new(&pair, &solids, PATIENCE[1]);
+            let mut search = Search::new(&pair, &solids, PATIENCE[1], &is_late);
             result.stop = run(&mut search, width, &mut budget, &mut progress).await?;
             common = common.within(search.volume());
         }
@@ -187,7 +189,7 @@ async fn run(
         if budget.left == 0 {
             return Ok(Stop::Cells);
         }
-        if budget.max_seconds.is_some_and(|most| budget.started.elapsed().as_secs_f64() >= most) {
+        if is_over(budget.started, budget.max_seconds) {
             return Ok(Stop::Time);
         }
         if progress.is_due() {

@@ -8,6 +8,7 @@ use crate::area::Area;
 use crate::certified::{AuditReport, Pair};
 use crate::engine::direction::Direction;
 use crate::engine::hint::hint;
+use crate::engine::section::is_over;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds};
 use crate::error::{Error, Result};
 use crate::facets::{Parts, PreparedFacets, Source, Spread, Start, Weighted};
@@ -261,7 +262,7 @@ impl Search<'_> {
     }
 
     fn is_late(&self) -> bool {
-        self.asked.options.max_seconds.is_some_and(|most| self.started.elapsed().as_secs_f64() >= most)
+        is_over(self.started, self.asked.options.max_seconds)
     }
 
     /// Halves the parts of these indices until the time is spent, and returns how many could be.
