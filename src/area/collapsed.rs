@@ -68,7 +68,8 @@ fn quotient(series: &Series, axis: Axis, sign: f64) -> Option<(Series, f64)> {
     }
     let permitted = MAX_REMAINDER * series.numerator[0].length();
     let at_edge = |line: usize| {
-        let term = |k: usize| series.numerator[place(k, line)] * if k % 2 == 0 { 1.0 } else { -sign };
+        let term =
+            |k: usize| series.numerator[place(k, line)] * if k.is_multiple_of(2) { 1.0 } else { -sign };
         (0..count).map(term).sum::<DVec3>().length()
     };
     if !((0..across).map(at_edge).sum::<f64>() <= permitted) {
