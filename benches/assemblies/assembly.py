@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 from random import Random
@@ -99,3 +101,16 @@ def shape_of(instance: Instance) -> TopoDS_Shape:
 def named(label: TDF_Label, name: str) -> TDF_Label:
     TDataStd_Name.Set_s(label, TCollection_ExtendedString(name))
     return label
+
+
+def silently(work) -> None:
+    """Run what writes to standard output below Python, and drop what it says."""
+    sys.stdout.flush()
+    kept, sink = os.dup(1), os.open(os.devnull, os.O_WRONLY)
+    os.dup2(sink, 1)
+    try:
+        work()
+    finally:
+        os.dup2(kept, 1)
+        os.close(kept)
+        os.close(sink)

@@ -11,7 +11,6 @@ counted. Files of wrong revisions stay in `wrong/`; the table goes to standard o
 from __future__ import annotations
 
 import json
-import os
 import resource
 import shutil
 import subprocess
@@ -21,7 +20,7 @@ from collections import Counter
 from pathlib import Path
 from random import Random
 
-from assembly import Group, drawn, write
+from assembly import Group, drawn, silently, write
 from edits import EDITS, Expected, Revision, revised
 from OCP.gp import gp_Pnt, gp_Trsf
 from placement import largest_difference, product
@@ -111,19 +110,6 @@ def numbers(part: dict, expected: Expected, place: gp_Trsf | None) -> list[str]:
         if not (holds and expected.distance - FILE_TOLERANCE <= part["upper"]):
             faults.append(f"{expected.distance} is not in [{part['lower']}, {part['upper']}]")
     return faults
-
-
-def silently(work) -> None:
-    """Run what writes to standard output below Python, and drop what it says."""
-    sys.stdout.flush()
-    kept, sink = os.dup(1), os.open(os.devnull, os.O_WRONLY)
-    os.dup2(sink, 1)
-    try:
-        work()
-    finally:
-        os.dup2(kept, 1)
-        os.close(kept)
-        os.close(sink)
 
 
 if __name__ == "__main__":

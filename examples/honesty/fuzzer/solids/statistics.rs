@@ -7,7 +7,7 @@ use fastrand::Rng;
 use nurbs_hausdorff::internals::engine::{Engine, PreparedModel};
 use nurbs_hausdorff::options::Audit;
 use nurbs_hausdorff::result::Lemma;
-use nurbs_hausdorff::{CertifiedStatistics, Model, StatisticsOptions};
+use nurbs_hausdorff::{CertifiedStatistics, DistanceOptions, Model, StatisticsOptions};
 use std::collections::BTreeMap;
 
 /// The samples of A.
@@ -41,8 +41,11 @@ pub(crate) fn violations(rng: &mut Rng, models: [&Model; 2]) -> (Vec<String>, BT
         Err(error) if error.code() == "NO_AREA" => return nothing(),
         Err(error) => return (vec![format!("statistics: {error}")], BTreeMap::new()),
     };
+    let Ok(distance) = Engine::cpu().distance(&a, &b, &DistanceOptions::default()).wait() else {
+        return nothing();
+    };
     let mut found: Vec<String> = result.notice.iter().cloned().collect();
-    found.extend(by_samples(rng, models, &result));
+    found.extend(by_samples(rng, models, &result, distance.upper));
     let counts = Lemma::ALL.into_iter().map(|lemma| (lemma, result.audit.cells_of(lemma)));
     (found, counts.filter(|(_, count)| *count > 0).collect())
 }
@@ -53,7 +56,8 @@ struct Sample {
     distance: f64,
 }
 
-fn by_samples(rng: &mut Rng, [a, b]: [&Model; 2], result: &CertifiedStatistics) -> Vec<String> {
+/// Compares with samples, of which none is farther than `most`.
+fn by_samples(rng: &mut Rng, [a, b]: [&Model; 2], result: &CertifiedStatistics, most: f64) -> Vec<String> {
     let origin = b.bounding_box().center();
     let (from, to) = (sheets(a, origin), sheets(b, origin));
     let target = Target::new(&to);
@@ -68,6 +72,9 @@ fn by_samples(rng: &mut Rng, [a, b]: [&Model; 2], result: &CertifiedStatistics) 
     }
     let largest = a.bounding_box().farthest_from_origin() + b.bounding_box().farthest_from_origin();
     let rounding = ROUNDING * largest;
+    let total: f64 = samples.iter().map(|sample| sample.weight).sum();
+    let heaviest = samples.iter().map(|sample| sample.weight).fold(0.0, f64::max);
+    let unseen = UNSEEN * heaviest * samples.len() as f64 / total;
     let mut found = Vec::new();
     let mut compare = |what: &str, [lower, upper]: [f64; 2], of: &dyn Fn(f64) -> f64, slack: f64| {
         let (mean, error) = mean_of(&samples, of);
@@ -76,9 +83,11 @@ fn by_samples(rng: &mut Rng, [a, b]: [&Model; 2], result: &CertifiedStatistics) 
             found.push(format!("{what} [{lower}, {upper}], of {} samples {mean} ± {error}", samples.len()));
         }
     };
-    compare("mean", [result.mean.lower, result.mean.upper], &|distance| distance, rounding);
+    let mean = [result.mean.lower, result.mean.upper];
+    compare("mean", mean, &|distance| distance, rounding + unseen * most);
     let squares = [result.rms.lower, result.rms.upper].map(|root| root * root);
-    compare("mean square", squares, &|distance| distance * distance, rounding * result.rms.upper);
+    let slack = rounding * result.rms.upper + unseen * most * most;
+    compare("mean square", squares, &|distance| distance * distance, slack);
     if let Some(beyond) = result.beyond {
         let limit = beyond.limit;
         let part = [beyond.part.lower, beyond.part.upper];
@@ -96,6 +105,11 @@ fn by_samples(rng: &mut Rng, [a, b]: [&Model; 2], result: &CertifiedStatistics) 
 
 /// The slack of a part of samples where none of them, or all, are on one side, and the error is estimated as 0.
 const BINOMIAL: f64 = 0.05;
+
+/// The share of the parameters in which 400 samples may miss all points: in one of 10^9 draws. Where only there points
+/// are far, neither the mean of the samples nor their standard error shows it (seed 2,020,561 in other parameters:
+/// 400,000 samples are within the intervals, and 400 were not).
+const UNSEEN: f64 = 0.05;
 
 /// The weighted mean with its standard error.
 fn mean_of(samples: &[Sample], of: &dyn Fn(f64) -> f64) -> (f64, f64) {
