@@ -1,6 +1,6 @@
 //! The result of a check as text and as rows of a report.
 
-use super::digits::{bounded, coordinates, number};
+use super::digits::{bounded, coordinates, interval, number};
 use super::json::raw;
 use crate::failure::Failure;
 use crate::reports::{Answer, Outcome, Row, Rows, Verdict};
@@ -183,10 +183,11 @@ fn summary(pair: &BodyPair, result: &CheckResult) -> String {
     if pair.state != PairState::Clash {
         return format!("{} apart at {at}", bounded(pair.clearance.upper, ends));
     }
-    let measured = |name, found: Option<Interval>| {
-        found.map(|found| format!("; {name} {}", bounded(found.middle(), [found.lower, found.upper])))
-    };
-    let [volume, depth] = [measured("common volume", pair.volume), measured("depth", pair.depth)];
+    let volume = pair.volume.map(|found| {
+        format!("; common volume {}", bounded(found.middle(), [found.lower, found.upper]))
+    });
+    // A number between ends that are far apart would say more than is known.
+    let depth = pair.depth.map(|found| format!("; depth {}", interval([found.lower, found.upper])));
     format!("both have {at} inside{}{}", volume.unwrap_or_default(), depth.unwrap_or_default())
 }
 
