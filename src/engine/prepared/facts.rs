@@ -69,20 +69,30 @@ impl PreparedModel {
     ///
     /// Computed at first use, in about 20 µs a patch, on all cores.
     pub fn face_areas(&self) -> &[Area] {
-        computed::<Vec<Area>>(&self.kept.areas, || {
-            if let Some(facets) = &self.facets {
-                return facets.areas();
-            }
-            let (faces, bezier) = (self.pieces.faces(), &self.bezier);
-            map(faces.len(), |face| {
-                let grids = bezier.grids[faces[face].clone()].iter();
-                let patches = grids.flat_map(|grid| {
-                    let [rows, columns] = grid.counts();
-                    (grid.first..grid.first + rows * columns).map(|index| bezier.patches.patch(index))
-                });
-                area(patches)
-            })
+        computed::<Vec<Area>>(&self.kept.areas, || match &self.facets {
+            Some(facets) => facets.areas(),
+            None => map(self.pieces.faces().len(), |face| self.area_of_face(face)),
         })
+    }
+
+    /// Computes [`PreparedModel::face_areas`] unless `is_late` becomes true before, and returns whether they are there.
+    pub(in crate::engine) fn has_face_areas(&self, is_late: &(dyn Fn() -> bool + Sync)) -> bool {
+        if self.facets.is_some() || self.kept.areas.get().is_some() {
+            return true;
+        }
+        let found = map(self.pieces.faces().len(), |face| (!is_late()).then(|| self.area_of_face(face)));
+        let Some(found) = found.into_iter().collect::<Option<Vec<Area>>>() else { return false };
+        self.kept.areas.get_or_init(|| found);
+        true
+    }
+
+    /// Returns the area of the pieces of a face of surfaces.
+    fn area_of_face(&self, face: usize) -> Area {
+        let grids = self.bezier.grids[self.pieces.faces()[face].clone()].iter();
+        area(grids.flat_map(|grid| {
+            let [rows, columns] = grid.counts();
+            (grid.first..grid.first + rows * columns).map(|index| self.bezier.patches.patch(index))
+        }))
     }
 
     /// Returns the sum of [`PreparedModel::face_areas`].

@@ -5,7 +5,7 @@ use super::json::raw;
 use crate::failure::Failure;
 use crate::reports::{Answer, Outcome, Row, Rows, Verdict};
 use nurbs_hausdorff::{
-    BodyPair, CheckResult, CheckedBody, Interval, Orientation, PairState, Rule, UnkeptRule, one_line,
+    BodyPair, CheckResult, CheckedBody, Orientation, PairState, Rule, UnkeptRule, one_line,
 };
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -183,9 +183,9 @@ fn summary(pair: &BodyPair, result: &CheckResult) -> String {
     if pair.state != PairState::Clash {
         return format!("{} apart at {at}", bounded(pair.clearance.upper, ends));
     }
-    let volume = pair.volume.map(|found| {
-        format!("; common volume {}", bounded(found.middle(), [found.lower, found.upper]))
-    });
+    let volume = pair
+        .volume
+        .map(|found| format!("; common volume {}", bounded(found.middle(), [found.lower, found.upper])));
     // A number between ends that are far apart would say more than is known.
     let depth = pair.depth.map(|found| format!("; depth {}", interval([found.lower, found.upper])));
     format!("both have {at} inside{}{}", volume.unwrap_or_default(), depth.unwrap_or_default())

@@ -54,8 +54,14 @@ impl Engine {
         started: Instant,
         monitor: &mut dyn Monitor,
     ) -> Result<Vec<PartDifference>> {
-        let is_paired = |model: &PreparedModel| !model.is_cloud() && model.bodies().len() <= MAX_PARTS;
-        if !models.into_iter().all(is_paired) || is_over(started, options.max_seconds) {
+        let is_late = || is_over(started, options.max_seconds);
+        // What pairs bodies are their facts, of which areas take the longest.
+        let is_paired = |model: &PreparedModel| {
+            !(model.is_cloud() || is_late())
+                && model.bodies().len() <= MAX_PARTS
+                && model.has_face_areas(&is_late)
+        };
+        if !models.into_iter().all(is_paired) {
             return Ok(Vec::new());
         }
         let parts = [parts_of(models[0])?, parts_of(models[1])?];
