@@ -100,7 +100,7 @@ impl PreparedModel {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use crate::model::trim::{FaceArrays, TrimCurveArrays};
     use crate::model::{InstanceArrays, Model, ModelArrays, RigidTransform, SurfaceArrays};

@@ -202,7 +202,7 @@ fn matching_distance(a: &Part) -> f64 {
     10.0 * FINEST * a.aabb.diagonal()
 }
 
-#[cfg(test)]
+#[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
     use crate::engine::diff::parts::part::parts_of;
