@@ -15,7 +15,7 @@ from placement import translation, turn
 
 @dataclass(frozen=True)
 class Contact:
-    """Two bodies and what `check` owes for them; a clearance or a volume is None where it is not compared."""
+    """Two bodies with the states that are expected of them; a clearance or a volume is None where it is not compared."""
 
     label: str
     bodies: tuple[TopoDS_Shape, TopoDS_Shape]

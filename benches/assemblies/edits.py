@@ -1,4 +1,4 @@
-"""Edits of an assembly, each with the words that a comparison owes for it."""
+"""Edits of an assembly, each with the states that are expected for it."""
 
 from __future__ import annotations
 
@@ -191,7 +191,7 @@ EDITS = {
 
 
 def revised(groups: list[Group], rng: Random, first: str) -> Revision:
-    """Return a revision by the edit of a name, and by none to two others at random."""
+    """Return a revision by the edit of this name, and by up to two others at random."""
     copies = [Group(g.name, g.place, [replace(i) for i in g.instances]) for g in groups]
     expected = {i.name: words("same") for g in groups for i in g.instances}
     revision = Revision(copies, expected, set(), [])

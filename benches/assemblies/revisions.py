@@ -2,10 +2,10 @@
 
     python benches/assemblies/revisions.py COMMAND [COUNT [SEED]]
 
-COMMAND is the built command line. Every revision has one edit of the table in `edits.py`, in turn, and none to two
-others. A word is wrong where it is none of those that are owed for the edit, where the motion of a part without
-symmetry differs from that of the edit, or where the interval of a change does not hold its size. Undecided words are
-counted. Files of wrong revisions stay in `wrong/`; the table goes to standard output.
+COMMAND is the built command line. Every revision has one edit of the table in `edits.py`, in turn, and up to two
+others. Three errors are counted: a state that is not one of the expected states of the edit, a motion of a part without
+symmetry that differs from the edit's, and an interval that does not contain the size of a change. Undecided states are
+counted apart. The files of a revision with an error stay in `wrong/`; the table goes to standard output.
 """
 
 from __future__ import annotations

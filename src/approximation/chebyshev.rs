@@ -6,6 +6,7 @@
 //! (lemma T4 of docs/trimming.md).
 
 use super::bernstein::{Linear, binomial, elevated};
+use crate::rounding::upper_max;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::OnceLock;
 
@@ -80,11 +81,12 @@ pub(crate) fn to_bernstein<T: Linear>(coefficients: &[T], degree: usize) -> Vec<
         .collect()
 }
 
-/// Returns how many times the largest size of coefficients [`to_bernstein`] may make of them.
+/// Returns the condition of [`to_bernstein`]: its coefficients are at most this many times the largest size of those
+/// that it is given.
 pub(crate) fn bernstein_condition(degree: usize) -> f64 {
     let matrix = bernstein_matrix(degree);
     let of_one = |i: usize| matrix.iter().map(|row| row[i].abs()).sum::<f64>();
-    (0..=degree).map(of_one).fold(0.0, |most, one| if one > most { one } else { most })
+    (0..=degree).map(of_one).fold(0.0, upper_max)
 }
 
 /// Returns the factor for which `factor · max |P(x_k)|` over the `count` nodes is an

@@ -39,8 +39,9 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// Computes the area over `part`: narrow by quadrature where it is plane or where the density is proven to be
-    /// analytic in ellipses wide enough, else between 0 and an upper bound.
+    /// Computes the area over `part`: narrow by quadrature where it is plane (A4), or where the density, divided by the
+    /// factors of collapsed edges (A5), is proven to be analytic in ellipses wide enough (A2); else between 0 and an
+    /// upper bound.
     pub(super) fn new(density: &Density<'_>, part: ParamBox) -> Self {
         let series = density.series(part);
         if let Some(plane) = Planar::of(&series) {
@@ -68,8 +69,8 @@ impl Cell {
         }
     }
 
-    /// Computes the area over a part by quadrature of a density that is `astray` of the function which the regions
-    /// are of: lemmas A1 and A3 of docs/area.md.
+    /// Computes the area over a part by quadrature: lemmas A1 and A3 of docs/area.md. The density may differ by `astray`
+    /// from the function that is analytic in the regions.
     fn regular(density: &Density<'_>, part: ParamBox, regions: [Region; 2], astray: f64) -> Self {
         let counts = regions.map(|region| node_count(region.radius));
         let errors = [0, 1].map(|axis| regions[axis].bound * axis_error(regions[axis].radius, counts[axis]));

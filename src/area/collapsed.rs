@@ -1,4 +1,4 @@
-//! Normals of patches with collapsed edges, divided by what vanishes there: lemma A4 of docs/area.md.
+//! Normals of patches with collapsed edges, divided by what vanishes there: lemma A5 of docs/area.md.
 //!
 //! Where an edge is a point, as at poles and at tips, N is 0 along it, and |N| is no analytic function there. Its
 //! quotient by the distance from the edge in parameters is.
@@ -27,7 +27,7 @@ pub(super) struct Divided {
 }
 
 impl Divided {
-    /// Divides by the factors of all edges along which N vanishes; `None` if there is none.
+    /// Divides N by the factors of all edges along which it vanishes; `None` if it vanishes along no edge.
     pub(super) fn of(series: &Series) -> Option<Self> {
         let mut divided: Option<Self> = None;
         for axis in Axis::BOTH {
@@ -47,7 +47,7 @@ impl Divided {
         divided
     }
 
-    /// Returns an upper bound on the product of the factors where the parameter of one axis is in the ellipse of a radius.
+    /// Returns an upper bound on the product of the factors, for a parameter along one axis in the ellipse of a radius.
     pub(super) fn largest_factor(&self, axis: Axis, radius: f64) -> f64 {
         let within = 1.0 + 0.5 * (radius + 1.0 / radius);
         let size = |of: Axis| if of == axis { within } else { 2.0 }.powi(self.factors[of as usize]);

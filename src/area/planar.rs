@@ -10,7 +10,7 @@ use super::ellipse::{RADII, weighted};
 use super::gauss::MAX_NODES;
 use crate::approximation::chebyshev::{MAX_BERNSTEIN, bernstein_condition, to_bernstein};
 use crate::axis::Axis;
-use crate::rounding::{gamma, upper_max};
+use crate::rounding::{gamma, lower_min, upper_max, upper_min};
 use glam::DVec3;
 
 /// The part of the area, relative to its permitted width, that normals may be off the plane's own.
@@ -39,7 +39,7 @@ pub(super) struct Planar {
 }
 
 impl Planar {
-    /// Returns the plane of a part; `None` where there is none, or where a fold turns normals against it.
+    /// Returns the plane that a part lies in; `None` if the part is not plane, or if it folds over itself.
     pub(super) fn of(series: &Series) -> Option<Self> {
         let direction = series.numerator[0].try_normalize()?;
         let along: Vec<f64> = series.numerator.iter().map(|one| one.dot(direction)).collect();
@@ -75,15 +75,11 @@ fn least_bernstein(along: &[f64], counts: [usize; 2]) -> Option<f64> {
     let rows: Vec<Vec<f64>> =
         along.chunks_exact(counts[1]).map(|row| to_bernstein(row, degrees[1])).collect();
     let columns = (0..counts[1]).map(|column| rows.iter().map(|row| row[column]).collect::<Vec<f64>>());
-    let least = columns.flat_map(|column| to_bernstein(&column, degrees[0])).fold(f64::INFINITY, lesser);
+    let least = columns.flat_map(|column| to_bernstein(&column, degrees[0])).fold(f64::INFINITY, lower_min);
     let largest = along.iter().map(|one| one.abs()).fold(0.0, upper_max);
     let condition: f64 = degrees.into_iter().map(bernstein_condition).product();
     let roundings = CONVERSION_ROUNDINGS * (counts[0] + counts[1]) as f64;
     Some(least - gamma(roundings) * condition * largest)
-}
-
-fn lesser(one: f64, other: f64) -> f64 {
-    if other < one || other.is_nan() { other } else { one }
 }
 
 /// Returns the rule of the fewest nodes that is narrow enough along one parameter, by lemma A1 for the flux, which is
@@ -103,7 +99,7 @@ fn axis_rule(series: &Series, sizes: &[f64], axis: Axis) -> Option<AxisRule> {
     };
     let regions: Vec<(f64, f64)> = RADII.iter().map_while(bounded).collect();
     let least = |of: &dyn Fn(f64) -> f64| {
-        regions.iter().map(|&(radius, bound)| bound * of(radius)).fold(f64::INFINITY, lesser)
+        regions.iter().map(|&(radius, bound)| bound * of(radius)).fold(f64::INFINITY, upper_min)
     };
     let mean = series.numerator[0].length() / (constant * constant * constant);
     let rule = |count| AxisRule {

@@ -53,6 +53,15 @@ impl Aabb {
         0.5 * (self.min + self.max)
     }
 
+    /// Returns the corners; that of x varies fastest, then that of y.
+    #[must_use]
+    pub(crate) fn corners(&self) -> [DVec3; 8] {
+        std::array::from_fn(|index| {
+            let pick = |axis: usize| if index >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] };
+            DVec3::new(pick(0), pick(1), pick(2))
+        })
+    }
+
     /// Returns the vector from the smallest to the largest corner.
     #[must_use]
     pub fn extent(&self) -> DVec3 {

@@ -30,7 +30,7 @@ mod search;
 mod sheets;
 mod spread;
 #[cfg(all(test, not(target_arch = "wasm32")))]
-mod testing;
+pub(crate) mod testing;
 
 pub(crate) use audit::{Refutation, SpreadRefutation, audit_whole};
 pub(crate) use cell::{Cell, MAX_ASPECT};

@@ -34,13 +34,9 @@ impl Strip {
     pub(super) fn ruled(&self) -> Ruled {
         match self {
             Self::Corner(_) => {
-                let Aabb { min, max } = self.bounding_box();
-                let center = min;
-                let corner = |index: usize| {
-                    let at = |axis: usize| if index >> axis & 1 == 1 { max[axis] - min[axis] } else { 0.0 };
-                    DVec3::new(at(0), at(1), at(2)).extend(1.0)
-                };
-                Ruled { center, degree: 3, controls: (0..8).map(corner).collect() }
+                let aabb = self.bounding_box();
+                let controls = aabb.corners().map(|corner| (corner - aabb.min).extend(1.0));
+                Ruled { center: aabb.min, degree: 3, controls: controls.to_vec() }
             }
             Self::Pair([a, b]) => {
                 let degree = a.controls.len().max(b.controls.len()) - 1;

@@ -83,12 +83,8 @@ impl Solids<'_> {
 
     /// Returns the box that has all points inside both; `None` if it has no inside.
     fn common_box(&self) -> Option<Aabb> {
-        let Aabb { min, max } = self.a.control_box();
-        let corner = |index: u32| {
-            let pick = |axis: usize| if index >> axis & 1 == 0 { min[axis] } else { max[axis] };
-            self.transform.apply(DVec3::from_array([0, 1, 2].map(pick)))
-        };
-        let of_a = (0..8).map(corner).fold(Aabb::EMPTY, Aabb::with);
+        let corners = self.a.control_box().corners().map(|corner| self.transform.apply(corner));
+        let of_a = corners.into_iter().fold(Aabb::EMPTY, Aabb::with);
         let of_b = self.b.control_box();
         let common = Aabb { min: of_a.min.max(of_b.min), max: of_a.max.min(of_b.max) };
         common.min.cmplt(common.max).all().then_some(common)

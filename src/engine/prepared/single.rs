@@ -100,40 +100,19 @@ impl PreparedModel {
     }
 }
 
-#[cfg(all(test, not(target_arch = "wasm32")))]
+#[cfg(test)]
+#[cfg(not(target_arch = "wasm32"))]
 mod tests {
-    use crate::model::trim::{FaceArrays, TrimCurveArrays};
-    use crate::model::{InstanceArrays, Model, ModelArrays, RigidTransform, SurfaceArrays};
+    use crate::certified::testing::{face, unit_plane};
+    use crate::model::trim::FaceArrays;
+    use crate::model::{InstanceArrays, Model, ModelArrays, RigidTransform};
     use crate::{DQuat, DVec3, DistanceOptions, Engine, PreparedModel};
 
-    /// The square [-1, 1]² at height 0 with a square hole that stands askew.
+    /// The square [-1, 1]² at height 0, less its rim, with a square hole that stands askew.
     fn plate() -> FaceArrays {
         let outer = [[-0.9, -0.9], [0.9, -0.9], [0.9, 0.9], [-0.9, 0.9]];
         let hole = [[0.4, 0.1], [0.1, -0.4], [-0.4, -0.1], [-0.1, 0.4]];
-        let side = |corners: [[f64; 2]; 4], k: usize| TrimCurveArrays {
-            degree: 1,
-            knots: vec![0.0, 0.0, 1.0, 1.0],
-            control_points: [corners[k], corners[(k + 1) % 4]].map(|[u, v]| [u, v, 1.0]).to_vec(),
-            ..TrimCurveArrays::default()
-        };
-        let sides = |corners| (0..4).map(|k| side(corners, k)).collect();
-        let ends = [-1.0, 1.0];
-        let surface = SurfaceArrays {
-            degree: [1, 1],
-            knots: [0; 2].map(|_| vec![-1.0, -1.0, 1.0, 1.0]),
-            counts: [2, 2],
-            control_points: ends.map(|x| ends.map(|y| [x, y, 0.0, 1.0])).concat(),
-        };
-        FaceArrays {
-            surface,
-            trim: Some(vec![sides(outer), sides(hole)]),
-            reversed: false,
-            face_name: None,
-            kind: None,
-            gap: 0.0,
-            gap_measured: false,
-            color: None,
-        }
+        face(unit_plane(), &[&outer, &hole])
     }
 
     /// Plates beside each other, each its own body.

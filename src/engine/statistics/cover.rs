@@ -153,11 +153,9 @@ impl<'a> Cells<'a> {
         let rounding = gamma(PART_ROUNDINGS);
         Area { lower: lower * part * (1.0 - rounding), upper: upper * part * (1.0 + rounding) }
     }
-}
 
-impl Cells<'_> {
-    /// The area of a whole patch between 0 and the product of the bounds on its first derivatives; of a triangle its
-    /// own.
+    /// Returns the area of a triangle, or an interval that contains that of a whole patch: it ends at the product of the
+    /// bounds on the first derivatives.
     fn rough_area(&self, cell: &Cell) -> Area {
         if self.triangles.is_some() {
             return self.area(cell);

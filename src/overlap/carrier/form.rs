@@ -7,7 +7,7 @@ use crate::overlap::piece::{Piece, Whole};
 use crate::rounding::{gamma, upper_max};
 use glam::{DVec4, Vec4Swizzles};
 
-/// The largest number of control points whose products are made, of which there are as many as its square.
+/// The largest number of control points for which the products of all pairs are computed: their number is its square.
 pub(super) const MAX_PRODUCTS: usize = 64;
 
 /// The roundings of a coefficient, a sum of as many products of four factors as there are control points, each of two

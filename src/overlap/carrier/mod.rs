@@ -11,8 +11,8 @@ use glam::{DMat3, DVec3, DVec4, Vec4Swizzles};
 
 pub(super) use form::Form;
 
-/// The largest value of a carrier on a piece that counts as lying on it, relative to the piece's radius: far less than
-/// what boundaries that are told apart differ by, and more than the roundings of a fit.
+/// The largest value of a carrier on a piece that counts as lying on it, relative to the piece's radius. It is larger than
+/// the rounding of a fit, and far smaller than the distance of boundaries that carriers tell apart.
 pub(super) const EXACT: f64 = 1e-9;
 
 /// The roundings of a bound on a slope.
@@ -82,7 +82,7 @@ pub(super) struct Fitted {
 }
 
 impl Fitted {
-    /// Returns the carrier of a piece; `None` of a strip, and where there is none.
+    /// Returns the carrier of a piece; `None` for a strip, or if no quadric was found.
     pub(super) fn new(whole: &Whole, piece: &Piece) -> Option<Self> {
         if whole.is_strip {
             return None;
@@ -170,7 +170,7 @@ mod tests {
         }
     }
 
-    /// Concentric spheres are told apart whole, and one that crosses is not.
+    /// The carrier of a patch tells it from the whole patch of a concentric sphere, and not from one that crosses it.
     #[test]
     fn a_carrier_tells_what_no_plane_does() {
         let ball = |center: f64, radius: f64| {

@@ -23,8 +23,8 @@ const CHANGE_ROUNDINGS: f64 = 8.0;
 /// The roundings of a patch that is moved, relative to the largest coordinate.
 const MOTION_ROUNDINGS: f64 = 4.0;
 
-/// Two solids in a common frame. A short motion of the first one has parted their coincident planes and curved patches, and the patches that
-/// both solids have are paired.
+/// Two solids in a common frame. A short motion of the first one has parted their coincident planes and curved patches,
+/// and the patches that both solids have are paired.
 #[derive(Debug)]
 pub(crate) struct Pair {
     pub(super) solids: [PlacedSolid; 2],

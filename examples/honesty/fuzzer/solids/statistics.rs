@@ -56,7 +56,7 @@ struct Sample {
     distance: f64,
 }
 
-/// Compares with samples, of which none is farther than `most`.
+/// Compares the statistics with those of samples. `most` is an upper bound on the distance of every sample.
 fn by_samples(rng: &mut Rng, [a, b]: [&Model; 2], result: &CertifiedStatistics, most: f64) -> Vec<String> {
     let origin = b.bounding_box().center();
     let (from, to) = (sheets(a, origin), sheets(b, origin));

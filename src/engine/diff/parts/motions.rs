@@ -23,7 +23,7 @@ const FINEST: f64 = 1e-6;
 /// The part of a length to which distances of vertices agree in a frame of them.
 const FRAME_PART: f64 = 1e-4;
 
-/// The number of moves that are guessed for parts that changed.
+/// The number of translations that are tried for parts that changed.
 const VOTED_MOVES: usize = 2;
 
 /// The vertices that a motion must lay on such of B to be worth a comparison: one more than give it. Of parts with
@@ -57,20 +57,19 @@ pub(super) fn candidates(a: &Part, b: &Part, rest: &RigidTransform) -> Vec<Rigid
     found.into_iter().map(|(_, motion)| motion).take(MAX_TRIED).collect()
 }
 
-/// Returns motions that lay enough vertices of A on those of B, of parts that changed: moves alone first, each of which
-/// explains vertices that those before it do not, and then the one by turns that lays most.
+/// Returns motions that lay enough vertices of A on vertices of B, for parts that changed. Translations come first, each
+/// for vertices that those before it do not match, and then the motion with a rotation that matches most.
 ///
 /// What stayed may have fewer vertices than a hole that moved, so that the motion of most alone would not do.
 pub(super) fn most_matching(a: &Part, b: &Part, rest: &RigidTransform) -> Vec<RigidTransform> {
     let count = a.vertices.len() as f64;
     let enough = if 0.5 * count < ENOUGH_VERTICES { 0.5 * count } else { ENOUGH_VERTICES };
-    let mut found = most_voted(a, b, rest);
-    let share = |motion: &RigidTransform| matched(a, b, motion);
-    found.extend(
-        candidates(a, b, rest).into_iter().rev().max_by(|one, other| share(one).total_cmp(&share(other))),
-    );
-    found.retain(|motion| count > 0.0 && count * share(motion) >= enough);
-    found
+    let counted = |motion: RigidTransform| (count * matched(a, b, &motion), motion);
+    // Of equal ones the first, which turns least.
+    let turned = candidates(a, b, rest).into_iter().map(counted).rev();
+    let turned = turned.max_by(|one, other| one.0.total_cmp(&other.0));
+    let found = most_voted(a, b, rest).into_iter().map(counted).chain(turned);
+    found.filter(|&(matched, _)| matched > 0.0 && matched >= enough).map(|(_, motion)| motion).collect()
 }
 
 /// Returns rotations that map the principal axes of A to those of B: four if all three moments are distinct, two if
@@ -173,8 +172,8 @@ fn matched(a: &Part, b: &Part, motion: &RigidTransform) -> f64 {
     pairs_within(a, b, motion, matching_distance(a)).len() as f64 / a.vertices.len().max(1) as f64
 }
 
-/// Returns moves after the turn of `rest`: the one that lays most vertices on such of B, then the one that lays most of
-/// the others, and so on. O(vertices² log).
+/// Returns translations after the rotation of `rest`: the one that lays most vertices on vertices of B, then the one that
+/// lays most of the others there, and so on. O(vertices² log).
 fn most_voted(a: &Part, b: &Part, rest: &RigidTransform) -> Vec<RigidTransform> {
     let cell = FRAME_PART * a.aabb.diagonal();
     let (mut left, mut found) = (a.vertices.clone(), Vec::new());
@@ -202,7 +201,8 @@ fn matching_distance(a: &Part) -> f64 {
     10.0 * FINEST * a.aabb.diagonal()
 }
 
-#[cfg(all(test, not(target_arch = "wasm32")))]
+#[cfg(test)]
+#[cfg(not(target_arch = "wasm32"))]
 mod tests {
     use super::*;
     use crate::engine::diff::parts::part::parts_of;

@@ -10,7 +10,6 @@ use crate::engine::{DistanceOptions, Engine, PreparedModel};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::progress::Monitor;
-use glam::DVec3;
 use std::collections::HashSet;
 use web_time::Instant;
 
@@ -55,7 +54,7 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<Vec<PartDifference>> {
         let is_late = || is_over(started, options.max_seconds);
-        // What pairs bodies are their facts, of which areas take the longest.
+        // Bodies are paired by their facts, and areas take the longest of those.
         let is_paired = |model: &PreparedModel| {
             !(model.is_cloud() || is_late())
                 && model.bodies().len() <= MAX_PARTS
@@ -371,11 +370,7 @@ fn common_part(a: &Part, b: &Part, rest: &RigidTransform) -> f64 {
 
 /// Returns whether a motion takes a corner of the part's box farther than the limit from where another one takes it.
 fn moves(motion: &RigidTransform, other: &RigidTransform, part: &Part, limit: f64) -> bool {
-    let corner = |index: u32| {
-        let side = |axis: u32| f64::from(index >> axis & 1);
-        part.aabb.min + (part.aabb.max - part.aabb.min) * DVec3::new(side(0), side(1), side(2))
-    };
-    (0..8).map(corner).any(|at| motion.apply(at).distance(other.apply(at)) > limit)
+    part.aabb.corners().into_iter().any(|at| motion.apply(at).distance(other.apply(at)) > limit)
 }
 
 /// Returns a motion without another one that came before it.

@@ -5,7 +5,8 @@ use crate::axis::Axis;
 use crate::certified::TrimmedFaces;
 use crate::certified::nearest::{Foot, NearestPoint};
 use crate::certified::testing::{Surfaces, oblique, patch, through};
-use crate::model::trim::{FaceArrays, RimSide, TrimCurveArrays};
+pub(super) use crate::certified::testing::{face, plane_between, unit_plane as plane};
+use crate::model::trim::{FaceArrays, RimSide};
 use crate::model::{Model, ModelArrays, SurfaceArrays};
 use crate::pieces::FacePieces;
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -14,27 +15,6 @@ use std::f64::consts::FRAC_1_SQRT_2;
 pub(super) struct Cut {
     pub(super) pieces: Surfaces,
     pub(super) faces: TrimmedFaces,
-}
-
-/// A face of a surface, with polygons for loops, of (u, v).
-pub(super) fn face(surface: SurfaceArrays, loops: &[&[[f64; 2]]]) -> FaceArrays {
-    let side = |corners: &[[f64; 2]], k: usize| TrimCurveArrays {
-        degree: 1,
-        knots: vec![0.0, 0.0, 1.0, 1.0],
-        control_points: [corners[k], corners[(k + 1) % corners.len()]].map(|[u, v]| [u, v, 1.0]).to_vec(),
-        ..TrimCurveArrays::default()
-    };
-    let sides = |corners: &&[[f64; 2]]| (0..corners.len()).map(|k| side(corners, k)).collect();
-    FaceArrays {
-        surface,
-        trim: Some(loops.iter().map(sides).collect()),
-        reversed: false,
-        face_name: None,
-        kind: None,
-        gap: 0.0,
-        gap_measured: false,
-        color: None,
-    }
 }
 
 /// A straight side of a rim, at a constant parameter.
@@ -62,22 +42,6 @@ pub(super) fn plate() -> Cut {
     let outer = [[-PLATE, -PLATE], [PLATE, -PLATE], [PLATE, PLATE], [-PLATE, PLATE]];
     let hole = [[HOLE, 0.0], [0.0, -HOLE], [-HOLE, 0.0], [0.0, HOLE]];
     cut(plane(), &[&outer, &hole])
-}
-
-/// The square [-1, 1]² at height 0; u and v are x and y.
-pub(super) fn plane() -> SurfaceArrays {
-    plane_between([-1.0, 1.0], [-1.0, 1.0])
-}
-
-/// A rectangle at height 0; u and v are x and y.
-pub(super) fn plane_between([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> SurfaceArrays {
-    let corners = [x0, x1].map(|x| [y0, y1].map(|y| [x, y, 0.0, 1.0]));
-    SurfaceArrays {
-        degree: [1, 1],
-        knots: [vec![x0, x0, x1, x1], vec![y0, y0, y1, y1]],
-        counts: [2, 2],
-        control_points: corners.concat(),
-    }
 }
 
 /// The part of a plane between two corners, at a height.
