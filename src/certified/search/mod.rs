@@ -229,8 +229,12 @@ impl<'a> BranchAndBound<'a> {
     /// reached although nodes are left.
     fn is_as_narrow_as_possible(&self) -> bool {
         let Goal { tolerance, limit, reserved_width, .. } = self.goal;
+        if limit.is_some() || tolerance > reserved_width {
+            return false;
+        }
+        // This visits all waiting nodes.
         let Interval { lower, upper } = self.interval();
-        limit.is_none() && tolerance <= reserved_width && upper - lower <= self.min_tolerance()
+        upper - lower <= self.min_tolerance()
     }
 
     /// The pruning threshold: a node whose upper bound is at most this is not

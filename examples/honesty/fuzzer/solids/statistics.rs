@@ -7,7 +7,9 @@ use fastrand::Rng;
 use nurbs_hausdorff::internals::engine::{Engine, PreparedModel};
 use nurbs_hausdorff::options::Audit;
 use nurbs_hausdorff::result::Lemma;
-use nurbs_hausdorff::{CertifiedStatistics, DistanceOptions, Model, StatisticsOptions};
+use nurbs_hausdorff::{
+    CertifiedOptions, CertifiedStatistics, DistanceOptions, Method, Model, StatisticsOptions,
+};
 use std::collections::BTreeMap;
 
 /// The samples of A.
@@ -18,6 +20,9 @@ const STANDARD_ERRORS: f64 = 6.0;
 
 /// The budgets of parts: many searches end with wide parts, whose bounds lose the most.
 const BUDGETS: [usize; 4] = [1, 60, 400, 3000];
+
+/// The budget of the search for an upper bound on all distances, which need not be narrow: some pairs converge never.
+const CELLS_OF_DISTANCE: usize = 1000;
 
 /// Rounding of distances, relative to the largest coordinate.
 const ROUNDING: f64 = 1e-9;
@@ -41,9 +46,9 @@ pub(crate) fn violations(rng: &mut Rng, models: [&Model; 2]) -> (Vec<String>, BT
         Err(error) if error.code() == "NO_AREA" => return nothing(),
         Err(error) => return (vec![format!("statistics: {error}")], BTreeMap::new()),
     };
-    let Ok(distance) = Engine::cpu().distance(&a, &b, &DistanceOptions::default()).wait() else {
-        return nothing();
-    };
+    let budget = CertifiedOptions { max_cells: Some(CELLS_OF_DISTANCE), ..CertifiedOptions::default() };
+    let options = DistanceOptions { method: Method::Certified(budget), ..DistanceOptions::default() };
+    let Ok(distance) = Engine::cpu().distance(&a, &b, &options).wait() else { return nothing() };
     let mut found: Vec<String> = result.notice.iter().cloned().collect();
     found.extend(by_samples(rng, models, &result, distance.upper));
     let counts = Lemma::ALL.into_iter().map(|lemma| (lemma, result.audit.cells_of(lemma)));
