@@ -170,9 +170,9 @@ pub use engine::{
     LeftOut, Measure, Method, MethodName, ModelInfo, NamedModel, NamedOptions, NamesOfPair, Overlap,
     OverlapOptions, OverlapResult, OverlapUnknown, OverlapVolumes, PairState, PartDifference, PartFaces,
     PartMotion, PartState, Percentile, Placement, Precision, PreparedModel, RequiredDistance, Requirement,
-    Rule, Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, Shell, SignedDistanceOptions,
-    SignedDistances, Signs, Solid, Statistics, StatisticsOptions, SurfaceScore, UnkeptRule, VolumesUnknown,
-    Witness, checked_bodies,
+    Rule, Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, SelfOverlap, Shell,
+    SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics, StatisticsOptions, SurfaceScore,
+    UnkeptRule, VolumesUnknown, Witness, checked_bodies,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

@@ -18,7 +18,7 @@ from ._measure import (
     clearance, closest_points, diff, distance, field, gaps, overlap, signed_distances, statistics,
 )  # fmt: skip
 from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell, Solid
-from ._results.check import BodyPair, CheckedBody, CheckResult, UnkeptRule
+from ._results.check import BodyPair, CheckedBody, CheckResult, SelfOverlap, UnkeptRule
 from ._results.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
 from ._results.closest import ClosestPoints
 from ._results.common import SurfacePoint, Witness
@@ -47,7 +47,7 @@ __all__ = [
     "GapsResult", "HausdorffScore", "Interval", "LeftOut", "Mesh", "MeshReport", "Model",
     "NurbsHausdorffError", "Overlap", "OverlapResult", "OverlapVolumes", "PartDifference",
     "PartFaces", "PartMotion", "Placement", "ReadReport", "Remark", "Requirement", "Score",
-    "ScoredModel", "Shell", "SignedDistances", "Solid", "Statistics", "SurfacePoint",
+    "ScoredModel", "SelfOverlap", "Shell", "SignedDistances", "Solid", "Statistics", "SurfacePoint",
     "SurfaceScore", "Transform", "UnkeptRule", "Witness", "best_fit", "check", "clearance",
     "closest_points", "diff", "distance", "field", "gaps", "model", "overlap", "read", "score",
     "signed_distances", "statistics", "testing",

@@ -10,6 +10,7 @@ mod computation;
 mod diff;
 mod direction;
 mod dispatch;
+mod embedding;
 mod facets;
 mod field;
 mod hierarchy;
@@ -42,6 +43,7 @@ pub use diff::{
     DiffOptions, DiffResult, FaceDifference, FaceState, PartDifference, PartFaces, PartMotion, PartState,
 };
 pub use dispatch::Engine;
+pub use embedding::SelfOverlap;
 pub use field::{DeviationField, FaceDeviations, FieldOptions, Statistics};
 pub use info::{BodyInfo, Counts, FaceInfo, ModelInfo};
 pub use options::{

@@ -15,6 +15,7 @@ export type {
   CheckRules,
   NamesOfPair,
   PairState,
+  SelfOverlap,
   UnkeptRule,
 } from "./measure/check.js";
 export type {

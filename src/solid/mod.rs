@@ -3,7 +3,8 @@
 //! [`Boundary`] joins the edges of the faces in pairs; where each has a partner, the faces and thin
 //! strips between partners are closed. [`enclosing`](Boundary::enclosing) then counts, modulo 2, how
 //! often a ray crosses the faces of each shell, along a ray that certainly avoids the strips;
-//! [`Enclosing`] has the side that follows. A sheet has no sides, but a [`pseudonormal`] at each point. docs/solids.md has the lemmas. Nothing here knows of files, processors or options.
+//! [`Enclosing`] has the side that follows. [`windings`](Boundary::windings) counts the crossings with their signs: a
+//! shell that encloses a point twice meets itself. A sheet has no sides, but a [`pseudonormal`] at each point. docs/solids.md has the lemmas. Nothing here knows of files, processors or options.
 
 mod clusters;
 mod cracks;
@@ -12,17 +13,17 @@ mod edges;
 mod enclosing;
 mod joints;
 mod orientation;
-mod parity;
 mod pseudonormal;
 mod ray;
 mod side;
 mod strips;
+mod winding;
 
 pub(crate) use edges::Edges;
 pub(crate) use enclosing::{Enclosing, Relation};
 pub(crate) use joints::Boundary;
 pub(crate) use orientation::Joined;
-pub(crate) use parity::longer_axis;
 pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;
 pub(crate) use strips::Ruled;
+pub(crate) use winding::longer_axis;

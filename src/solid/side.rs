@@ -1,7 +1,8 @@
 //! The shells of a solid's boundary that enclose a point, and its side.
 
-use super::parity::{Obstacle, patch_parity};
+use super::orientation::ShellState;
 use super::ray::Ray;
+use super::winding::{Obstacle, patch_winding};
 use super::{Boundary, Enclosing};
 use crate::closest::Target;
 use crate::rounding::gamma;
@@ -51,14 +52,33 @@ impl Boundary {
         self.enclosing_closed(target, point, error).map(|around| around.has(shell))
     }
 
+    /// Returns how often a shell winds about a point, by the sides of its first surface, where that is certain; `target`
+    /// may have the patches of other shells too. As [`Boundary::enclosing`].
+    ///
+    /// Guarantee (lemma S7 of docs/solids.md): a closed surface that does not meet itself winds about all points with
+    /// the numbers 0 and 1, or 0 and -1.
+    pub(crate) fn winding(&self, shell: u32, target: &Target, point: DVec3, error: f64) -> Option<i32> {
+        let ShellState { is_one_sided, free, .. } = self.joined().of_shell[shell as usize];
+        if is_one_sided || free > 0 {
+            return None;
+        }
+        let crossings = self.crossings(target, point, error)?;
+        Some(crossings.iter().filter(|crossing| crossing.0 == shell).map(|crossing| crossing.1).sum())
+    }
+
     /// As [`Boundary::enclosing`] for patches of shells that close.
     fn enclosing_closed(&self, target: &Target, point: DVec3, error: f64) -> Option<Enclosing> {
+        self.crossings(target, point, error).map(|crossings| enclosing(&crossings))
+    }
+
+    /// Returns the crossings of a ray from a point.
+    fn crossings(&self, target: &Target, point: DVec3, error: f64) -> Option<Vec<Crossing>> {
         if !point.is_finite() {
             return None;
         }
         for direction in (0..MAX_RAYS).map(direction) {
             match self.crossed(target, &Ray::new(point, direction, self.margin_at(point) + error)) {
-                Ok(shells) => return Some(shells),
+                Ok(crossings) => return Some(crossings),
                 Err(Obstacle::OnTheWay) => {}
                 Err(Obstacle::AtTheEnd) => return None,
             }
@@ -77,7 +97,7 @@ impl Boundary {
     ) -> Option<Enclosing> {
         let margin = self.margin_at(point) + self.margin_at(other);
         match self.crossed(target, &Ray::segment(point, other, margin)) {
-            Ok(crossed) => Some(shells.clone().across(&crossed)),
+            Ok(crossed) => Some(shells.clone().across(&enclosing(&crossed))),
             Err(_) => self.enclosing(target, point, 0.0),
         }
     }
@@ -87,22 +107,33 @@ impl Boundary {
         self.margin + gamma(COORDINATE_ROUNDINGS) * point.length()
     }
 
-    /// Returns the shells that the ray crosses an odd number of times, if it certainly meets no strip
-    /// and no edge of a patch.
-    fn crossed(&self, target: &Target, ray: &Ray) -> Result<Enclosing, Obstacle> {
+    /// Returns the crossings of the ray with patches, if it certainly meets no strip and no edge of a patch.
+    fn crossed(&self, target: &Target, ray: &Ray) -> Result<Vec<Crossing>, Obstacle> {
         let strips = ray.leaves(&self.strip_tree);
         if !strips.into_iter().all(|strip| self.strips[strip as usize].is_avoided(ray)) {
             return Err(Obstacle::OnTheWay);
         }
-        let mut shells = Enclosing::default();
+        let mut crossings = Vec::new();
         for patch in ray.leaves(&target.tree) {
             let patch = target.patches.patch(patch as usize);
-            if patch_parity(&patch, ray)? {
-                shells.cross(self.shells()[patch.surface]);
+            let winding = patch_winding(&patch, ray)?;
+            if winding != 0 {
+                let sign = if self.joined().turned[patch.surface] { -1 } else { 1 };
+                crossings.push((self.shells()[patch.surface], sign * winding));
             }
         }
-        Ok(shells)
+        Ok(crossings)
     }
+}
+
+/// A shell that a ray crosses, and how often along the normals of the shell's first surface less against them.
+type Crossing = (u32, i32);
+
+/// Returns the shells that are crossed an odd number of times.
+fn enclosing(crossings: &[Crossing]) -> Enclosing {
+    let mut shells = Enclosing::default();
+    crossings.iter().filter(|(_, winding)| winding % 2 != 0).for_each(|&(shell, _)| shells.cross(shell));
+    shells
 }
 
 /// Returns a direction of length 1, the same at every call: points of a Fibonacci spiral, turned so
@@ -163,6 +194,21 @@ mod tests {
                 assert_eq!(found, expected, "{x} within {error}");
             }
         }
+    }
+
+    /// All rays count the same, whichever way they go.
+    #[test]
+    fn a_cube_winds_about_points_inside_once() {
+        let (target, boundary) = cube(6);
+        let winding = |x: f64, y: f64, z: f64| boundary.winding(0, &target, DVec3::new(x, y, z), 0.0);
+        let inside = winding(0.1, 0.2, 0.3).unwrap();
+        assert_eq!(inside.abs(), 1);
+        for k in 0..64 {
+            let [x, y, z] = [0.37, 0.61, 0.83].map(|step| 1.9 * (step * f64::from(k)).fract() - 0.95);
+            assert_eq!(winding(x, y, z), Some(inside), "{k}");
+            assert_eq!(winding(x + 2.0, y, z), Some(0), "{k}");
+        }
+        assert_eq!(cube(5).1.winding(0, &cube(5).0, DVec3::ZERO, 0.0), None, "open");
     }
 
     #[test]

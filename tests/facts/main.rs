@@ -8,6 +8,7 @@ mod support;
 mod bodies;
 mod check;
 mod coincidence;
+mod embedding;
 mod exact;
 mod formulas;
 mod hints;

@@ -13,6 +13,29 @@ Orientation = Literal["consistent", "insideOut", "mixed", "notOrientable", "unde
 
 
 @dataclass(frozen=True)
+class SelfOverlap:
+    """A place at which the boundary of a body certainly meets itself.
+
+    Attributes
+    ----------
+    point : tuple of float
+        The middle of a ball without points of the boundary, larger than the gaps of the body.
+    radius : float
+        Its radius.
+    winding : int
+        How often the boundary winds about it, 1 or 0 in a body that does not meet itself: 2 or
+        more in matter that counts twice, -1 or less where walls have passed through each other.
+    faces : tuple of int
+        The two faces that cross near by, in the body's model; none of a mesh.
+    """
+
+    point: Point
+    radius: float
+    winding: int
+    faces: tuple[int, ...]
+
+
+@dataclass(frozen=True)
 class CheckedBody:
     """A body by itself.
 
@@ -30,6 +53,8 @@ class CheckedBody:
     degenerate : bool
         Whether it closes and certainly has no inside to speak of: less volume than a layer of the
         tolerance over half its area.
+    self_overlap : SelfOverlap or None
+        A place at which its boundary meets itself; none where none is found, which is no proof.
     duplicates : tuple of str
         Names of the bodies that certainly have its shape in its place, within the tolerance.
     """
@@ -40,6 +65,7 @@ class CheckedBody:
     closed: bool
     orientation: Orientation | None
     degenerate: bool
+    self_overlap: SelfOverlap | None
     duplicates: tuple[str, ...]
 
 
@@ -163,10 +189,17 @@ def check_result(data: dict[str, Any]) -> CheckResult:
         BodyPair(**{**_bounded(pair), "point": tuple(pair["point"])}) for pair in data["pairs"]
     )
     data["rules"] = tuple(UnkeptRule(**_bounded(rule)) for rule in data["rules"])
-    data["bodies"] = tuple(
-        CheckedBody(**{**body, "duplicates": tuple(body["duplicates"])}) for body in data["bodies"]
-    )
+    data["bodies"] = tuple(_checked_body(body) for body in data["bodies"])
     return CheckResult(**data)
+
+
+def _checked_body(data: dict[str, Any]) -> CheckedBody:
+    found = data["self_overlap"]
+    if found is not None:
+        found = SelfOverlap(**{**found, "point": tuple(found["point"]), "faces": tuple(found["faces"])})
+    return CheckedBody(
+        **{**data, "self_overlap": found, "duplicates": tuple(data["duplicates"])}
+    )
 
 
 def _bounded(data: dict[str, Any]) -> dict[str, Any]:

@@ -17,7 +17,7 @@ use self::options::Limits;
 use self::rules::Bound;
 use super::bodies::unique_name;
 use super::section::Section;
-use super::{BodyKind, Computation, Engine, OverlapOptions, PreparedModel, Seconds, Stop};
+use super::{BodyKind, Computation, Engine, OverlapOptions, PreparedModel, Seconds, SelfOverlap, Stop};
 use crate::bvh::Aabb;
 use crate::error::{Error, Result};
 use crate::facts::{Interval, Orientation};
@@ -70,6 +70,8 @@ pub struct CheckedBody {
     /// Whether it closes and its volume is certainly less than that of a layer of the tolerance over half its area,
     /// so that it has no inside to speak of.
     pub degenerate: bool,
+    /// A place at which its boundary meets itself; none where none is found.
+    pub self_overlap: Option<SelfOverlap>,
     /// The names of the bodies that certainly have its shape in its place, within the tolerance.
     pub duplicates: Vec<String>,
 }
@@ -129,12 +131,21 @@ struct Checked {
     aabb: Aabb,
     volume: Option<Interval>,
     area: Option<Interval>,
+    /// The indices of its faces in the model that it is of.
+    faces: Vec<usize>,
 }
 
 impl Checked {
     fn is_degenerate(&self, tolerance: f64) -> bool {
         let layer = self.area.map(|area| 0.5 * tolerance * area.lower);
         self.volume.zip(layer).is_some_and(|(volume, layer)| volume.upper < layer)
+    }
+
+    /// Returns a place at which the body meets itself, with the faces as they are in its model; none after the time.
+    fn self_overlap(&self, limits: &Limits) -> Option<SelfOverlap> {
+        let mut found = if limits.is_over() { None } else { self.model.self_overlap() }?;
+        found.faces.iter_mut().for_each(|face| *face = self.faces[*face]);
+        Some(found)
     }
 }
 
@@ -168,8 +179,10 @@ impl Engine {
         let (mut bodies, checked) = all_bodies(models, options)?;
         let aabb = checked.iter().fold(Aabb::EMPTY, |aabb, body| aabb.union(body.aabb));
         let limits = options.limits(aabb.diagonal(), started);
-        for (body, of) in bodies.iter_mut().zip(&checked) {
+        let overlaps = map(checked.len(), |index| checked[index].self_overlap(&limits));
+        for ((body, of), self_overlap) in bodies.iter_mut().zip(&checked).zip(overlaps) {
             body.degenerate = of.is_degenerate(limits.tolerance);
+            body.self_overlap = self_overlap;
         }
         let rules = options.rules.bound(&bodies)?;
         let prepare = started.elapsed().as_secs_f64();
@@ -319,7 +332,7 @@ fn all_bodies(models: &[NamedModel<'_>], options: &CheckOptions) -> Result<(Vec<
             // A box of zero width may round to itself when it grows.
             let aabb = single.control_box().grown(error);
             let aabb = Aabb { min: aabb.min.map(f64::next_down), max: aabb.max.map(f64::next_up) };
-            checked.push(Checked { model: single, aabb, volume, area });
+            checked.push(Checked { model: single, aabb, volume, area, faces: body.faces });
             bodies.push(CheckedBody {
                 name,
                 model,
@@ -327,6 +340,7 @@ fn all_bodies(models: &[NamedModel<'_>], options: &CheckOptions) -> Result<(Vec<
                 closed: body.closed,
                 orientation: body.orientation,
                 degenerate: false,
+                self_overlap: None,
                 duplicates: Vec::new(),
             });
         }

@@ -94,9 +94,14 @@ impl Limits {
         if self.below > self.tolerance { self.below } else { self.tolerance }
     }
 
+    /// Returns whether the time is spent.
+    pub(super) fn is_over(&self) -> bool {
+        is_over(self.started, self.max_seconds)
+    }
+
     /// Returns the pairs of cells of the next search.
     pub(super) fn cells(&self) -> usize {
-        if is_over(self.started, self.max_seconds) { CELLS_AFTER_TIME } else { self.max_cells }
+        if self.is_over() { CELLS_AFTER_TIME } else { self.max_cells }
     }
 
     /// Returns the seconds left for a computation that has a budget of its own.

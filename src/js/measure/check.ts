@@ -86,8 +86,28 @@ export interface CheckedBody {
   orientation: Orientation | null;
   /** Whether it closes and certainly has no inside to speak of. */
   degenerate: boolean;
+  /** A place at which its boundary meets itself; null where none is found, which is no proof. */
+  selfOverlap: SelfOverlap | null;
   /** The names of the bodies that certainly have its shape in its place, within the tolerance. */
   duplicates: string[];
+}
+
+/**
+ * A place at which the boundary of a body meets itself: it certainly winds about points of the ball and about others
+ * near by with numbers that differ by 2 or more, and the gaps of the body are smaller than the ball.
+ */
+export interface SelfOverlap {
+  /** The middle of the ball. */
+  point: Vector3;
+  /** The radius of the ball, which has no points of the boundary. */
+  radius: number;
+  /**
+   * How often the boundary winds about it, 1 or 0 in a body that does not meet itself: 2 or more in matter that counts
+   * twice, -1 or less where walls have passed through each other.
+   */
+  winding: number;
+  /** The indices of the two faces that cross near by, in the body's model; none of a mesh. */
+  faces: number[];
 }
 
 /** A rule that is not certainly kept. */

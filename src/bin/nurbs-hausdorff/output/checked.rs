@@ -5,7 +5,7 @@ use super::json::raw;
 use crate::failure::Failure;
 use crate::reports::{Answer, Outcome, Row, Rows, Verdict};
 use nurbs_hausdorff::{
-    BodyPair, CheckResult, CheckedBody, Orientation, PairState, Rule, UnkeptRule, one_line,
+    BodyPair, CheckResult, CheckedBody, Orientation, PairState, Rule, SelfOverlap, UnkeptRule, one_line,
 };
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -24,7 +24,7 @@ pub(crate) fn text(result: &CheckResult, verdict: Verdict) -> String {
         let _ = writeln!(out, "{:<10} {}", rule_word(rule), rule_text(rule));
     }
     for body in &result.bodies {
-        for fault in faults(body) {
+        for fault in faults(body, result.diagonal) {
             let _ = writeln!(out, "body       {}: {fault}", one_line(&body.name));
         }
     }
@@ -106,7 +106,7 @@ pub(crate) fn rows(
         rows.push(row(path, verdict, rule_word(rule), rule_text(rule), rule, String::new())?);
     }
     for body in &result.bodies {
-        let faults = faults(body);
+        let faults = faults(body, result.diagonal);
         if !faults.is_empty() {
             rows.push(row(
                 body.name.clone(),
@@ -207,8 +207,18 @@ fn rule_text(rule: &UnkeptRule) -> String {
     }
 }
 
+fn meets_itself(SelfOverlap { point, winding, faces, .. }: &SelfOverlap, diagonal: f64) -> String {
+    let at = coordinates(*point, diagonal);
+    let faces: Vec<String> = faces.iter().map(usize::to_string).collect();
+    let faces = if faces.is_empty() { String::new() } else { format!(", faces {}", faces.join(" and ")) };
+    match winding {
+        2.. => format!("meets itself: space counts {winding} times at {at}{faces}"),
+        _ => format!("meets itself: walls have passed through each other at {at}{faces}"),
+    }
+}
+
 /// What is wrong with a body by itself.
-fn faults(body: &CheckedBody) -> Vec<String> {
+fn faults(body: &CheckedBody, diagonal: f64) -> Vec<String> {
     let mut faults = Vec::new();
     if !body.closed {
         faults.push("is not closed".to_owned());
@@ -222,6 +232,7 @@ fn faults(body: &CheckedBody) -> Vec<String> {
     if body.degenerate {
         faults.push("has no inside within the tolerance".to_owned());
     }
+    faults.extend(body.self_overlap.as_ref().map(|found| meets_itself(found, diagonal)));
     if !body.duplicates.is_empty() {
         let names: Vec<String> = body.duplicates.iter().map(|name| one_line(name)).collect();
         faults.push(format!("has the shape and place of {}", names.join(", ")));

@@ -1,4 +1,4 @@
-//! The number of times, modulo 2, that a ray crosses a patch.
+//! The number of times that a ray crosses a patch, less the times that it crosses it the other way.
 
 use super::curve::split;
 use super::ray::{Range, Ray};
@@ -24,15 +24,15 @@ pub(super) enum Obstacle {
     AtTheEnd,
 }
 
-/// Returns whether the ray crosses the patch an odd number of times, in the sense of lemma S2 of
-/// docs/solids.md, if it certainly meets no edge of the patch and does not start on it.
+/// Returns how often the ray crosses the patch along its normal u × v, less the crossings against it, in the sense of
+/// lemma S2 of docs/solids.md, if it certainly meets no edge of the patch and does not start on it.
 ///
 /// The patch is halved until each part lies beside the ray, or a plane separates it from the ray's start.
-/// The parity of a part that is ahead is that of its boundary's winding about the ray.
-pub(super) fn patch_parity(patch: &Patch<'_>, ray: &Ray) -> Result<bool, Obstacle> {
+/// The number of a part that is ahead is that of its boundary's windings about the ray.
+pub(super) fn patch_winding(patch: &Patch<'_>, ray: &Ray) -> Result<i32, Obstacle> {
     let controls = ray.controls(patch.center, patch.controls);
     let mut parts = vec![(controls, 0_u32)];
-    let (mut parity, mut count) = (false, 0);
+    let (mut winding, mut count) = (0, 0);
     while let Some((controls, depth)) = parts.pop() {
         let range = Range::of(controls.iter().map(local));
         if ray.is_beside(&range) {
@@ -41,8 +41,8 @@ pub(super) fn patch_parity(patch: &Patch<'_>, ray: &Ray) -> Result<bool, Obstacl
         let of_plane = || ray.beyond_plane(normal(patch.degree, &controls), controls.iter().map(local));
         match if ray.is_ahead(&range) { Some(true) } else { of_plane() } {
             Some(true) => {
-                let winding = boundary_parity(patch.degree, &controls, ray.margin);
-                parity ^= winding.ok_or(Obstacle::OnTheWay)?;
+                let of_part = boundary_winding(patch.degree, &controls, ray.margin);
+                winding += of_part.ok_or(Obstacle::OnTheWay)?;
                 continue;
             }
             Some(false) => continue,
@@ -58,7 +58,7 @@ pub(super) fn patch_parity(patch: &Patch<'_>, ray: &Ray) -> Result<bool, Obstacl
         let halves = part.halves(longer_axis(patch.degree, &controls));
         parts.extend(halves.map(|half| (half, depth + 1)));
     }
-    Ok(parity)
+    Ok(winding)
 }
 
 /// Returns the point of a control.
@@ -84,26 +84,29 @@ pub(crate) fn longer_axis([p, q]: [usize; 2], controls: &[DVec4]) -> Axis {
     if u >= v { Axis::U } else { Axis::V }
 }
 
-/// Returns the parity of the winding of a patch's boundary about the axis.
-fn boundary_parity([p, q]: [usize; 2], controls: &[DVec4], margin: f64) -> Option<bool> {
+/// Returns how often a patch's boundary, anticlockwise in its parameters, winds about the axis, from x to y.
+fn boundary_winding([p, q]: [usize; 2], controls: &[DVec4], margin: f64) -> Option<i32> {
     let columns = q + 1;
     let column = |j: usize| controls.iter().skip(j).step_by(columns).copied().collect::<Vec<_>>();
-    let edges = [controls[..columns].to_vec(), controls[p * columns..].to_vec(), column(0), column(q)];
-    let mut parity = false;
-    for edge in edges {
-        parity ^= curve_parity(edge, margin)?;
+    let along = [column(0), controls[p * columns..].to_vec()];
+    let against = [column(q), controls[..columns].to_vec()];
+    let mut winding = 0;
+    for (edges, sign) in [(along, 1), (against, -1)] {
+        for edge in edges {
+            winding += sign * curve_winding(edge, margin)?;
+        }
     }
-    Some(parity)
+    Some(winding)
 }
 
-/// Returns the parity of a curve's crossings of the half plane y = 0, x > 0; `None` if it may meet
-/// the axis, or end in the half plane.
+/// Returns how often a curve crosses the half plane y = 0, x > 0 towards y > 0, less the crossings the other way;
+/// `None` if it may meet the axis, or end in the half plane.
 ///
-/// A part on the side x > 0 crosses it an odd number of times where its ends have different signs
-/// of y, by the intermediate value theorem.
-fn curve_parity(curve: Vec<DVec4>, margin: f64) -> Option<bool> {
+/// A part on the side x > 0 crosses it once more towards the sign of y at its end where the ends have different signs,
+/// by the intermediate value theorem.
+fn curve_winding(curve: Vec<DVec4>, margin: f64) -> Option<i32> {
     let mut parts = vec![(curve, 0_u32)];
-    let mut parity = false;
+    let mut winding = 0;
     while let Some((controls, depth)) = parts.pop() {
         let Range { low, high, .. } = Range::of(controls.iter().map(local));
         if low.y > margin || high.y < -margin || high.x < -margin {
@@ -114,7 +117,7 @@ fn curve_parity(curve: Vec<DVec4>, margin: f64) -> Option<bool> {
             if start.abs() <= margin || end.abs() <= margin {
                 return None;
             }
-            parity ^= (start < 0.0) != (end < 0.0);
+            winding += i32::from(end > 0.0) - i32::from(start > 0.0);
             continue;
         }
         if depth == MAX_DEPTH {
@@ -123,7 +126,7 @@ fn curve_parity(curve: Vec<DVec4>, margin: f64) -> Option<bool> {
         let halves = split(&controls, 0.5);
         parts.extend(halves.map(|half| (half, depth + 1)));
     }
-    Some(parity)
+    Some(winding)
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -136,21 +139,22 @@ mod tests {
         let corner = |x: f64, y: f64| DVec4::new(x, y, x + 2.0 * y + 1.0, 1.0);
         let controls = [corner(0.0, 0.0), corner(0.0, 1.0), corner(1.0, 0.0), corner(1.0, 1.0)];
         let patch = Patch::whole([1, 1], DVec3::ZERO, &controls);
-        let parity = |start: [f64; 3], direction: [f64; 3]| {
+        let winding = |start: [f64; 3], direction: [f64; 3]| {
             let direction = DVec3::from_array(direction).normalize();
-            patch_parity(&patch, &Ray::new(DVec3::from_array(start), direction, 1e-12))
+            patch_winding(&patch, &Ray::new(DVec3::from_array(start), direction, 1e-12))
         };
-        assert_eq!(parity([0.3, 0.6, 0.0], [0.0, 0.0, 1.0]), Ok(true));
-        assert_eq!(parity([0.3, 0.6, 0.0], [0.0, 0.0, -1.0]), Ok(false));
-        assert_eq!(parity([0.3, 0.6, 2.5 - 1e-9], [0.1, 0.0, 1.0]), Ok(true));
-        assert_eq!(parity([0.3, 0.6, 2.5 + 1e-9], [0.1, 0.0, 1.0]), Ok(false));
-        assert_eq!(parity([1.2, 0.6, 0.0], [0.0, 0.0, 1.0]), Ok(false));
+        assert_eq!(winding([0.3, 0.6, 0.0], [0.0, 0.0, 1.0]), Ok(1));
+        assert_eq!(winding([0.3, 0.6, 9.0], [0.0, 0.0, -1.0]), Ok(-1), "against the normal");
+        assert_eq!(winding([0.3, 0.6, 0.0], [0.0, 0.0, -1.0]), Ok(0));
+        assert_eq!(winding([0.3, 0.6, 2.5 - 1e-9], [0.1, 0.0, 1.0]), Ok(1));
+        assert_eq!(winding([0.3, 0.6, 2.5 + 1e-9], [0.1, 0.0, 1.0]), Ok(0));
+        assert_eq!(winding([1.2, 0.6, 0.0], [0.0, 0.0, 1.0]), Ok(0));
         assert_eq!(
-            parity([0.3, 1.0, 0.0], [0.0, 0.0, 1.0]),
+            winding([0.3, 1.0, 0.0], [0.0, 0.0, 1.0]),
             Err(Obstacle::OnTheWay),
             "the ray meets an edge"
         );
-        assert!(parity([0.3, 0.6, 2.5], [0.1, 0.0, 1.0]).is_err(), "the ray starts on the patch");
+        assert!(winding([0.3, 0.6, 2.5], [0.1, 0.0, 1.0]).is_err(), "the ray starts on the patch");
     }
 
     /// A thin tube about the z axis: one patch that closes in u, whose corners coincide along u. A ray
@@ -169,8 +173,8 @@ mod tests {
             let from = |x: f64| Ray::new(DVec3::new(x, 0.0, 0.25), across.normalize(), 1e-12);
             // The tube has (0, 0) inside and (-9, 0) outside: a ray near z = 0.25 meets its wall an odd
             // number of times from there, and an even one from here.
-            assert_eq!(patch_parity(&patch, &from(0.0)), Ok(true), "{turn}");
-            assert_eq!(patch_parity(&patch, &from(-9.0)), Ok(false), "{turn}");
+            assert_eq!(patch_winding(&patch, &from(0.0)), Ok(1), "{turn}");
+            assert_eq!(patch_winding(&patch, &from(-9.0)), Ok(0), "{turn}");
         }
     }
 

@@ -1,0 +1,155 @@
+//! Triangles that cross each other.
+
+use super::sheets::SheetTriangle;
+use crate::bvh::{Aabb, Bvh};
+use glam::DVec3;
+use std::collections::HashMap;
+
+/// The largest number of places that are returned, and of one pair of surfaces.
+const MAX_PLACES: usize = 64;
+const MAX_PLACES_OF_PAIR: usize = 2;
+
+/// The least depth of a crossing, in distances of the triangles from the surfaces: neighbours cross each other by as
+/// much along their common edge.
+const MIN_DEPTH: f64 = 3.0;
+
+/// A place where two triangles cross.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Crossing {
+    pub(super) point: DVec3,
+    /// The normals of the triangles, of length 1.
+    pub(super) normals: [DVec3; 2],
+    pub(super) surfaces: [u32; 2],
+    /// The least of the length of the crossing and of the distances of corners of both on both sides of the other one.
+    pub(super) depth: f64,
+}
+
+/// Returns places where triangles cross, the deepest first. `tolerance` is how far the triangles are from surfaces.
+pub(super) fn crossings(triangles: &[SheetTriangle], tolerance: f64) -> Vec<Crossing> {
+    let boxes: Vec<Aabb> =
+        triangles.iter().map(|triangle| triangle.corners.into_iter().fold(Aabb::EMPTY, Aabb::with)).collect();
+    let mut found = Vec::new();
+    for_each_pair(&Bvh::new(&boxes), |a, b| {
+        let crossing = crossing(&triangles[a as usize], &triangles[b as usize]);
+        found.extend(crossing.filter(|crossing| crossing.depth > MIN_DEPTH * tolerance));
+    });
+    found.sort_by(|a: &Crossing, b| b.depth.total_cmp(&a.depth));
+    let mut counts: HashMap<[u32; 2], usize> = HashMap::new();
+    found.retain(|crossing| {
+        let [a, b] = crossing.surfaces;
+        let count = counts.entry([a.min(b), a.max(b)]).or_default();
+        *count += 1;
+        *count <= MAX_PLACES_OF_PAIR
+    });
+    found.truncate(MAX_PLACES);
+    found
+}
+
+/// Calls a function with each pair of primitives whose boxes meet, once.
+fn for_each_pair(tree: &Bvh, mut each: impl FnMut(u32, u32)) {
+    let nodes = tree.nodes();
+    let children = |index: usize| [index + 1, nodes[index].right_child as usize];
+    let mut stack = if nodes.is_empty() { Vec::new() } else { vec![[0, 0]] };
+    while let Some([a, b]) = stack.pop() {
+        if a == b {
+            if !nodes[a].is_leaf() {
+                let [left, right] = children(a);
+                stack.extend([[left, left], [left, right], [right, right]]);
+            }
+            continue;
+        }
+        let [one, other] = [&nodes[a], &nodes[b]];
+        if !one.aabb.meets(&other.aabb) {
+            continue;
+        }
+        match [one.is_leaf(), other.is_leaf()] {
+            [true, true] => each(tree.primitive(one), tree.primitive(other)),
+            [false, _] => stack.extend(children(a).map(|child| [child, b])),
+            [true, false] => stack.extend(children(b).map(|child| [a, child])),
+        }
+    }
+}
+
+/// Returns where two triangles cross, if each has corners on both sides of the other one.
+fn crossing(a: &SheetTriangle, b: &SheetTriangle) -> Option<Crossing> {
+    let [normal_a, normal_b] = [normal(a)?, normal(b)?];
+    let along = normal_a.cross(normal_b).try_normalize()?;
+    let of_a = cut(a, normal_b, b.corners[0], along)?;
+    let of_b = cut(b, normal_a, a.corners[0], along)?;
+    let [start, end] = [of_a.range[0].max(of_b.range[0]), of_a.range[1].min(of_b.range[1])];
+    let depth = (end - start).min(of_a.depth).min(of_b.depth);
+    let middle = 0.5 * (start + end);
+    (depth > 0.0).then_some(Crossing {
+        point: of_a.point + (middle - along.dot(of_a.point)) * along,
+        normals: [normal_a, normal_b],
+        surfaces: [a.surface, b.surface],
+        depth,
+    })
+}
+
+fn normal(triangle: &SheetTriangle) -> Option<DVec3> {
+    let [a, b, c] = triangle.corners;
+    (b - a).cross(c - a).try_normalize()
+}
+
+/// The segment in which a plane cuts a triangle.
+struct Cut {
+    point: DVec3,
+    /// Its ends along a direction.
+    range: [f64; 2],
+    /// The lesser of the largest distances of corners from the plane on both sides.
+    depth: f64,
+}
+
+/// Returns the cut of a triangle by a plane through a point, with its ends along the direction of the cut.
+fn cut(triangle: &SheetTriangle, normal: DVec3, through: DVec3, along: DVec3) -> Option<Cut> {
+    let heights = triangle.corners.map(|corner| normal.dot(corner - through));
+    let depth = heights.iter().fold(0.0, |most: f64, &height| most.max(height));
+    let depth = depth.min(heights.iter().fold(0.0, |most: f64, &height| most.max(-height)));
+    if depth <= 0.0 {
+        return None;
+    }
+    let mut ends = (0..3).filter_map(|k| {
+        let [from, to] = [k, (k + 1) % 3];
+        let is_cut = (heights[from] < 0.0) != (heights[to] < 0.0);
+        let part = heights[from] / (heights[from] - heights[to]);
+        is_cut.then(|| triangle.corners[from].lerp(triangle.corners[to], part))
+    });
+    let [first, second] = [ends.next()?, ends.next()?];
+    let [a, b] = [along.dot(first), along.dot(second)];
+    Some(Cut { point: first, range: [a.min(b), a.max(b)], depth })
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    fn triangle(corners: [[f64; 3]; 3], surface: u32) -> SheetTriangle {
+        SheetTriangle { corners: corners.map(DVec3::from_array), surface }
+    }
+
+    #[test]
+    fn triangles_that_pass_through_each_other_cross_in_the_middle_of_their_common_segment() {
+        let flat = triangle([[-2.0, -2.0, 0.0], [2.0, -2.0, 0.0], [0.0, 2.0, 0.0]], 0);
+        let upright = triangle([[0.0, -0.5, -1.0], [0.0, 0.5, -1.0], [0.0, 0.0, 1.0]], 1);
+        let found = crossings(&[flat, upright], 0.0);
+        let [Crossing { point, normals, surfaces, depth }] = found[..] else { panic!("{found:?}") };
+        assert!(point.length() < 1e-12, "{point}");
+        let [a, b] = normals.map(|normal| normal.abs());
+        // Either may come first.
+        assert!((a == DVec3::Z && b == DVec3::X) || (a == DVec3::X && b == DVec3::Z));
+        assert_eq!(surfaces[0] + surfaces[1], 1);
+        assert_eq!(depth, 0.5, "the length of the common segment");
+    }
+
+    #[test]
+    fn triangles_that_touch_or_lie_beside_each_other_do_not_cross() {
+        let flat = triangle([[-2.0, -2.0, 0.0], [2.0, -2.0, 0.0], [0.0, 2.0, 0.0]], 0);
+        let above = triangle([[0.0, -0.5, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 1.0]], 1);
+        let beside = triangle([[3.0, -0.5, -1.0], [3.0, 0.5, -1.0], [3.0, 0.0, 1.0]], 2);
+        let shallow = triangle([[0.0, -0.5, -1e-3], [0.0, 0.5, -1e-3], [0.0, 0.0, 1.0]], 3);
+        assert!(crossings(&[flat, above, beside], 0.0).is_empty());
+        assert_eq!(crossings(&[flat, shallow], 1e-4).len(), 1);
+        assert!(crossings(&[flat, shallow], 1e-3).is_empty(), "no deeper than what the triangles tell");
+    }
+}

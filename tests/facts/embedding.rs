@@ -1,0 +1,155 @@
+//! Bodies whose boundary meets itself, of which it is known where.
+
+use crate::models::{box_of_faces, mesh, of, prepared};
+use nurbs_hausdorff::trim::FaceArrays;
+use nurbs_hausdorff::{
+    CheckOptions, DVec3, Engine, Model, NamedModel, PreparedModel, SelfOverlap, SurfaceArrays, shapes,
+};
+use std::f64::consts::TAU;
+
+/// Four corners, anticlockwise seen from outside.
+type Quad = [DVec3; 4];
+
+fn faces_of(quads: &[Quad], reversed: bool) -> Model {
+    let face = |&[a, b, c, d]: &Quad| FaceArrays {
+        surface: SurfaceArrays {
+            degree: [1, 1],
+            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+            counts: [2, 2],
+            control_points: [a, d, b, c].map(|point| point.extend(1.0).to_array()).to_vec(),
+        },
+        trim: None,
+        reversed,
+        face_name: None,
+        kind: None,
+        gap: 0.0,
+        gap_measured: false,
+        color: None,
+    };
+    of(quads.iter().map(face).collect())
+}
+
+fn triangles_of(quads: &[Quad]) -> PreparedModel {
+    let corners: Vec<DVec3> = quads.iter().flat_map(|&[a, b, c, d]| [a, b, c, a, c, d]).collect();
+    let triangles: Vec<[u32; 3]> =
+        (0..corners.len() as u32 / 3).map(|index| [0, 1, 2].map(|corner| 3 * index + corner)).collect();
+    mesh(&corners, &triangles)
+}
+
+fn self_overlap(model: &PreparedModel) -> Option<SelfOverlap> {
+    let options = CheckOptions::default();
+    let result = Engine::cpu().check(&[NamedModel { name: None, model }], &options).wait().unwrap();
+    let [body] = &result.bodies[..] else { panic!("{:?}", result.bodies) };
+    assert!(body.closed);
+    body.self_overlap.clone()
+}
+
+/// A band of width 0.8 and height 1 along a closed curve in the plane, in 32 parts.
+fn band(curve: impl Fn(f64) -> [f64; 2]) -> Vec<Quad> {
+    const PARTS: usize = 32;
+    let at = |part: usize| {
+        let t = TAU * (part % PARTS) as f64 / PARTS as f64;
+        let [point, next] = [t - 1e-6, t + 1e-6].map(|t| DVec3::from((curve(t)[0], curve(t)[1], 0.0)));
+        let across = 0.4 * (next - point).cross(DVec3::Z).normalize();
+        // Right below, left below, left above, right above.
+        [point + across, point - across, point - across + DVec3::Z, point + across + DVec3::Z]
+    };
+    let sides = |part: usize| {
+        let [a, b] = [at(part), at(part + 1)];
+        [0, 1, 2, 3].map(|side| [a[side], a[(side + 1) % 4], b[(side + 1) % 4], b[side]])
+    };
+    (0..PARTS).flat_map(sides).collect()
+}
+
+/// The figure of eight crosses itself at the origin, at a slope of 1.5.
+fn eight(t: f64) -> [f64; 2] {
+    [4.0 * t.sin(), 3.0 * (2.0 * t).sin()]
+}
+
+/// A cube of side 10 with a pocket in its top, 4 wide and so deep.
+fn cube_with_pocket(depth: f64) -> Vec<Quad> {
+    let ring = |half: f64, z: f64| {
+        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| DVec3::new(half * x, half * y, z))
+    };
+    let [below, above] = [ring(5.0, 0.0), ring(5.0, 10.0)];
+    let [rim, floor] = [ring(2.0, 10.0), ring(2.0, 10.0 - depth)];
+    let between = |low: [DVec3; 4], high: [DVec3; 4]| {
+        (0..4).map(move |k| [low[k], low[(k + 1) % 4], high[(k + 1) % 4], high[k]])
+    };
+    let [a, b, c, d] = below;
+    between(below, above)
+        .chain(between(above, rim))
+        .chain(between(rim, floor))
+        .chain([[d, c, b, a], floor])
+        .collect()
+}
+
+fn is_at_the_crossing(found: &SelfOverlap) {
+    let [x, y, z] = found.point;
+    // Both strands have the point: each is 0.4 wide to either side, and 3.6 times longer than wide there.
+    assert!(x.abs() < 0.8 && y.abs() < 0.8 && 0.0 < z && z < 1.0, "{found:?}");
+    assert!(0.0 < found.radius && found.radius < 0.4, "{found:?}");
+    assert_eq!(found.winding, 2);
+}
+
+#[test]
+fn a_band_that_crosses_itself_counts_twice_where_it_does() {
+    for reversed in [false, true] {
+        let found = self_overlap(&prepared(&faces_of(&band(eight), reversed))).unwrap();
+        is_at_the_crossing(&found);
+        // Each part has four faces; the origin is where parts 31 and 0 meet, and where 15 and 16 do.
+        let parts: Vec<usize> = found.faces.iter().map(|face| face / 4).collect();
+        let is_of = |strand: [usize; 2]| parts.iter().any(|part| strand.contains(part));
+        assert!(is_of([31, 0]) && is_of([15, 16]), "{:?}", found.faces);
+    }
+    let ring = band(|t| [4.0 * t.cos(), 4.0 * t.sin()]);
+    assert_eq!(self_overlap(&prepared(&faces_of(&ring, false))), None);
+}
+
+#[test]
+fn a_mesh_that_crosses_itself_is_told_in_the_same_way() {
+    let found = self_overlap(&triangles_of(&band(eight))).unwrap();
+    is_at_the_crossing(&found);
+    assert!(found.faces.is_empty());
+    assert_eq!(self_overlap(&triangles_of(&band(|t| [4.0 * t.cos(), 4.0 * t.sin()]))), None);
+}
+
+#[test]
+fn a_pocket_through_the_floor_turns_space_over_below_it() {
+    for reversed in [false, true] {
+        let found = self_overlap(&prepared(&faces_of(&cube_with_pocket(12.0), reversed))).unwrap();
+        let [x, y, z] = found.point;
+        assert!(x.abs() < 2.0 && y.abs() < 2.0 && -2.0 < z && z < 0.0, "{found:?}");
+        assert_eq!(found.winding, -1);
+        assert!(found.radius <= 1.0, "{found:?}");
+    }
+    assert_eq!(self_overlap(&prepared(&faces_of(&cube_with_pocket(9.9), false))), None);
+}
+
+/// The faces of one body in a file of several have their numbers in the file.
+#[test]
+fn faces_have_the_numbers_of_the_file() {
+    let mut faces = crate::models::faces(&box_of_faces(DVec3::splat(20.0), DVec3::splat(21.0)));
+    faces.extend(crate::models::faces(&faces_of(&cube_with_pocket(12.0), false)));
+    let model = prepared(&of(faces));
+    let named = [NamedModel { name: None, model: &model }];
+    let result = Engine::cpu().check(&named, &CheckOptions::default()).wait().unwrap();
+    let [first, second] = &result.bodies[..] else { panic!("{:?}", result.bodies) };
+    assert_eq!(first.self_overlap, None);
+    let found = second.self_overlap.as_ref().unwrap();
+    // Behind the six faces of the box: the cube's bottom is the 13th face of its body, the pocket's walls the 9th to
+    // the 12th.
+    assert!(found.faces.contains(&(6 + 12)), "{found:?}");
+    assert!(found.faces.iter().any(|face| (6 + 8..6 + 12).contains(face)), "{found:?}");
+}
+
+#[test]
+fn shapes_that_do_not_meet_themselves_have_no_such_place() {
+    for model in [
+        shapes::sphere(DVec3::new(1.0, 2.0, 3.0), 2.0).unwrap(),
+        shapes::torus(3.0, 1.0).unwrap(),
+        box_of_faces(DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0)),
+    ] {
+        assert_eq!(self_overlap(&prepared(&model)), None);
+    }
+}
