@@ -38,7 +38,7 @@
 //! area and extents are compared with a second rule and with points, sides with rays through triangles, every point
 //! of a signed distance grid with its own closest point, and statistics with samples; all parts of statistics are
 //! audited. Volumes in common, of a solid with itself, shifted, and with another one, are compared with counts of
-//! points, the other way round, and with the volumes that they are parts of. Statistics of one in eight ordinary pairs are checked in the same way.
+//! points, the other way round, and with the volumes that they are parts of. None of the shapes may be said to meet itself. Statistics of one in eight ordinary pairs are checked in the same way.
 //!
 //! With `--collapsed`, all control points of most surfaces lie on a point, on a line, in a plane or in
 //! parallel rows, exactly or within rounding; otherwise one pair in 26 is of these.

@@ -1,33 +1,8 @@
 //! Bodies whose boundary meets itself, of which it is known where.
 
-use crate::models::{box_of_faces, mesh, of, prepared};
-use nurbs_hausdorff::trim::FaceArrays;
-use nurbs_hausdorff::{
-    CheckOptions, DVec3, Engine, Model, NamedModel, PreparedModel, SelfOverlap, SurfaceArrays, shapes,
-};
+use crate::models::{Quad, box_of_faces, cube_with_pocket, mesh, of, of_quads, prepared};
+use nurbs_hausdorff::{CheckOptions, DVec3, Engine, NamedModel, PreparedModel, SelfOverlap, shapes};
 use std::f64::consts::TAU;
-
-/// Four corners, anticlockwise seen from outside.
-type Quad = [DVec3; 4];
-
-fn faces_of(quads: &[Quad], reversed: bool) -> Model {
-    let face = |&[a, b, c, d]: &Quad| FaceArrays {
-        surface: SurfaceArrays {
-            degree: [1, 1],
-            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
-            counts: [2, 2],
-            control_points: [a, d, b, c].map(|point| point.extend(1.0).to_array()).to_vec(),
-        },
-        trim: None,
-        reversed,
-        face_name: None,
-        kind: None,
-        gap: 0.0,
-        gap_measured: false,
-        color: None,
-    };
-    of(quads.iter().map(face).collect())
-}
 
 fn triangles_of(quads: &[Quad]) -> PreparedModel {
     let corners: Vec<DVec3> = quads.iter().flat_map(|&[a, b, c, d]| [a, b, c, a, c, d]).collect();
@@ -66,22 +41,15 @@ fn eight(t: f64) -> [f64; 2] {
     [4.0 * t.sin(), 3.0 * (2.0 * t).sin()]
 }
 
-/// A cube of side 10 with a pocket in its top, 4 wide and so deep.
-fn cube_with_pocket(depth: f64) -> Vec<Quad> {
-    let ring = |half: f64, z: f64| {
-        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| DVec3::new(half * x, half * y, z))
+/// No face is turned over, each is, and every third: which way they are turned decides nothing.
+const TURNED: [usize; 3] = [0, 1, 3];
+
+/// Turns each face over whose number is a multiple of `every`; none for 0.
+fn turned_over(quads: &[Quad], every: usize) -> Vec<Quad> {
+    let turned = |(index, &[a, b, c, d]): (usize, &Quad)| {
+        if every > 0 && index % every == 0 { [d, c, b, a] } else { [a, b, c, d] }
     };
-    let [below, above] = [ring(5.0, 0.0), ring(5.0, 10.0)];
-    let [rim, floor] = [ring(2.0, 10.0), ring(2.0, 10.0 - depth)];
-    let between = |low: [DVec3; 4], high: [DVec3; 4]| {
-        (0..4).map(move |k| [low[k], low[(k + 1) % 4], high[(k + 1) % 4], high[k]])
-    };
-    let [a, b, c, d] = below;
-    between(below, above)
-        .chain(between(above, rim))
-        .chain(between(rim, floor))
-        .chain([[d, c, b, a], floor])
-        .collect()
+    quads.iter().enumerate().map(turned).collect()
 }
 
 fn is_at_the_crossing(found: &SelfOverlap) {
@@ -94,8 +62,8 @@ fn is_at_the_crossing(found: &SelfOverlap) {
 
 #[test]
 fn a_band_that_crosses_itself_counts_twice_where_it_does() {
-    for reversed in [false, true] {
-        let found = self_overlap(&prepared(&faces_of(&band(eight), reversed))).unwrap();
+    for every in TURNED {
+        let found = self_overlap(&prepared(&of_quads(&turned_over(&band(eight), every)))).unwrap();
         is_at_the_crossing(&found);
         // Each part has four faces; the origin is where parts 31 and 0 meet, and where 15 and 16 do.
         let parts: Vec<usize> = found.faces.iter().map(|face| face / 4).collect();
@@ -103,7 +71,7 @@ fn a_band_that_crosses_itself_counts_twice_where_it_does() {
         assert!(is_of([31, 0]) && is_of([15, 16]), "{:?}", found.faces);
     }
     let ring = band(|t| [4.0 * t.cos(), 4.0 * t.sin()]);
-    assert_eq!(self_overlap(&prepared(&faces_of(&ring, false))), None);
+    assert_eq!(self_overlap(&prepared(&of_quads(&ring))), None);
 }
 
 #[test]
@@ -116,21 +84,21 @@ fn a_mesh_that_crosses_itself_is_told_in_the_same_way() {
 
 #[test]
 fn a_pocket_through_the_floor_turns_space_over_below_it() {
-    for reversed in [false, true] {
-        let found = self_overlap(&prepared(&faces_of(&cube_with_pocket(12.0), reversed))).unwrap();
+    for every in TURNED {
+        let found = self_overlap(&prepared(&of_quads(&turned_over(&cube_with_pocket(12.0), every)))).unwrap();
         let [x, y, z] = found.point;
         assert!(x.abs() < 2.0 && y.abs() < 2.0 && -2.0 < z && z < 0.0, "{found:?}");
         assert_eq!(found.winding, -1);
         assert!(found.radius <= 1.0, "{found:?}");
     }
-    assert_eq!(self_overlap(&prepared(&faces_of(&cube_with_pocket(9.9), false))), None);
+    assert_eq!(self_overlap(&prepared(&of_quads(&cube_with_pocket(9.9)))), None);
 }
 
 /// The faces of one body in a file of several have their numbers in the file.
 #[test]
 fn faces_have_the_numbers_of_the_file() {
     let mut faces = crate::models::faces(&box_of_faces(DVec3::splat(20.0), DVec3::splat(21.0)));
-    faces.extend(crate::models::faces(&faces_of(&cube_with_pocket(12.0), false)));
+    faces.extend(crate::models::faces(&of_quads(&cube_with_pocket(12.0))));
     let model = prepared(&of(faces));
     let named = [NamedModel { name: None, model: &model }];
     let result = Engine::cpu().check(&named, &CheckOptions::default()).wait().unwrap();

@@ -72,3 +72,44 @@ pub(crate) fn box_of_faces(min: DVec3, max: DVec3) -> Model {
     };
     Model::from_arrays(None, quads.map(surface).to_vec()).unwrap()
 }
+
+/// Four corners, anticlockwise seen from outside.
+pub(crate) type Quad = [DVec3; 4];
+
+/// The bilinear faces between these corners.
+pub(crate) fn of_quads(quads: &[Quad]) -> Model {
+    let face = |&[a, b, c, d]: &Quad| FaceArrays {
+        surface: nurbs_hausdorff::SurfaceArrays {
+            degree: [1, 1],
+            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+            counts: [2, 2],
+            control_points: [a, d, b, c].map(|point| point.extend(1.0).to_array()).to_vec(),
+        },
+        trim: None,
+        reversed: false,
+        face_name: None,
+        kind: None,
+        gap: 0.0,
+        gap_measured: false,
+        color: None,
+    };
+    of(quads.iter().map(face).collect())
+}
+
+/// A cube of side 10 with a pocket in its top, 4 wide and so deep.
+pub(crate) fn cube_with_pocket(depth: f64) -> Vec<Quad> {
+    let ring = |half: f64, z: f64| {
+        [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| DVec3::new(half * x, half * y, z))
+    };
+    let [below, above] = [ring(5.0, 0.0), ring(5.0, 10.0)];
+    let [rim, floor] = [ring(2.0, 10.0), ring(2.0, 10.0 - depth)];
+    let between = |low: [DVec3; 4], high: [DVec3; 4]| {
+        (0..4).map(move |k| [low[k], low[(k + 1) % 4], high[(k + 1) % 4], high[k]])
+    };
+    let [a, b, c, d] = below;
+    between(below, above)
+        .chain(between(above, rim))
+        .chain(between(rim, floor))
+        .chain([[d, c, b, a], floor])
+        .collect()
+}

@@ -124,6 +124,18 @@ fn a_body_twice_is_not_valid_and_has_half_the_ratios() {
     assert_eq!(found.candidate.duplicates, 12);
 }
 
+/// A pocket that is deeper than the cube is high: its floor is outside.
+#[test]
+fn a_body_that_meets_itself_is_not_valid() {
+    for (depth, overlaps) in [(9.9, 0), (12.0, 1)] {
+        let model = models::prepared(&models::of_quads(&models::cube_with_pocket(depth)));
+        let found = score(&model, &model, &with_thresholds(&[0.1]));
+        is_valid(&found, if overlaps > 0 { 0.0 } else { 1.0 });
+        assert_eq!(found.candidate.self_overlaps, overlaps);
+        assert!(found.candidate.closed && found.candidate.duplicates == 0);
+    }
+}
+
 /// A shell without its end: the end's points are at their distances from its rim, 7/3 together.
 #[test]
 fn an_open_shell_is_not_valid_and_has_no_volume() {

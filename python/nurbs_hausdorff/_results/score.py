@@ -31,13 +31,16 @@ class ScoredModel:
     Attributes
     ----------
     valid : Interval
-        1 if it is closed, oriented and without copies of faces, 0 if it certainly is not.
+        1 if it is closed, oriented, without copies of faces, and no body is known to meet itself;
+        0 if it certainly is not.
     closed : bool
         Whether there is a body, and every edge of every face has a partner.
     oriented : bool or None
         Whether the normals of all faces point out of their bodies; None where that is not decided.
     duplicates : int
         Number of faces with the surface and the loops of one before, or of such triangles.
+    self_overlaps : int
+        Number of bodies that certainly meet themselves.
     bodies, sheets, voids : int
         Numbers of bodies that close, of those that do not, and of voids.
     volume, area, centroid : optional
@@ -48,6 +51,7 @@ class ScoredModel:
     closed: bool
     oriented: bool | None
     duplicates: int
+    self_overlaps: int
     bodies: int
     sheets: int
     voids: int

@@ -110,7 +110,8 @@ fn by_overlap(
 ) -> (PairState, Option<OverlapUnknown>, Option<[f64; 3]>) {
     let &Found { interval, nearest, stop, goal, .. } = found;
     let solids = Solids::new(models, RigidTransform::IDENTITY);
-    let overlap = solids.and_then(|solids| solids.overlap(interval, goal, stop, &nearest));
+    let is_late = || limits.is_over();
+    let overlap = solids.and_then(|solids| solids.overlap(interval, goal, stop, &nearest, &is_late));
     let may_nest = may_nest(&models[0].control_box(), &models[1].control_box());
     let apart = by_clearance(interval, limits, is_far);
     let or_undecided =

@@ -51,23 +51,32 @@ pub(super) enum CommonPoint {
     NotFound,
     /// None certainly is, and some of those in the box may be.
     Undecided,
+    /// The time was over before all were tried.
+    Late,
 }
 
 impl Solids<'_> {
     /// Looks for a point inside both solids: about the place where they are nearest, in the box that
     /// both reach into, and behind some hundred patches of both, down to half the tolerance behind them: a layer
     /// between two faces as thick as the tolerance has points there. There may be such points where none is
-    /// found. O(points √patches).
-    pub(super) fn common_point(&self, nearest: &Nearest, tolerance: f64) -> CommonPoint {
+    /// found. Ends before a point once `is_late`. O(points √patches).
+    pub(super) fn common_point(
+        &self,
+        nearest: &Nearest,
+        tolerance: f64,
+        is_late: &dyn Fn() -> bool,
+    ) -> CommonPoint {
         let Some(common) = self.common_box() else { return CommonPoint::NotFound };
         let depths = || DEPTHS.map(|depth| depth * common.diagonal()).into_iter().chain([0.5 * tolerance]);
         let steps: Vec<f64> = depths().flat_map(|depth| [depth, -depth]).collect();
-        let behind = |points: Vec<BoundaryPoint>| self.behind(points, &steps);
+        let behind = |points: Vec<BoundaryPoint>| {
+            self.behind(points.into_iter().take_while(|_| !is_late()), &steps, &common)
+        };
         if let Some(found) = behind(self.about(nearest)) {
             return CommonPoint::Found(found);
         }
         let mut is_decided = true;
-        for point in points_of(&common) {
+        for point in points_of(&common).take_while(|_| !is_late()) {
             match self.common_side(point) {
                 Side::Inside => return CommonPoint::Found(point),
                 Side::Outside => {}
@@ -76,6 +85,7 @@ impl Solids<'_> {
         }
         match behind(self.spread(&common)) {
             Some(found) => CommonPoint::Found(found),
+            None if is_late() => CommonPoint::Late,
             None if is_decided => CommonPoint::NotFound,
             None => CommonPoint::Undecided,
         }
@@ -90,13 +100,19 @@ impl Solids<'_> {
         common.min.cmplt(common.max).all().then_some(common)
     }
 
-    /// Returns a point inside both solids behind one of these points, or before it: normals may point
-    /// either way.
-    fn behind(&self, points: Vec<BoundaryPoint>, steps: &[f64]) -> Option<DVec3> {
+    /// Returns a point inside both solids, and so in the box of both, behind one of these points, or before it: normals
+    /// may point either way.
+    fn behind(
+        &self,
+        points: impl Iterator<Item = BoundaryPoint>,
+        steps: &[f64],
+        common: &Aabb,
+    ) -> Option<DVec3> {
         for BoundaryPoint { point, normal, is_of_a } in points {
             let other = if is_of_a { self.b.side_within(point, 0.0) } else { self.side_of_a(point) };
             let Some(normal) = normal.filter(|_| other != Side::Outside) else { continue };
-            let mut inner = steps.iter().map(|&step| point + step * normal);
+            let inner = steps.iter().map(|&step| point + step * normal);
+            let mut inner = inner.filter(|&point| common.min_distance_squared(point) == 0.0);
             if let Some(found) = inner.find(|&point| self.common_side(point) == Side::Inside) {
                 return Some(found);
             }

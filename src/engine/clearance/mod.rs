@@ -130,7 +130,8 @@ impl Engine {
         progress.finish();
         let nearest = search.nearest().ok_or(Error::EmptyModel)?;
         let interval = search.interval();
-        let overlap = solids.and_then(|solids| solids.overlap(interval, goal, stop, &nearest));
+        let is_late = || is_over(started, options.max_seconds);
+        let overlap = solids.and_then(|solids| solids.overlap(interval, goal, stop, &nearest, &is_late));
         let overlaps = overlap.is_ok_and(|overlap| overlap.is_overlap());
         let at_least = if overlaps { options.limit.map(|_| false) } else { search.at_least() };
         Ok(ClearanceResult {

@@ -93,7 +93,7 @@ impl<'a> Solids<'a> {
     }
 
     /// Returns the overlap, for this interval of the boundaries' distance, which a search with this
-    /// goal found when it ended.
+    /// goal found when it ended. Once `is_late`, no further point inside both is looked for.
     ///
     /// # Errors
     /// Why it is not known.
@@ -103,6 +103,7 @@ impl<'a> Solids<'a> {
         goal: Goal,
         stop: Stop,
         nearest: &Nearest,
+        is_late: &dyn Fn() -> bool,
     ) -> Result<Overlap, OverlapUnknown> {
         // The cracks between faces are closed by strips, which must be apart too.
         let strips_apart = [self.a, self.b]
@@ -111,10 +112,11 @@ impl<'a> Solids<'a> {
         if strips_apart > self.error() {
             return self.of_disjoint().ok_or(OverlapUnknown::Side);
         }
-        match self.common_point(nearest, goal.tolerance) {
+        match self.common_point(nearest, goal.tolerance, is_late) {
             CommonPoint::Found(point) => return Ok(Overlap::Intersecting { inside_both: point.to_array() }),
             CommonPoint::NotFound if interval.upper <= goal.tolerance => return Ok(Overlap::Touching),
             CommonPoint::Undecided if interval.upper <= goal.tolerance => return Err(OverlapUnknown::Side),
+            CommonPoint::Late if interval.upper <= goal.tolerance => return Err(OverlapUnknown::Budget),
             _ => {}
         }
         let cracks = interval.lower - strips_apart + self.error();

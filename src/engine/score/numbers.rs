@@ -10,7 +10,8 @@ use std::str::FromStr;
 #[serde(rename_all = "camelCase")]
 #[non_exhaustive]
 pub enum ScoreNumber {
-    /// 1 for a candidate that is closed, oriented and without copies of faces, else 0.
+    /// 1 for a candidate that is closed, oriented, without copies of faces and of which no body is known to meet
+    /// itself, else 0.
     Valid,
     /// The smaller volume over the larger.
     VolumeRatio,

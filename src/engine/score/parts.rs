@@ -5,13 +5,15 @@ use crate::engine::statistics::Sums;
 use crate::engine::{Beyond, Body, BodyKind, Counts, DiffResult, FaceDifference, FaceState, PreparedModel};
 use crate::facts::{Interval, Orientation};
 use crate::model::RigidTransform;
+use crate::threads::parallel::map;
 use glam::DVec3;
 
 /// The interval of a part of a whole.
 const PART: Interval = Interval { lower: 0.0, upper: 1.0 };
 
 impl ScoredModel {
-    /// Measures a model moved by a transform. The facts are computed at first use.
+    /// Measures a model moved by a transform; a cloud has no bodies that could meet themselves. The facts are computed
+    /// at first use.
     pub(super) fn new(model: &PreparedModel, transform: &RigidTransform) -> Self {
         let (bodies, facts) = (model.bodies(), model.facts());
         let counts = Counts::of_prepared(model);
@@ -19,11 +21,15 @@ impl ScoredModel {
         let of_kind = |kind| bodies.iter().filter(|body| body.kind == kind).count();
         let closed = !bodies.is_empty() && of_kind(BodyKind::Solid) == bodies.len();
         let oriented = oriented(&bodies);
+        let singles = model.single_bodies().unwrap_or_default();
+        let self_overlaps = map(singles.len(), |index| singles[index].self_overlap().is_some());
+        let self_overlaps = self_overlaps.into_iter().filter(|&meets_itself| meets_itself).count();
         Self {
-            valid: validity(closed && duplicates == 0, oriented),
+            valid: validity(closed && duplicates == 0 && self_overlaps == 0, oriented),
             closed,
             oriented,
             duplicates,
+            self_overlaps,
             bodies: of_kind(BodyKind::Solid),
             sheets: of_kind(BodyKind::Sheet),
             voids: bodies.iter().map(|body| body.voids).sum(),

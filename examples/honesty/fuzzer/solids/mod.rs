@@ -1,7 +1,8 @@
 //! The check of solids: facts, sides, signed distances on grids, statistics and volumes in common, each by a
-//! second way.
+//! second way, and that none is said to meet itself.
 
 mod draw;
+mod embedding;
 mod facts;
 mod grids;
 mod moments;
@@ -32,6 +33,7 @@ pub(crate) fn check_solid(seed: u64, shapes: &Shapes) -> Outcome {
     let (grid, undecided) = grids::violations(rng, &prepared, &model);
     violations.extend(grid);
     violations.extend(sides::violations(rng, &prepared, &model));
+    violations.extend(embedding::violations(&prepared));
     let mut outcome = Outcome::default();
     if seed.is_multiple_of(PAIR_EVERY)
         && let Some((_, other)) = shapes.draw(rng)

@@ -150,9 +150,11 @@ fn model(out: &mut String, name: &str, model: &ScoredModel) -> Result {
         Some(false) => "not oriented",
         None => "orientation undecided",
     };
-    let ScoredModel { bodies, sheets, duplicates, .. } = model;
+    let ScoredModel { bodies, sheets, duplicates, self_overlaps, .. } = model;
+    let itself =
+        if *self_overlaps > 0 { format!(", {self_overlaps} of them meet themselves") } else { String::new() };
     writeln!(
         out,
-        "{name:<17} {valid}: {closed}, {oriented}, bodies {bodies}, sheets {sheets}, copies of faces {duplicates}"
+        "{name:<17} {valid}: {closed}, {oriented}, bodies {bodies}{itself}, sheets {sheets}, copies of faces {duplicates}"
     )
 }
