@@ -107,5 +107,15 @@ function outwards(end: number, sign: -1 | 1, size: number, digits: number): stri
       : value.toExponential(Math.max(0, digits + magnitude(Math.abs(value))));
   const rounded = text(end);
   const safe = sign * (Number(rounded) - end) >= 0 ? rounded : text(Number(rounded) + sign * step);
-  return safe.replace("-", "−");
+  return safe.replace(/^-/, "−");
 }
+
+/** A number that the interval holds; a wide interval itself. */
+export const narrowText = (interval: Interval): string =>
+  isNarrow(interval) ? listedQuantity(interval) : rangeText(interval);
+
+/** A number that the interval holds, with the interval; a wide interval alone. */
+export const wholeText = (interval: Interval): string =>
+  isNarrow(interval)
+    ? `${listedQuantity(interval)} in ${rangeText(interval)}`
+    : rangeText(interval);
