@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { moduleOf } from "../support/module.mjs";
 
-const { listedQuantity, minus, quantityText, rangeText, times } =
+const { listedQuantity, minus, percentText, quantityText, rangeText, times } =
   await moduleOf("common/quantities.ts");
 
 /** A generator of numbers in [0, 1), the same on every run (Park and Miller's). */
@@ -69,4 +69,19 @@ test("differences and products hold every difference and product", () => {
   // 0.1 + 0.2 rounds up: the true difference of the float64 numbers is below what float64 makes of it.
   const { lower, upper } = minus({ lower: 0.1, upper: 0.1 }, { lower: -0.2, upper: -0.2 });
   assert.ok(lower < 0.30000000000000004 && 0.30000000000000004 < upper);
+});
+
+test("a change in percent is said where its sign is certain", () => {
+  const exact = (value) => ({ lower: value, upper: value });
+  assert.equal(percentText(exact(19), exact(8)), "+237.5 %");
+  assert.equal(percentText(exact(-2), exact(8)), "−25.0 %");
+  assert.equal(percentText({ lower: -1, upper: 2 }, exact(8)), "");
+  assert.equal(percentText(exact(1), { lower: 0, upper: 8 }), "");
+  assert.equal(percentText({ lower: 1, upper: 2 }, exact(8)), "");
+  // 1 of 3, of which the first digits are shown.
+  assert.equal(percentText(exact(1), exact(3)), "+33.333… %");
+  // The part is between 231 / 60159 and 245 / 60152: no digit behind its first two is certain.
+  const text = percentText({ lower: 231, upper: 245 }, { lower: 60152, upper: 60159 });
+  const value = Number(text.replace("+", "").replace(" %", ""));
+  assert.ok((100 * 231) / 60159 <= value && value <= (100 * 245) / 60152, text);
 });

@@ -1,5 +1,7 @@
 // Facts, volumes in common, checks of bodies and revisions of parts, on one page.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { box, model } from "../support/boxes.mjs";
 import { open, PLAIN } from "../support/open.mjs";
@@ -19,17 +21,15 @@ const openPair = (a, b) => opened.until("done", () => page.setInputFiles("#file-
 
 const reaches = (id, state) => page.locator(`#${id}[data-state="${state}"]`).waitFor();
 
-/** The cells of the table of facts by the names of their rows. */
+/** The numbers of the table of facts by the names of their rows, without parts in percent. */
 const facts = async () =>
   Object.fromEntries(
-    await page
-      .locator("#facts-table tbody tr:not(.ranges)")
-      .evaluateAll((rows) =>
-        rows.map((row) => [
-          row.cells[0].textContent,
-          [...row.cells].slice(1).map((cell) => cell.textContent),
-        ]),
-      ),
+    await page.locator("#facts-table tbody tr:not(.ranges)").evaluateAll((rows) =>
+      rows.map(({ cells }) => {
+        const [name, ...numbers] = [...cells].map((cell) => cell.firstChild?.textContent ?? "");
+        return [name, numbers];
+      }),
+    ),
   );
 
 test("facts of both models and their differences are the numbers of boxes", async () => {
@@ -41,6 +41,7 @@ test("facts of both models and their differences are the numbers of boxes", asyn
   await reaches("facts-card", "done");
   const rows = await facts();
   assert.deepEqual(rows.Volume, ["8.00000", "27.0000", "19.0000"]);
+  assert.equal(await page.locator("#facts-table .percent").first().textContent(), "+237.5 %");
   assert.deepEqual(rows.Area, ["24.0000", "54.0000", "30.0000"]);
   assert.deepEqual(rows["Extent x"], ["2.00000", "3.00000", "1.00000"]);
   const centroid = rows["Centroid z"].map((text) =>
@@ -115,6 +116,13 @@ test("a check lists what clashes and touches, and which body is open, and shows 
   assert.ok(await shown("block"));
 });
 
+test("a model that is not closed has no volume in common, and the page says so", async () => {
+  await page.locator("#overlap-start").click();
+  await page.getByText("A is not closed, so that it has no inside.").waitFor();
+  const { Volume: volume } = await facts();
+  assert.deepEqual(volume, ["not closed", "1.00000", ""]);
+});
+
 test("both files are checked together where they stand, and not once A was moved", async () => {
   await page.locator("#check-of").selectOption("both");
   await page.locator("#check-start").click();
@@ -174,6 +182,48 @@ test("what became of each part stands in the tree, in a line and in a list", asy
   }
   await page.locator("#part-list button").first().click();
   await opened.screenshot("parts");
+});
+
+test("the report and the JSON have facts, check and parts", async () => {
+  await page.locator("#check-of").selectOption("b");
+  await page.locator("#check-start").click();
+  await reaches("check", "done");
+  const saved = async (id) => {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.locator(id).click()]);
+    return readFileSync(await download.path(), "utf8");
+  };
+  const { facts: found, check, faces } = JSON.parse(await saved("#export-json"));
+  // Boxes of 16, 1 and 12 cubic millimetres.
+  const { lower, upper } = found.a.facts.volume;
+  assert.ok(lower <= 29 && 29 <= upper && upper - lower < 1e-6, `${lower} ${upper}`);
+  assert.equal(check.clean, true);
+  assert.equal(faces.parts.length, 4);
+  const report = await saved("#export-report");
+  for (const part of [
+    "Facts of the files as they are",
+    "29.0000 in [28.99",
+    "Check of the bodies of B: CLEAN: 6 pairs, 0 touching, 0 near",
+    "3 of 4 parts are not the same",
+  ]) {
+    assert.ok(report.includes(part), part);
+  }
+});
+
+test("axe-core finds nothing in what is shown of bodies, in light and dark", async () => {
+  await page.evaluate(
+    readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8"),
+  );
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme });
+    const { violations } = await page.evaluate(() =>
+      globalThis.axe.run({ include: ["#facts-card", "#check", "#faces"] }),
+    );
+    assert.deepEqual(
+      violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join(" ")}`),
+      [],
+      colorScheme,
+    );
+  }
 });
 
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

@@ -40,7 +40,7 @@ export function shownQuantity(quantity: Interval, power: number, scale = 1): Int
 }
 
 /** A number that the interval holds; of one about 0, how far the number is from 0 at most. */
-export function quantityText({ lower, upper }: Interval): string {
+export function quantityText({ lower, upper }: Interval, wanted = WANTED_DIGITS): string {
   if (lower === 0 && upper === 0) return "0";
   if (lower <= 0 && upper >= 0) {
     const end = upperText(Math.max(-lower, upper));
@@ -48,16 +48,16 @@ export function quantityText({ lower, upper }: Interval): string {
   }
   const isNegative = upper < 0;
   const [near, far] = isNegative ? [-upper, -lower] : [lower, upper];
-  const text = positiveText(near, far);
+  const text = positiveText(near, far, wanted);
   return isNegative ? `−${text}` : text;
 }
 
-function positiveText(near: number, far: number): string {
+function positiveText(near: number, far: number, wanted: number): string {
   const middle = near + (far - near) / 2;
   const size = magnitude(far);
-  if (isWrittenOut(size)) return heldNumber(middle, [near, far], WANTED_DIGITS - 1 - size);
+  if (isWrittenOut(size)) return heldNumber(middle, [near, far], wanted - 1 - size);
   const known = far > near ? Math.floor(-Math.log10((far - near) / far)) : SIGNIFICANT_DIGITS;
-  const first = Math.max(1, Math.min(WANTED_DIGITS, known));
+  const first = Math.max(1, Math.min(wanted, known));
   for (let digits = first; digits <= SIGNIFICANT_DIGITS; digits++) {
     const text = middle.toExponential(digits - 1);
     if (near <= Number(text) && Number(text) <= far) return text;
@@ -77,20 +77,49 @@ export const isNarrow = ({ lower, upper }: Interval): boolean =>
   upper - lower <= NARROW * Math.max(Math.abs(lower), Math.abs(upper));
 
 /** As `quantityText` for tables: of many digits the first ones, with dots that say that there are more. */
-export function listedQuantity(interval: Interval): string {
-  const text = quantityText(interval);
+export const listedQuantity = (interval: Interval): string =>
+  cut(quantityText(interval), WANTED_DIGITS);
+
+/** The first digits of a number's text, and all of its whole part. */
+function cut(text: string, digits: number): string {
   const [mantissa = "", exponent = ""] = text.split(/(?=e)/);
   const [point, first] = [mantissa.indexOf("."), mantissa.search(/[1-9]/)];
   if (point < 0) return text;
-  const wanted = first + WANTED_DIGITS + (first < point ? 1 : 0);
+  const wanted = first + digits + (first < point ? 1 : 0);
   // The point is not the last of what is shown.
   const end = wanted <= point + 1 ? point : wanted;
   if (mantissa.length <= end + 1) return text;
   return `${mantissa.slice(0, end)}…${exponent}`;
 }
 
+/** Digits of a part in percent that are looked for, and that are shown at most. */
+const PERCENT_DIGITS = { wanted: 3, most: 5 };
+
+/** A change in percent of what it is of, with its sign; nothing where the sign is not certain. */
+export function percentText(change: Interval, of: Interval): string {
+  const isCertain = change.lower > 0 || change.upper < 0;
+  if (!isCertain || of.lower <= 0) return "";
+  const isMore = change.lower > 0;
+  const part = times(
+    widened(
+      {
+        lower: change.lower / (isMore ? of.upper : of.lower),
+        upper: change.upper / (isMore ? of.lower : of.upper),
+      },
+      ROUNDING,
+    ),
+    PERCENT,
+  );
+  if (!isNarrow(part)) return "";
+  const text = cut(quantityText(part, PERCENT_DIGITS.wanted), PERCENT_DIGITS.most);
+  return `${isMore ? "+" : ""}${text} %`;
+}
+
+const PERCENT = 100;
+
 /** An interval with its ends rounded outwards, with two digits more than tell them apart. */
 export function rangeText({ lower, upper }: Interval): string {
+  if (lower === 0 && upper === 0) return "[0, 0]";
   const size = magnitude(Math.max(Math.abs(lower), Math.abs(upper)));
   const available = SIGNIFICANT_DIGITS - 1 - size;
   const wanted = upper > lower ? 2 - magnitude(upper - lower) : available;

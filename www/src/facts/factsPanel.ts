@@ -139,7 +139,7 @@ function unitsNow(): FactUnits {
 
 /** A row of numbers, and where intervals are wanted one of these below it. */
 function tableRows(
-  { name, facts, difference }: FactRow,
+  { name, facts, difference, percent = "" }: FactRow,
   sides: readonly ("a" | "b")[],
   isPair: boolean,
 ): HTMLElement[] {
@@ -147,7 +147,12 @@ function tableRows(
   const head = cell("th", name);
   head.scope = "row";
   const numbers = sides.map((side) => factCell(facts[side]));
-  row.append(head, ...numbers, ...(isPair ? [factCell(difference ?? "")] : []));
+  const change = factCell(difference ?? "");
+  const part = document.createElement("span");
+  part.className = "percent";
+  part.textContent = percent;
+  if (percent !== "") change.append(part);
+  row.append(head, ...numbers, ...(isPair ? [change] : []));
   if (!intervals.checked) return [row];
   const texts = [
     ...sides.flatMap((side) => labelled(side.toUpperCase(), facts[side])),

@@ -154,6 +154,9 @@ function row(name: string, interval: Interval): HTMLElement[] {
   range.className = "range";
   range.textContent = rangeText(interval);
   // A number of a wide interval would say more than is known.
-  number.append(isNarrow(interval) ? `${listedQuantity(interval)} ` : "", range);
+  number.append(
+    interval.lower > 0 && isNarrow(interval) ? `${listedQuantity(interval)} ` : "",
+    range,
+  );
   return [term, number];
 }

@@ -1,6 +1,6 @@
 // The rows of the table of facts: what is certain of A, of B, and of how B differs from A.
 import type { Body, Facts, Interval, VolumeUnknown } from "nurbs-hausdorff";
-import { minus, shownQuantity, times } from "../common/quantities.ts";
+import { minus, percentText, shownQuantity, times } from "../common/quantities.ts";
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import type { Subject } from "./pairs.ts";
 
@@ -12,6 +12,8 @@ export interface FactRow {
   facts: Sides<Fact>;
   /** B less A, where both have it. */
   difference?: Interval;
+  /** The difference in percent of A, of what has a size. */
+  percent?: string;
 }
 
 /** The units of what is shown. */
@@ -39,6 +41,8 @@ const NO_VOLUME: Record<VolumeUnknown, string> = {
   points: "points",
 };
 const AXES = ["x", "y", "z"] as const;
+/** What has a size, and not a place. */
+const SIZES = /^(Volume|Mass|Area|Extent)/;
 
 /** What lengths, areas and volumes are in. */
 export const unitsText = ({ name }: FactUnits): string =>
@@ -123,5 +127,6 @@ function each<Of, To>(of: Sides<Of>, to: (one: Of, side: Side) => To): Sides<To>
 function withDifference(name: string, facts: Sides<Fact>): FactRow {
   const { a, b } = facts;
   if (typeof a !== "object" || typeof b !== "object") return { name, facts };
-  return { name, facts, difference: minus(b, a) };
+  const difference = minus(b, a);
+  return { name, facts, difference, percent: SIZES.test(name) ? percentText(difference, a) : "" };
 }
