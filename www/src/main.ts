@@ -4,6 +4,8 @@ import { Measurement } from "./app/measurement.ts";
 import { Opening } from "./app/opening.ts";
 import type { Parts } from "./app/parts.ts";
 import { Replies } from "./app/replies.ts";
+import { CheckPanel } from "./check/checkPanel.ts";
+import { showBodies } from "./check/shown.ts";
 import { ClearancePanel } from "./clearance/clearancePanel.ts";
 import { element } from "./common/elements.ts";
 import { nextTask } from "./common/nextTask.ts";
@@ -12,6 +14,8 @@ import * as sections from "./controls/section.ts";
 import { Views } from "./export/views.ts";
 import { FacesPanel } from "./faces/facesPanel.ts";
 import { FaceTree } from "./faces/faceTree.ts";
+import { FactsPanel } from "./facts/factsPanel.ts";
+import { OverlapPanel } from "./facts/overlapPanel.ts";
 import { Measuring } from "./inspection/measuring.ts";
 import { Probing } from "./inspection/pins/probing.ts";
 import { PlaceView } from "./inspection/placeView.ts";
@@ -41,14 +45,23 @@ const view = await View.open(
   },
 );
 const faces = new FacesPanel({
-  compare: (limit) => client.diff(measurement.diffOptions(limit)),
+  compare: (limit) => {
+    check.unshow();
+    client.diff(measurement.diffOptions(limit));
+  },
   cancel: () => client.cancelDiff(),
   show: (result, side) => view.showFaces(result, side),
   select: (change) => view.selectFace(change),
+  mark: (parts) => tree.markParts(parts),
+  look: (part) => {
+    tree.isolate(part?.facesOf);
+    if (part === undefined) view.back();
+    else view.approachFaces(part.facesOf);
+  },
 });
 const tree = new FaceTree({
   hide: (side, hidden) => view.hideFaces(side, hidden),
-  look: (side, faces) => view.approachFaces(side, faces),
+  look: (side, faces) => view.approachFaces({ [side]: faces }),
 });
 const probing = new Probing(canvas, view, client, () => measurement.pose().transform);
 const measuring = new Measuring(view, (taken) => {
@@ -60,8 +73,25 @@ const clearance = new ClearancePanel({
   select: ({ witness: { a, b } }) =>
     view.approach(a.point, b.point, { length: "", from: "A", to: "B" }),
 });
+const facts = new FactsPanel(() => client.facts());
+const overlap = new OverlapPanel({
+  measure: (maxSeconds) => measurement.overlap(maxSeconds),
+  cancel: () => client.cancelOverlap(),
+});
+const check = new CheckPanel({
+  check: (of, below) => measurement.check(of, below),
+  cancel: () => client.cancelCheck(),
+  show: (shown) => {
+    if (shown !== undefined) {
+      // These have colours of their own.
+      clearance.end();
+      if (faces.active) faces.clear("idle", "");
+    }
+    showBodies({ view, tree }, shown, measurement.pose().transform);
+  },
+});
 const parts: Parts = {
-  ...{ client, view, faces, tree, probing, measuring, clearance },
+  ...{ client, view, faces, tree, probing, measuring, clearance, facts, overlap, check },
   places: new PlaceView(view, probing, tree),
   views: new Views(view, canvas),
   past: new History((state) => opening.restore(state)),

@@ -85,13 +85,14 @@ function connectMeasurement({ client, places }: Parts, measurement: Measurement)
 }
 
 function connectFiles(parts: Parts, measurement: Measurement, opening: Opening): void {
-  const { view, views, faces, places, client } = parts;
+  const { view, views, faces, places, client, facts, overlap, check } = parts;
   element("load-cancel").addEventListener("click", () => opening.stop());
   element("forget").addEventListener("click", () => opening.forget());
   onShownUnit(() => {
     parts.probing.clear();
     parts.measuring.end();
     faces.clear("idle", "");
+    for (const shown of [facts, overlap, check]) shown.redraw();
     measurement.measure();
   });
   onUnit((side, unit) => opening.inUnit(side, unit));
@@ -100,6 +101,8 @@ function connectFiles(parts: Parts, measurement: Measurement, opening: Opening):
     exportAs(format, {
       ...{ view, views, options: measurement.options, diff: faces.result },
       ...{ pins: view.pins.probes, result: view.result, models: view.models.drawn },
+      ...{ facts: facts.found, overlap: overlap.result, check: check.result },
+      tables: [faces, facts, overlap, check].flatMap(({ tables }) => tables),
       ...{ requestCsv: () => client.csv(), places: places.all },
     }),
   );

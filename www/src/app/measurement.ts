@@ -14,8 +14,21 @@ import { ownLimits } from "../results/ownLimits.ts";
 import * as resultPanel from "../results/resultPanel.ts";
 import { allowed, needsPrecision } from "../results/verdict.ts";
 import { Pose } from "../scene/pose.ts";
-import type { BoundReply, PlainDiffOptions, PlainOptions, Reply } from "../worker/protocol.ts";
+import type {
+  BoundReply,
+  CheckOf,
+  PlainDiffOptions,
+  PlainOptions,
+  Reply,
+} from "../worker/protocol.ts";
 import type { Parts } from "./parts.ts";
+
+/** Seconds after which pairs of bodies that are not searched yet are bounded once only. */
+const CHECK_SECONDS = 120;
+
+/** What is said where both models are to be checked together, and A is not where its file places it. */
+const MOVED_TOGETHER =
+  "A was moved, and a check is of both where their files place them. Undo that, or check A and B each alone.";
 
 /** The finest tolerance, in diagonals, and the factor to it from one that does not decide. */
 const FINEST = 1e-9;
@@ -61,9 +74,26 @@ export class Measurement {
     };
   }
 
+  /** Measures the volumes that the models have in common and apart, as they are placed. */
+  overlap(maxSeconds: number): void {
+    const { client, overlap, view } = this.#parts;
+    const { transform } = this.pose();
+    if (view.models.complete) client.overlap({ maxSeconds, transform, scaleUnits: true });
+    else overlap.clear("Open two files first.");
+  }
+
+  /** Checks all pairs of bodies, where files place them. */
+  check(of: CheckOf, below: number): void {
+    const { client, check, view } = this.#parts;
+    const isThere = of === "both" ? view.models.complete : view.models.drawn[of] !== undefined;
+    if (!isThere) check.clear("Open a file first.");
+    else if (of === "both" && !position.isInPlace()) check.clear(MOVED_TOGETHER);
+    else client.check(of, { below, maxSeconds: CHECK_SECONDS, scaleUnits: true });
+  }
+
   /** Measures anew after A was moved: what was found of another position is no longer shown. */
   moved(): void {
-    const { client, probing, measuring, faces, past } = this.#parts;
+    const { client, probing, measuring, faces, overlap, check, past } = this.#parts;
     resultPanel.hideError();
     if (isFitting()) client.cancelFit();
     clearFit();
@@ -74,6 +104,14 @@ export class Measurement {
       client.cancelDiff();
       faces.clear("outdated", "A was moved: compare again.");
     }
+    if (overlap.active) {
+      client.cancelOverlap();
+      overlap.clear("A was moved: measure again.");
+    }
+    if (check.isOfBoth) {
+      client.cancelCheck();
+      check.clear("A was moved: check again.");
+    } else check.unshow();
     past.record();
     this.measure();
   }
@@ -107,8 +145,9 @@ export class Measurement {
 
   /** Turns to the deviation after clearance, or to clearance. */
   turn(): void {
-    const { client, view, clearance } = this.#parts;
-    if (!clearance.active) {
+    const { client, view, clearance, check } = this.#parts;
+    if (clearance.active) check.unshow();
+    else {
       client.cancelClearance();
       showMeeting(view, undefined);
     }

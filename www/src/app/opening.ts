@@ -150,6 +150,7 @@ export class Opening {
     this.#measurement.hideResult();
     resultPanel.clearResult("working");
     this.#measurement.measure();
+    this.#parts.facts.replaced();
     view.fit(true);
     const camera = History.cameraOf(state);
     if (camera !== undefined) view.camera = camera;
@@ -162,8 +163,10 @@ export class Opening {
 
   /** Removes what was found of the models before. */
   #forgetBefore(): void {
-    const { faces, probing, measuring, views } = this.#parts;
+    const { faces, probing, measuring, views, overlap, check } = this.#parts;
     faces.clear("idle", "");
+    overlap.clear("");
+    check.clear("");
     probing.clear();
     measuring.end();
     views.clear();

@@ -1,8 +1,11 @@
 // What the page is made of, and what its works share.
+import type { CheckPanel } from "../check/checkPanel.ts";
 import type { ClearancePanel } from "../clearance/clearancePanel.ts";
 import type { Views } from "../export/views.ts";
 import type { FacesPanel } from "../faces/facesPanel.ts";
 import type { FaceTree } from "../faces/faceTree.ts";
+import type { FactsPanel } from "../facts/factsPanel.ts";
+import type { OverlapPanel } from "../facts/overlapPanel.ts";
 import type { Measuring } from "../inspection/measuring.ts";
 import type { Probing } from "../inspection/pins/probing.ts";
 import type { PlaceView } from "../inspection/placeView.ts";
@@ -20,5 +23,8 @@ export interface Parts {
   places: PlaceView;
   views: Views;
   clearance: ClearancePanel;
+  facts: FactsPanel;
+  overlap: OverlapPanel;
+  check: CheckPanel;
   past: History;
 }

@@ -49,13 +49,18 @@ export class Replies {
       case "failed":
         this.#ofRun(reply);
         break;
+      case "facts":
+      case "overlap":
+      case "check":
+        this.#ofBodies(reply);
+        break;
       default:
         this.#ofOthers(reply);
     }
   }
 
   #ofModels(reply: Of<"ready" | "loading" | "draft" | "loaded" | "restored" | "closed">): void {
-    const { view, faces } = this.#parts;
+    const { view, faces, facts, overlap, check } = this.#parts;
     switch (reply.kind) {
       case "ready":
         warnings.showEngine(reply.engine);
@@ -78,6 +83,9 @@ export class Replies {
         // What the worker before computed has no end.
         if (isFitting()) clearFit();
         faces.end();
+        overlap.end();
+        check.end();
+        facts.replaced();
         this.#measurement.measure();
         break;
       case "closed":
@@ -104,6 +112,22 @@ export class Replies {
         break;
       case "failed":
         this.#failed(reply);
+        break;
+    }
+  }
+
+  #ofBodies(reply: Of<"facts" | "overlap" | "check">): void {
+    const { view, facts, overlap, check } = this.#parts;
+    switch (reply.kind) {
+      case "facts":
+        facts.show(reply, view.models.aside);
+        break;
+      case "overlap":
+        // Volumes that ended because A was moved are no longer shown.
+        if (overlap.active) overlap.show(reply);
+        break;
+      case "check":
+        if (check.active) check.show(reply);
         break;
     }
   }

@@ -77,10 +77,21 @@ export function certifiedText(
   if (isUpperBound(lower, upper, diagonal)) {
     return `≤ ${upperText(shownInterval(...interval)[1])}`;
   }
+  return heldNumber(computed, [lower, upper], RELATIVE_DIGITS - magnitude(diagonal));
+}
+
+/**
+ * A number that an interval above 0 holds: the fewest digits with which one is near `computed`, at least
+ * `wanted` behind the point as far as the interval is narrow enough for them.
+ */
+export function heldNumber(
+  computed: number,
+  [lower, upper]: readonly [number, number],
+  wanted: number,
+): string {
   const narrow = upper > lower ? Math.floor(-Math.log10(upper - lower)) : MAX_DIGITS;
   // A wide interval holds what was computed too: two of its digits say more than one.
   const known = Math.max(narrow, 1 - magnitude(computed));
-  const wanted = RELATIVE_DIGITS - magnitude(diagonal);
   const first = digitsAfterPoint(Math.min(wanted, known));
   const last = digitsAfterPoint(SIGNIFICANT_DIGITS - 1 - magnitude(upper));
   for (let digits = first; digits <= last; digits++) {
@@ -143,7 +154,7 @@ export function intervalText(from: number, to: number, modelDiagonal: number): s
 }
 
 /** The decimal exponent of a positive size; 0 for size 0. */
-const magnitude = (size: number): number => (size > 0 ? Math.floor(Math.log10(size)) : 0);
+export const magnitude = (size: number): number => (size > 0 ? Math.floor(Math.log10(size)) : 0);
 
 const digitsAfterPoint = (digits: number): number => Math.min(MAX_DIGITS, Math.max(0, digits));
 

@@ -19,6 +19,9 @@ export const translation = (): Vector3 => vector(moves);
 /** The angles of A about the axes x, y and z, in degrees. */
 export const degrees = (): Vector3 => vector(turns);
 
+/** Whether A is where its file places it. */
+export const isInPlace = (): boolean => [...moves, ...turns].every(({ value }) => value === 0);
+
 /** Shows the position of A. `diagonal` converts the placement to model units. */
 export function setPlacement({ move, turn }: Placement, diagonal: number): void {
   for (const input of moves) input.unit = diagonal;

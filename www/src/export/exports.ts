@@ -1,12 +1,19 @@
 // What each export contains.
-import type { DiffResult, DistanceResult, Vector3 } from "nurbs-hausdorff";
+import type {
+  CheckResult,
+  DiffResult,
+  DistanceResult,
+  OverlapResult,
+  Vector3,
+} from "nurbs-hausdorff";
+import type { ReportTable } from "../common/tables.ts";
 import { metresPerUnit } from "../files/units.ts";
 import { painted } from "../inspection/deviationPanel.ts";
 import { sizeText } from "../inspection/placeList.ts";
 import type { Place } from "../inspection/places.ts";
 import type { View } from "../scene/view.ts";
 import { formState } from "../state/formState.ts";
-import type { DisplayModel, PlainOptions, Probe, Sides } from "../worker/protocol.ts";
+import type { DisplayModel, ModelFacts, PlainOptions, Probe, Sides } from "../worker/protocol.ts";
 import { download, openMade } from "./download.ts";
 import type { ExportFormat } from "./exportPanel.ts";
 import { gltfOf } from "./gltf.ts";
@@ -19,6 +26,11 @@ export interface ExportedState {
   views: Views;
   result: DistanceResult | undefined;
   diff: DiffResult | undefined;
+  facts: Sides<ModelFacts> | undefined;
+  overlap: OverlapResult | undefined;
+  check: CheckResult | undefined;
+  /** What the panels of these show, for the report. */
+  tables: readonly ReportTable[];
   pins: Probe[];
   /** The worst place of each face. */
   places: Place[];
@@ -91,13 +103,17 @@ async function placesOf({ view, views, places, result }: ExportedState) {
   return all;
 }
 
-function jsonOf({ result, diff, pins, options, models }: ExportedState): Blob {
+function jsonOf(state: ExportedState): Blob {
+  const { result, diff, facts, overlap, check, pins, options, models } = state;
   const nameOf = (model: DisplayModel | undefined) => {
     const source = model?.source;
     if (source === undefined) return "";
     return "shape" in source ? source.shape : source.file.name;
   };
   const names = { a: nameOf(models.a), b: nameOf(models.b) };
-  const content = { models: names, options, state: formState(), result, faces: diff, pins };
+  const content = {
+    ...{ models: names, options, state: formState(), result, faces: diff },
+    ...{ facts, overlap, check, pins },
+  };
   return new Blob([JSON.stringify(content, undefined, 2)], { type: "application/json" });
 }

@@ -1,5 +1,6 @@
 // The list of changed faces: buttons; arrow keys select the next and the previous.
-import { heldText, intervalText } from "../common/numbers.ts";
+import { facePath } from "nurbs-hausdorff";
+import { intervalText, listedText } from "../common/numbers.ts";
 import type { Change } from "./changes.ts";
 
 /** Rows shown; a list of more is not read. */
@@ -61,13 +62,17 @@ export class FaceList {
     letter.className = side;
     letter.textContent = side.toUpperCase();
     const { lower, upper } = difference;
+    const name = difference.witness[side].faceName;
+    button.title = name ?? "";
     button.append(
       letter,
-      part("name", difference.witness[side].faceName ?? `face ${difference.face}`),
+      part("name", name === undefined ? `face ${difference.face}` : shortName(name)),
       part("kind", kind === "changed" || kind === "undecided" ? "" : kind),
       part(
         "size",
-        difference.state === "undecided" ? "undecided" : heldText([lower, upper], diagonal),
+        difference.state === "undecided"
+          ? "undecided"
+          : listedText((lower + upper) / 2, [lower, upper], diagonal),
       ),
       part("interval", intervalText(lower, upper, diagonal)),
     );
@@ -96,6 +101,9 @@ export class FaceList {
     return [...this.#list.querySelectorAll("button")];
   }
 }
+
+/** A face's own name with that of its part: in an assembly, faces of many parts have one name. */
+const shortName = (name: string): string => facePath(name).slice(-2).join(" / ");
 
 function part(name: string, text: string): HTMLElement {
   const node = document.createElement("span");

@@ -2,7 +2,14 @@
 import { element } from "../common/elements.ts";
 import { grouped } from "../common/numbers.ts";
 import { onOwnLimits } from "../results/ownLimits.ts";
-import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
+import {
+  type DisplayModel,
+  type PlacedPart,
+  SIDES,
+  type Side,
+  type Sides,
+} from "../worker/protocol.ts";
+import { PartStates } from "./partStates.ts";
 import { ownName, type Part, partsOf } from "./parts.ts";
 import { acts, limitInput, rowParts, showLimits } from "./treeRows.ts";
 
@@ -39,6 +46,8 @@ export class FaceTree {
   #items: Sides<Part["items"]> = {};
   #changed: Sides<ReadonlySet<number>> = {};
   #sizes: Sides<ReadonlyMap<number, string>> = {};
+  /** What became of parts, where revisions are compared. */
+  #states = new PartStates([]);
   #hidden: Record<Side, Set<number>> = { a: new Set(), b: new Set() };
   /** The parts that are unfolded. */
   #open = new Set<string>();
@@ -60,6 +69,7 @@ export class FaceTree {
     }
     this.#changed = {};
     this.#sizes = {};
+    this.#states = new PartStates([]);
     this.#hidden = { a: new Set(), b: new Set() };
     this.#open.clear();
     this.#draw();
@@ -85,6 +95,23 @@ export class FaceTree {
     }
   }
 
+  /** Says of each part what became of it; without parts, nothing. */
+  markParts(parts: readonly PlacedPart[]): void {
+    const isEmpty = parts.length === 0 && this.#states.isEmpty;
+    this.#states = new PartStates(parts);
+    if (!isEmpty) this.#draw();
+  }
+
+  /** Draws these faces alone; without any, all of both models again. */
+  isolate(faces: Record<Side, readonly number[]> | undefined): void {
+    const others = (side: Side): Set<number> => {
+      if (faces === undefined) return new Set();
+      const own = new Set(faces[side]);
+      return new Set([...(this.#names[side] ?? []).keys()].filter((face) => !own.has(face)));
+    };
+    this.#hide({ a: others("a"), b: others("b") });
+  }
+
   #hide(hidden: Record<Side, Set<number>>): void {
     this.#hidden = hidden;
     for (const side of SIDES) this.#listener.hide(side, hidden[side]);
@@ -103,12 +130,7 @@ export class FaceTree {
 
   /** Draws some faces of a side alone. */
   #isolate(side: Side, faces: readonly number[]): void {
-    const own = new Set(faces);
-    const others = (one: Side) =>
-      new Set(
-        [...(this.#names[one] ?? []).keys()].filter((face) => one !== side || !own.has(face)),
-      );
-    this.#hide({ a: others("a"), b: others("b") });
+    this.isolate({ a: [], b: [], [side]: faces });
     this.#listener.look(side, faces);
   }
 
@@ -205,7 +227,11 @@ export class FaceTree {
     count.className = "note";
     count.textContent = grouped(faces.size);
     const row = document.createElement("div");
-    row.append(unfold, box, letter, look, count, acts(alone));
+    const state = document.createElement("span");
+    const { text, title, isSame } = this.#states.of(side, part.faces);
+    Object.assign(state, { className: "state", textContent: text, title });
+    state.dataset.same = `${isSame}`;
+    row.append(unfold, box, letter, look, state, count, acts(alone));
     const own = document.createElement("ul");
     own.append(...rows);
     own.hidden = !isOpen;

@@ -2,13 +2,15 @@
 import type { DiffResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { duration, grouped } from "../common/numbers.ts";
+import type { ReportTable } from "../common/tables.ts";
 import { modelUnit } from "../files/units.ts";
 import { ownLimits } from "../results/ownLimits.ts";
 import { allowed, onLimit } from "../results/verdict.ts";
-import { type DiffReply, SIDES, type Side } from "../worker/protocol.ts";
+import { type DiffReply, type PlacedPart, SIDES, type Side } from "../worker/protocol.ts";
 import { type Change, changesOf, countsOf, facesOf } from "./changes.ts";
 import { FaceList } from "./faceList.ts";
 import { isOfSamePlace, kindsOf } from "./kinds.ts";
+import { partTables, showParts } from "./partList.ts";
 
 /** The limit proposed where nothing is allowed yet, as a fraction of the diagonal. */
 const RELATIVE_LIMIT = 1e-5;
@@ -38,6 +40,10 @@ export interface FacesListener {
   show: (result: DiffResult | undefined, side?: Side) => void;
   /** The face to show in the view, or none. */
   select: (change: Change | undefined) => void;
+  /** What became of parts, for the tree; none without a comparison. */
+  mark: (parts: readonly PlacedPart[]) => void;
+  /** The part to look at alone, or all again. */
+  look: (part: PlacedPart | undefined) => void;
 }
 
 export class FacesPanel {
@@ -50,6 +56,9 @@ export class FacesPanel {
   /** Whether the models have not been compared yet. */
   #isNew = true;
   #timer = 0;
+  #parts: readonly PlacedPart[] = [];
+  /** Whether a part is shown alone. */
+  #isOfPart = false;
 
   constructor(listener: FacesListener) {
     this.#listener = listener;
@@ -113,6 +122,11 @@ export class FacesPanel {
     return this.#result;
   }
 
+  /** What became of the parts that are not the same. */
+  get tables(): ReportTable[] {
+    return partTables(this.#parts, this.#diagonal);
+  }
+
   /** Whether a comparison is shown or in progress. */
   get active(): boolean {
     return section.dataset.state === "done" || section.dataset.state === "working";
@@ -126,6 +140,7 @@ export class FacesPanel {
         break;
       case "done":
         this.#showResult(reply.result);
+        this.#showParts(reply.parts, reply.result.diagonal);
         break;
       case "cancelled":
         this.clear("cancelled", "Cancelled.");
@@ -147,6 +162,7 @@ export class FacesPanel {
     summary.textContent = text;
     this.#result = undefined;
     this.#list.show([], 0);
+    this.#showParts([], 0);
     clear.hidden = true;
     shownRow.hidden = true;
     this.#listener.show(undefined);
@@ -186,6 +202,24 @@ export class FacesPanel {
     if (this.#isNew) shownSide.value = first?.side ?? "a";
     this.#isNew = false;
     this.#showSide();
+  }
+
+  #showParts(parts: readonly PlacedPart[], diagonal: number): void {
+    this.#parts = parts;
+    this.#listener.mark(parts);
+    this.#lookAt(undefined);
+    showParts(parts, diagonal, (part) => {
+      // Of both revisions, where it is in both.
+      const { a = [], b = [] } = part?.facesOf ?? {};
+      if (part) shownSide.value = a.length === 0 ? "b" : b.length === 0 ? "a" : "both";
+      this.#showSide();
+      this.#lookAt(part);
+    });
+  }
+
+  #lookAt(part: PlacedPart | undefined): void {
+    if (part !== undefined || this.#isOfPart) this.#listener.look(part);
+    this.#isOfPart = part !== undefined;
   }
 
   #setState(state: string): void {

@@ -6,6 +6,7 @@ import type { ColorScale } from "../scene/colors/scale.ts";
 import type { Cut } from "../scene/section.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
+import { type AxisTexts, drawAxes } from "./cutAxes.ts";
 import { forgetMeasured, measureOn } from "./cutMeasure.ts";
 
 const figure = element("cut");
@@ -22,6 +23,10 @@ export interface CutModels {
   cut: Cut;
   /** A vertex of a map in scene coordinates. */
   place: (side: Side, vertex: number) => Vector3;
+  /** The scene's origin in the coordinates of the models. */
+  center: Vector3;
+  /** The unit in which lengths are shown, if it is known. */
+  unit: string | undefined;
 }
 
 /** A piece of a cut in the coordinates of its plane. */
@@ -59,8 +64,6 @@ export function showCut(cut: CutModels | undefined): void {
   element("cut-factor").textContent = `× ${Number(factor.toPrecision(2))}`;
   const drawing = document.createElementNS(SVG, "svg");
   const margin = UNIT * size * 2 ** factorInput.valueAsNumber;
-  const box = [left - margin, -top - margin, right - left + 2 * margin, top - bottom + 2 * margin];
-  drawing.setAttribute("viewBox", box.join(" "));
   drawing.setAttribute("role", "img");
   drawing.setAttribute("aria-label", "The section with its deviations enlarged");
   measureOn(drawing, pieces, { names: cut.cut.names, size });
@@ -69,6 +72,20 @@ export function showCut(cut: CutModels | undefined): void {
   const side = Math.sign(facing.dot(cut.cut.plane.normal));
   for (const piece of pieces) drawing.prepend(...drawn(piece, side * factor, cut.scale));
   element("cut-plot").replaceChildren(drawing);
+  const frame = {
+    ...{ left: left - margin, right: right + margin },
+    ...{ bottom: bottom - margin, top: top + margin },
+  };
+  drawAxes(drawing, frame, axisTexts(cut), [drawing.clientWidth, drawing.clientHeight]);
+}
+
+/** The names of the axes with their unit, and where the models' own coordinates begin. */
+function axisTexts({ cut: { names, right, up }, center, unit }: CutModels): AxisTexts {
+  const named = (name: string) => (unit === undefined ? name : `${name}, ${unit}`);
+  return {
+    names: [named(names[0]), named(names[1])],
+    origin: [center.dot(right), center.dot(up)],
+  };
 }
 
 /** Whether two cuts are of the same place, so that what was measured on one is on the other. */

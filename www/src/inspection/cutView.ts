@@ -1,5 +1,6 @@
 // The plot of the section that the user placed, of the maps that are shown.
 import { element } from "../common/elements.ts";
+import { commonUnit } from "../files/units.ts";
 import type { Models } from "../scene/models.ts";
 import { showCut } from "./cutPlot.ts";
 import { painted } from "./deviationPanel.ts";
@@ -22,6 +23,7 @@ export function drawCut(models: Models): void {
   const { drawn: maps, scale, extent } = shown;
   showCut({
     ...{ maps, scale, cut, largest: extent.largest },
+    ...{ center: models.center, unit: commonUnit() },
     place: (side, vertex) => {
       const [x = 0, y = 0, z = 0] =
         maps[side]?.positions.subarray(3 * vertex, 3 * vertex + 3) ?? [];

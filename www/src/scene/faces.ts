@@ -37,8 +37,8 @@ export class FaceColors {
   readonly #source: BufferGeometry;
   /** The indices of all faces: the source's may be without those that are hidden. */
   readonly #indices: Uint32Array;
-  /** The faces that are not drawn. */
-  hidden: ReadonlySet<number> = new Set();
+  #hidden: ReadonlySet<number> = new Set();
+  #classes: FaceClass[] | undefined;
   readonly #ranges: Tessellation["faces"];
 
   /** Faces of B lie a little behind those of A that coincide; `color` is the model's colour. */
@@ -67,8 +67,15 @@ export class FaceColors {
     this.mesh.visible = false;
   }
 
+  /** The faces that are not drawn. */
+  set hidden(hidden: ReadonlySet<number>) {
+    this.#hidden = hidden;
+    this.show(this.#classes);
+  }
+
   /** Shows every face in the colour of its class; without classes, nothing. */
   show(classes: FaceClass[] | undefined): void {
+    this.#classes = classes;
     this.mesh.visible = classes !== undefined;
     const source = this.#indices;
     if (classes === undefined) return;
@@ -79,7 +86,7 @@ export class FaceColors {
     for (const [material, name] of CLASSES.entries()) {
       const begin = end;
       for (const [face, { firstIndex, indexCount }] of this.#ranges.entries()) {
-        if ((classes[face] ?? "plain") !== name || this.hidden.has(face)) continue;
+        if ((classes[face] ?? "plain") !== name || this.#hidden.has(face)) continue;
         indices.set(source.subarray(firstIndex, firstIndex + indexCount), end);
         end += indexCount;
       }

@@ -39,6 +39,13 @@ export interface Overlays {
   triangles: boolean;
 }
 
+/** An arrow between two points of a result, or a mark where both are the same. */
+export interface ShownArrow {
+  from: Point;
+  to: Point;
+  texts: ArrowTexts;
+}
+
 /** How the models are shown. */
 export interface Display {
   visibility: Record<Side, Visibility>;
@@ -72,6 +79,8 @@ export class View {
   #result: DistanceResult | undefined;
   #diff: DiffResult | undefined;
   #diffSide: Side | undefined;
+  /** Whether bodies are shown alone, of which the result is not. */
+  #isOfBodies = false;
   /** The box of the files that are being read, as the camera was placed for it. */
   #drawn = new Box3();
 
@@ -240,7 +249,7 @@ export class View {
   }
 
   /** Shows an arrow between two points of a result, or that of the result again. */
-  point(arrow?: { from: Point; to: Point; texts: ArrowTexts }): void {
+  point(arrow?: ShownArrow): void {
     if (arrow === undefined) this.#showArrow();
     else this.#arrow.show(arrow.from, arrow.to, arrow.texts, this.models.center);
     this.#viewport?.draw();
@@ -257,10 +266,25 @@ export class View {
     this.#viewport?.draw();
   }
 
+  /**
+   * Shows faces alone in these classes, with an arrow or without one; without faces, models and their result
+   * again. What is hidden is the tree's.
+   */
+  showBodies(shown?: { classes: Sides<FaceClass[]>; arrow: ShownArrow | undefined }): void {
+    this.#isOfBodies = shown !== undefined;
+    this.models.classify(shown?.classes ?? {});
+    if (shown === undefined) this.#showArrow();
+    else if (shown.arrow === undefined) this.#arrow.hide();
+    else this.point(shown.arrow);
+    this.#viewport?.draw();
+  }
+
   /** Zooms to faces. */
-  approachFaces(side: Side, faces: readonly number[]): void {
+  approachFaces(faces: Sides<readonly number[]>): void {
     const box = new Box3();
-    for (const face of faces) box.union(this.models.faceBox(side, face));
+    for (const side of SIDES) {
+      for (const face of faces[side] ?? []) box.union(this.models.faceBox(side, face));
+    }
     if (box.isEmpty()) return;
     const size = FACE_RADIUS * box.getSize(new Vector3()).length();
     const radius = Math.max(size, MIN_APPROACH_RADIUS * this.models.diagonal);
@@ -302,7 +326,7 @@ export class View {
   /** Shows the arrow of a result; `replaced` removes the deviation of the one before. */
   showResult(result: DistanceResult, replaced: boolean): void {
     this.#result = result;
-    if (this.#diff === undefined) this.#showArrow();
+    if (this.#diff === undefined && !this.#isOfBodies) this.#showArrow();
     if (replaced) this.#hideMaps();
     this.#viewport?.draw();
   }
@@ -329,7 +353,7 @@ export class View {
 
   hideResult(): void {
     this.#result = undefined;
-    this.#showArrow();
+    if (!this.#isOfBodies) this.#showArrow();
     this.#hideMaps();
     this.#viewport?.draw();
   }

@@ -1,11 +1,14 @@
 // The page's side of the worker.
 import type { Transform, Vector3 } from "nurbs-hausdorff";
 import type {
+  CheckOf,
   Placement,
+  PlainCheckOptions,
   PlainDiffOptions,
   PlainFitOptions,
   PlainGapOptions,
   PlainOptions,
+  PlainOverlapOptions,
   Reply,
   Request,
   Side,
@@ -138,6 +141,29 @@ export class Client {
 
   cancelClearance(): void {
     this.#post({ kind: "cancelClearance" });
+  }
+
+  /** Requests the facts of the models and of their bodies. */
+  facts(): void {
+    this.#post({ kind: "facts" });
+  }
+
+  /** Requests the volumes that both models have in common and apart. */
+  overlap(options: PlainOverlapOptions): void {
+    this.#post({ kind: "overlap", options });
+  }
+
+  cancelOverlap(): void {
+    this.#post({ kind: "cancelOverlap" });
+  }
+
+  /** Requests the check of all pairs of bodies. */
+  check(of: CheckOf, options: PlainCheckOptions): void {
+    this.#post({ kind: "check", of, options });
+  }
+
+  cancelCheck(): void {
+    this.#post({ kind: "cancelCheck" });
   }
 
   /** Requests the distance of the point of a model that is close to this one, in the model's coordinates. */

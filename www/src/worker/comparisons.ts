@@ -1,7 +1,7 @@
 // The tasks that compare both models beside the measurement: face by face, the best fit, and
 // the clearance.
 import type { DiffResult, Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
-import { diffByLimits } from "./diffs.ts";
+import { diffByLimits, placedParts } from "./diffs.ts";
 import { Latest } from "./latest.ts";
 import type {
   ClearanceState,
@@ -51,7 +51,7 @@ export class Comparisons {
       report({ state: "working", fraction: 0 });
       const onProgress = (fraction: number) => report({ state: "working", fraction });
       const result = await diffByLimits(this.#engine, { a, b }, { ...options, signal, onProgress });
-      return { state: "done", result };
+      return { state: "done", result, parts: await placedParts(result, { a, b }) };
     });
   }
 

@@ -6,7 +6,8 @@ import type {
   Hausdorff,
   NurbsModel,
 } from "nurbs-hausdorff/worker";
-import type { PlainDiffOptions } from "./protocol.ts";
+import { bodyNames } from "./bodyNames.ts";
+import type { PlacedPart, PlainDiffOptions } from "./protocol.ts";
 
 interface Pair {
   a: NurbsModel;
@@ -41,6 +42,22 @@ export async function diffByLimits(
     state: together(faces.map(({ state }) => state)),
     withGaps: together(faces.map(({ withGaps }) => withGaps)),
   };
+}
+
+/** Returns what became of each part, with its faces; none where there is but one part. */
+export async function placedParts({ parts }: DiffResult, { a, b }: Pair): Promise<PlacedPart[]> {
+  if (parts.length < 2) return [];
+  const [ofA, ofB] = [await facesByName(a), await facesByName(b)];
+  return parts.map((part) => ({
+    ...part,
+    facesOf: { a: ofA.get(part.nameOfA ?? "") ?? [], b: ofB.get(part.nameOfB ?? "") ?? [] },
+  }));
+}
+
+async function facesByName(model: NurbsModel): Promise<Map<string, number[]>> {
+  const bodies = await model.bodies();
+  const names = bodyNames(bodies);
+  return new Map(bodies.map(({ faces }, index) => [names[index] ?? "", faces]));
 }
 
 /** `changed` if a face is, else `undecided` if one is. */

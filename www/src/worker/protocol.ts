@@ -2,14 +2,21 @@
 import type {
   BestFit,
   BestFitOptions,
+  Body,
+  CheckOptions,
+  CheckResult,
   ClearanceResult,
   DiffOptions,
   DiffResult,
   DistanceOptions,
   DistanceResult,
   ErrorCode,
+  Facts,
   GapOptions,
   GapsResult,
+  OverlapOptions,
+  OverlapResult,
+  PartDifference,
   ShapeInfo,
   Tessellation,
   Transform,
@@ -60,6 +67,15 @@ export type PlainFitOptions = Omit<BestFitOptions, "signal" | "onProgress">;
 /** The options of a clearance and its gaps that can be posted to a worker. */
 export type PlainGapOptions = Omit<GapOptions, "signal" | "onProgress">;
 
+/** The options of volumes in common that can be posted to a worker. */
+export type PlainOverlapOptions = Omit<OverlapOptions, "signal" | "onProgress">;
+
+/** The options of a check that can be posted to a worker. */
+export type PlainCheckOptions = Omit<CheckOptions, "signal" | "onProgress" | "names">;
+
+/** The bodies that a check is of: those of one model, or of both as one assembly. */
+export type CheckOf = Side | "both";
+
 /** A point of one model, and its closest point on the other. */
 export interface Probe {
   side: Side;
@@ -93,6 +109,12 @@ export type Request =
   | { kind: "cancelFit" }
   | { kind: "clearance"; options: PlainGapOptions }
   | { kind: "cancelClearance" }
+  /** Asks for the facts of the models and of their bodies. */
+  | { kind: "facts" }
+  | { kind: "overlap"; options: PlainOverlapOptions }
+  | { kind: "cancelOverlap" }
+  | { kind: "check"; of: CheckOf; options: PlainCheckOptions }
+  | { kind: "cancelCheck" }
   /** `near` is in the model's own coordinates; `scale` is A's units in one of B's. */
   | { kind: "probe"; id: number; side: Side; near: Vector3; transform: Transform; scale: number }
   | { kind: "csv" };
@@ -153,7 +175,11 @@ export type Ended = { state: "cancelled" } | { state: "failed"; code: Code; mess
 /** The state of the comparison face by face. */
 export type DiffState =
   | { state: "working"; fraction: number }
-  | { state: "done"; result: DiffResult };
+  /** `parts` has more than one part, or none. */
+  | { state: "done"; result: DiffResult; parts: PlacedPart[] };
+
+/** What became of a part, with the faces that it has in A and in B. */
+export type PlacedPart = PartDifference & { facesOf: Record<Side, number[]> };
 
 /** The state of the best fit. */
 export type FitState =
@@ -167,6 +193,31 @@ export type ClearanceState = {
   gaps: GapsResult | undefined;
 };
 
+/** What is certain of a model and of its bodies, in the units of its own file. */
+export interface ModelFacts {
+  facts: Facts;
+  bodies: Body[];
+}
+
+export type FactsState = { state: "done"; models: Sides<ModelFacts> };
+
+export type OverlapState =
+  | { state: "working"; fraction: number }
+  | { state: "done"; result: OverlapResult };
+
+/** The model and the faces of a body, in the order of `CheckResult.bodies`. */
+export interface CheckedFaces {
+  side: Side;
+  faces: number[];
+}
+
+export type CheckState =
+  | { state: "working"; fraction: number }
+  | { state: "done"; of: CheckOf; result: CheckResult; bodies: CheckedFaces[] };
+
+export type FactsReply = { kind: "facts" } & (FactsState | Ended);
+export type OverlapReply = { kind: "overlap" } & (OverlapState | Ended);
+export type CheckReply = { kind: "check" } & (CheckState | Ended);
 export type ClearanceReply = { kind: "clearance" } & (ClearanceState | Ended);
 export type BoundReply = { kind: "bound"; run: number } & (
   | { state: "done"; result: DiffResult }
@@ -176,6 +227,9 @@ export type DiffReply = { kind: "diff" } & (DiffState | Ended);
 export type FitReply = { kind: "fit" } & (FitState | Ended);
 
 export type Reply =
+  | FactsReply
+  | OverlapReply
+  | CheckReply
   | ClearanceReply
   | DiffReply
   | FitReply

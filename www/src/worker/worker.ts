@@ -2,6 +2,7 @@
 // package's worker, which it starts, holds the models and measures them.
 import { Hausdorff } from "nurbs-hausdorff/worker";
 import { examples } from "../examples/index.ts";
+import { BodyTasks } from "./bodyTasks.ts";
 import { Comparisons } from "./comparisons.ts";
 import { codeOf, messageOf } from "./failure.ts";
 import { csvOf } from "./map/csv.ts";
@@ -19,21 +20,24 @@ import {
   type Source,
 } from "./protocol.ts";
 
+type Started = Awaited<ReturnType<typeof start>>;
+
 const ready = start();
 ready.catch(fail);
 // Loads are done in turn, so a small file does not overtake a large one.
 let loaded: Promise<void> = Promise.resolve();
 
 self.onmessage = async ({ data }: MessageEvent<Request>) => {
-  let started: Awaited<typeof ready>;
   try {
-    started = await ready;
+    const started = await ready;
+    take(started, data);
   } catch (error) {
     fail(error);
-    return;
   }
-  const { measurements, comparisons } = started;
-  const { a, b } = measurements.models;
+};
+
+function take(started: Started, data: Request): void {
+  const { measurements } = started;
   switch (data.kind) {
     case "measure":
       measurements.request(data);
@@ -41,6 +45,67 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
     case "cancel":
       measurements.cancel();
       break;
+    case "probe":
+      void reportProbe(started, data);
+      break;
+    case "csv":
+      reply({ kind: "csv", table: csvOf([...measurements.painted]) });
+      break;
+    case "load":
+      loaded = loaded.then(() => replace(started, data));
+      break;
+    case "restore":
+      loaded = loaded.then(() => restore(started, data.sources));
+      break;
+    case "facts":
+    case "overlap":
+    case "cancelOverlap":
+    case "check":
+    case "cancelCheck":
+      takeOfBodies(started, data);
+      break;
+    default:
+      takeOfPair(started, data);
+  }
+}
+
+/** Requests of one kind. */
+type Of<Kind extends Request["kind"]> = Extract<Request, { kind: Kind }>;
+
+/** Takes what is about bodies. */
+function takeOfBodies(
+  { measurements: { models }, bodyTasks }: Started,
+  data: Of<"facts" | "overlap" | "cancelOverlap" | "check" | "cancelCheck">,
+): void {
+  switch (data.kind) {
+    case "facts":
+      void bodyTasks.facts({ ...models });
+      break;
+    case "overlap":
+      if (models.a && models.b) void bodyTasks.overlap(models.a, models.b, data.options);
+      break;
+    case "cancelOverlap":
+      bodyTasks.cancelOverlap();
+      break;
+    case "check":
+      void bodyTasks.check({ ...models }, data.of, data.options);
+      break;
+    case "cancelCheck":
+      bodyTasks.cancelCheck();
+      break;
+  }
+}
+
+/** Takes what compares both models beside the measurement. */
+function takeOfPair(
+  { measurements, comparisons }: Started,
+  data: Of<
+    | ("diff" | "cancelDiff" | "bound" | "cancelBound")
+    | ("fit" | "cancelFit" | "clearance" | "cancelClearance")
+  >,
+): void {
+  const { a, b } = measurements.models;
+  switch (data.kind) {
     case "diff":
       if (a && b) void comparisons.compareFaces({ a, b }, data.options);
       break;
@@ -65,22 +130,11 @@ self.onmessage = async ({ data }: MessageEvent<Request>) => {
     case "cancelClearance":
       comparisons.cancelClearance();
       break;
-    case "probe":
-      void reportProbe(started, data);
-      break;
-    case "csv":
-      reply({ kind: "csv", table: csvOf([...measurements.painted]) });
-      break;
-    case "load":
-      loaded = loaded.then(() => replace(started, data));
-      break;
-    case "restore":
-      loaded = loaded.then(() => restore(started, data.sources));
   }
-};
+}
 
 async function replace(
-  { engine, measurements, comparisons }: Awaited<typeof ready>,
+  { engine, measurements, comparisons, bodyTasks }: Started,
   { sources, placement }: Extract<Request, { kind: "load" }>,
 ): Promise<void> {
   try {
@@ -90,6 +144,7 @@ async function replace(
       onDraft: (side, draft) => reply({ kind: "draft", side, replaced, draft }, buffersOf(draft)),
     });
     comparisons.drop();
+    bodyTasks.drop();
     measurements.replace(models);
     const transfer = Object.values(display).flatMap(({ tessellation, outline }) => [
       tessellation.positions.buffer,
@@ -104,10 +159,7 @@ async function replace(
   }
 }
 
-async function restore(
-  { engine, measurements }: Awaited<typeof ready>,
-  sources: Sides<Source>,
-): Promise<void> {
+async function restore({ engine, measurements }: Started, sources: Sides<Source>): Promise<void> {
   try {
     // What was loaded since is newer.
     const missing = Object.fromEntries(
@@ -137,7 +189,7 @@ function buffersOf({ edges, positions, normals, indices }: Draft): ArrayBuffer[]
 }
 
 async function reportProbe(
-  { engine, measurements }: Awaited<typeof ready>,
+  { engine, measurements }: Started,
   { id, ...at }: Extract<Request, { kind: "probe" }>,
 ): Promise<void> {
   // A point that cannot be measured, for example while models are replaced, is not reported.
@@ -151,7 +203,8 @@ async function start() {
   const shapes = [...examples, ...(await engine.shapes())];
   reply({ kind: "ready", engine: engineState(engine), shapes });
   const measurements = new Measurements(engine, reply, fail);
-  return { engine, measurements, comparisons: new Comparisons(engine, reply) };
+  const comparisons = new Comparisons(engine, reply);
+  return { engine, measurements, comparisons, bodyTasks: new BodyTasks(engine, reply) };
 }
 
 function reply(message: Reply, transfer: Transferable[] = []): void {

@@ -20,7 +20,7 @@ const MAX_FACES = 200;
 export async function contentOf(
   state: ExportedState,
 ): Promise<Omit<ReportContent, "views" | "places">> {
-  const { result, models, places, pins } = state;
+  const { result, models, places, pins, tables } = state;
   const diagonal = result?.diagonal ?? 1;
   return {
     verdict: { verdict: shownVerdict().verdict, terms: verdictTerms(state) },
@@ -39,6 +39,7 @@ export async function contentOf(
       point.map((at) => distanceText(at, diagonal)).join(", "),
       Number.isNaN(signed) ? distanceText(distance, diagonal) : signedText(signed, diagonal),
     ]),
+    tables,
     settings: settingsOf(state),
   };
 }

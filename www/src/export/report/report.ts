@@ -1,5 +1,6 @@
 // A report to print: verdict, files, pictures with their legends, worst places, faces and figures.
 import { element } from "../../common/elements.ts";
+import type { ReportTable } from "../../common/tables.ts";
 import type { ReportView } from "../views.ts";
 import { make, table, terms } from "./dom.ts";
 import { histogramDrawing, legendDrawing } from "./drawings.ts";
@@ -18,6 +19,8 @@ export interface ReportContent {
   faces: { head: readonly string[]; rows: readonly (readonly string[])[] };
   /** A pinned point a row. */
   pins: readonly (readonly string[])[];
+  /** What else was asked for: facts, checks, parts. */
+  tables: readonly ReportTable[];
   settings: Terms;
 }
 
@@ -36,7 +39,8 @@ const text = (id: string): string => element(id).textContent?.trim() ?? "";
 const titleOf = (): string =>
   `Comparison${value("report-part") === "" ? "" : `: ${value("report-part")}`}`;
 
-function* sections({ views, places, verdict, files, faces, pins, settings }: ReportContent) {
+function* sections(content: ReportContent) {
+  const { views, places, verdict, files, faces, pins, tables, settings } = content;
   yield make("p", [make("button", "Print, or save as PDF", { onclick: "print()" })], {
     class: "screen",
   });
@@ -80,6 +84,9 @@ function* sections({ views, places, verdict, files, faces, pins, settings }: Rep
   if (faces.rows.length > 0) yield* [make("h2", "Faces"), table(faces.head, faces.rows)];
   if (pins.length > 0) {
     yield* [make("h2", "Points"), table(["Point", "Place", "Deviation"], pins)];
+  }
+  for (const { title, head, rows } of tables) {
+    yield* [make("h2", title), ...(rows.length > 0 ? [table(head, rows)] : [])];
   }
   yield* [make("h2", "Settings"), terms(settings)];
   yield* [make("h2", "Details"), element("facts").cloneNode(true)];

@@ -1,0 +1,66 @@
+// The words of a check: its verdict, its pairs and its bodies.
+import { type BodyPair, type CheckedBody, type CheckResult, facePath } from "nurbs-hausdorff";
+import { grouped } from "../common/numbers.ts";
+import { listedQuantity, narrowText, shownQuantity } from "../common/quantities.ts";
+import { commonUnit } from "../files/units.ts";
+
+/** The first line: what is certain of all pairs. */
+export function verdictText(result: CheckResult): string {
+  const { bodies, pairCount, pairs } = result;
+  if (bodies.length === 1) return "One body: it has nothing to clash with.";
+  const count = (state: BodyPair["state"]) => pairs.filter((pair) => pair.state === state).length;
+  const all = `${grouped(pairCount)} ${pairCount === 1 ? "pair" : "pairs"}`;
+  const [clashes, undecided] = [count("clash"), count("undecided")];
+  const others = [
+    ...(undecided > 0 && clashes > 0 ? [`${undecided} undecided`] : []),
+    `${count("touching")} touching`,
+    `${count("near")} near`,
+  ].join(", ");
+  if (clashes > 0) return `CLASH: ${clashes} of ${all}; ${others}`;
+  if (undecided > 0) return `UNDECIDED: ${undecided} of ${all}; ${others}`;
+  return `CLEAN: ${all}, ${others}`;
+}
+
+/** How near the bodies of a pair come, or how deep they are in each other; `scale` is the scene's units in one of the check's. */
+export function pairText(
+  { state, clearance, depth, volume, why }: BodyPair,
+  scale: number,
+): string {
+  const unit = commonUnit();
+  const of = (power: string) => (unit === undefined ? "" : ` ${unit}${power}`);
+  if (state === "clash") {
+    const deep =
+      depth === null ? [] : [`depth ${narrowText(shownQuantity(depth, 1, scale))}${of("")}`];
+    const large =
+      volume === null
+        ? []
+        : [`volume ${listedQuantity(shownQuantity(volume, 3, scale))}${of("³")}`];
+    return [...deep, ...large].join(", ");
+  }
+  const apart = `${listedQuantity(shownQuantity(clearance, 1, scale))}${of("")} apart`;
+  return state === "undecided" && why !== undefined ? `${apart}: ${why}` : apart;
+}
+
+/** What is wrong with a body by itself. */
+export function faultsOf(
+  { closed, orientation, degenerate, duplicates }: CheckedBody,
+  isOfBoth: boolean,
+): string[] {
+  return [
+    ...(closed ? [] : ["open"]),
+    ...(orientation === "insideOut" ? ["inside out"] : []),
+    ...(orientation === "mixed" ? ["faces turned over"] : []),
+    ...(orientation === "notOrientable" ? ["no sides that agree"] : []),
+    ...(degenerate ? ["no inside within the tolerance"] : []),
+    ...(duplicates.length > 0
+      ? [`duplicate of ${duplicates.map((name) => shortName(name, isOfBoth)).join(", ")}`]
+      : []),
+  ];
+}
+
+/** The last level of a body's name, of both models together with the letter of its model. */
+export function shortName(name: string, isOfBoth: boolean): string {
+  const levels = facePath(name);
+  const last = levels.at(-1) ?? name;
+  return isOfBoth && levels.length > 1 ? `${levels[0]} ${last}` : last;
+}

@@ -1,0 +1,7 @@
+// What a panel shows as a table, for the report.
+
+export interface ReportTable {
+  title: string;
+  head: readonly string[];
+  rows: readonly (readonly string[])[];
+}

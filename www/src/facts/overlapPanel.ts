@@ -1,0 +1,162 @@
+// The volumes that both models have in common and apart, below the facts.
+import type { Interval, OverlapResult, VolumesUnknown } from "nurbs-hausdorff";
+import { element } from "../common/elements.ts";
+import { duration } from "../common/numbers.ts";
+import {
+  isNarrow,
+  listedQuantity,
+  rangeText,
+  shownQuantity,
+  wholeText,
+} from "../common/quantities.ts";
+import type { ReportTable } from "../common/tables.ts";
+import { commonUnit } from "../files/units.ts";
+import type { OverlapReply } from "../worker/protocol.ts";
+
+/** Seconds where none is typed. */
+const SECONDS = 20;
+/** Why there are no volumes. */
+const UNKNOWN: Record<VolumesUnknown, string> = {
+  "a-open": "A is not closed, so that it has no inside.",
+  "b-open": "B is not closed, so that it has no inside.",
+  "both-open": "Neither model is closed, so that they have no inside.",
+  "too-large": "A mesh has more than 250,000 triangles, which are not joined.",
+  "a-volume": "A body of A has no volume that is known.",
+  "b-volume": "A body of B has no volume that is known.",
+  "a-bodies": "Bodies of A meet or overlap each other.",
+  "b-bodies": "Bodies of B meet or overlap each other.",
+};
+/** Why intervals are wider than requested. */
+const STOPS: Record<OverlapResult["stop"], string> = {
+  converged: "",
+  time: "The time was over: more of it narrows them.",
+  cells: "The limit on pieces was reached.",
+  precision: "Narrower ones would need finer arithmetic, as faces nearly lie on each other.",
+  cancelled: "Cancelled.",
+};
+
+const section = element("overlap");
+const seconds = element("overlap-seconds", HTMLInputElement);
+const progress = element("overlap-progress", HTMLProgressElement);
+const text = element("overlap-text");
+const list = element("overlap-list");
+
+export interface OverlapListener {
+  /** The user requests the volumes, in at most so many seconds. */
+  measure: (maxSeconds: number) => void;
+  cancel: () => void;
+}
+
+export class OverlapPanel {
+  #result: OverlapResult | undefined;
+
+  constructor(listener: OverlapListener) {
+    element("overlap-start").addEventListener("click", () => {
+      const wanted = seconds.valueAsNumber;
+      this.clear("", "working");
+      listener.measure(Number.isFinite(wanted) && wanted > 0 ? wanted : SECONDS);
+    });
+    element("overlap-cancel").addEventListener("click", () => listener.cancel());
+  }
+
+  show(reply: OverlapReply): void {
+    switch (reply.state) {
+      case "working":
+        progress.value = reply.fraction;
+        break;
+      case "done":
+        this.clear("", "done");
+        this.#result = reply.result;
+        this.redraw();
+        break;
+      case "cancelled":
+        this.clear("Cancelled.");
+        break;
+      case "failed":
+        this.clear(`${reply.message} (${reply.code})`);
+        break;
+    }
+  }
+
+  /** Whether volumes are shown or being measured. */
+  get active(): boolean {
+    return section.dataset.state !== "idle";
+  }
+
+  /** Ends a measurement in progress, whose result will not come. */
+  end(): void {
+    if (section.dataset.state === "working") this.clear("Cancelled.");
+  }
+
+  /** Removes what is shown, and says this. */
+  clear(message: string, state = "idle"): void {
+    section.dataset.state = state;
+    progress.value = 0;
+    element("overlap-work").hidden = state !== "working";
+    this.#result = undefined;
+    text.textContent = message;
+    list.replaceChildren();
+  }
+
+  /** What was found; none before it is measured. */
+  get result(): OverlapResult | undefined {
+    return this.#result;
+  }
+
+  /** The volumes with their intervals. */
+  get tables(): ReportTable[] {
+    if (this.#result === undefined) return [];
+    const rows = rowsOf(this.#result).map(([name, interval]) => [name, wholeText(interval)]);
+    return [{ title: "Volume in common, as placed", head: ["", ""], rows }];
+  }
+
+  /** Shows the volumes in the unit that is shown now. */
+  redraw(): void {
+    if (this.#result === undefined) return;
+    const { volumesUnknown, hint, stop, seconds: spent } = this.#result;
+    if (volumesUnknown !== undefined) {
+      text.textContent = UNKNOWN[volumesUnknown];
+      return;
+    }
+    list.replaceChildren(
+      ...rowsOf(this.#result).flatMap(([name, interval]) => row(name, interval)),
+    );
+    const ends = [STOPS[stop], hint ?? "", `Measured in ${duration(spent.solve)}.`];
+    text.textContent = ends.filter((end) => end !== "").join(" ");
+  }
+}
+
+/** The volumes in the unit shown, and their ratio. */
+function rowsOf({ volumes, ratio }: OverlapResult): [name: string, interval: Interval][] {
+  if (volumes === undefined || ratio === undefined) return [];
+  const unit = commonUnit();
+  const cubic = (name: string, volume: Interval): [string, Interval] => [
+    unit === undefined ? name : `${name}, ${unit}³`,
+    shownQuantity(volume, 3),
+  ];
+  return [
+    cubic("In common", volumes.intersection),
+    cubic("Of A alone", volumes.onlyA),
+    cubic("Of B alone", volumes.onlyB),
+    cubic("Together", volumes.union),
+    ["In common / together", ratio],
+  ];
+}
+
+/** A term with a number that the interval holds, and the interval. */
+function row(name: string, interval: Interval): HTMLElement[] {
+  const [term, number, range] = [
+    document.createElement("dt"),
+    document.createElement("dd"),
+    document.createElement("span"),
+  ];
+  term.textContent = name;
+  range.className = "range";
+  range.textContent = rangeText(interval);
+  // A number of a wide interval would say more than is known.
+  number.append(
+    interval.lower > 0 && isNarrow(interval) ? `${listedQuantity(interval)} ` : "",
+    range,
+  );
+  return [term, number];
+}
