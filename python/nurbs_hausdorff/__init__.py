@@ -12,7 +12,7 @@ from importlib.metadata import version as _version
 from . import testing
 from ._check import check
 from ._errors import NurbsHausdorffError
-from ._fit import BestFit, FitPose, LeftOut, best_fit
+from ._fit import BestFit, FitPose, LeftOut, Zone, best_fit
 from ._interval import Interval
 from ._measure import (
     clearance, closest_points, diff, distance, field, gaps, overlap, signed_distances, statistics,
@@ -48,7 +48,7 @@ __all__ = [
     "NurbsHausdorffError", "Overlap", "OverlapResult", "OverlapVolumes", "PartDifference",
     "PartFaces", "PartMotion", "Placement", "ReadReport", "Remark", "Requirement", "Score",
     "ScoredModel", "Shell", "SignedDistances", "Solid", "Statistics", "SurfacePoint",
-    "SurfaceScore", "Transform", "UnkeptRule", "Witness", "best_fit", "check", "clearance",
+    "SurfaceScore", "Transform", "UnkeptRule", "Witness", "Zone", "best_fit", "check", "clearance",
     "closest_points", "diff", "distance", "field", "gaps", "model", "overlap", "read", "score",
     "signed_distances", "statistics", "testing",
 ]  # fmt: skip
