@@ -175,7 +175,7 @@ mod tests {
             radius: 2.0,
         };
         let contacts =
-            Contacts { chart: &chart, clearance: &Plane, points, error: 0.0, largest_ball: 1e3, width: 1e-3 };
+            Contacts { chart: &chart, clearance: &Plane, points, error: 0.0, largest_ball: 1e3, width: 1e-6 };
         contacts.lower(&chart.cell(angle, shift))
     }
 

@@ -6,6 +6,9 @@ use crate::alignment::freedoms::{COORDINATES, Coordinates};
 /// The sizes of boxes, relative to the whole, in whose middle and beside it points are looked for.
 const SIZES: [f64; 4] = [1.0, 0.25, 0.0625, 0.015_625];
 
+/// The size of a box beside the pose, as a part of its distance in each coordinate.
+const BESIDE: f64 = 0.5;
+
 /// Returns the indices of rows that have weight in the programs of boxes about a pose and beside it, of the sizes of
 /// `half` and smaller ones: each once, those about the pose first.
 pub(crate) fn contacts(rows: &[Row], half: &Coordinates) -> Vec<usize> {
@@ -24,15 +27,31 @@ pub(crate) fn contacts(rows: &[Row], half: &Coordinates) -> Vec<usize> {
     let halves = SIZES.map(|size| half.map(|side| size * side));
     halves.iter().for_each(|half| add(&[0.0; COORDINATES], half));
     for half in &halves {
-        for axis in (0..COORDINATES).filter(|&axis| half[axis] > 0.0) {
-            for sign in [1.0, -1.0] {
-                let mut middle = [0.0; COORDINATES];
-                middle[axis] = sign * half[axis];
-                add(&middle, half);
-            }
-        }
+        // Boxes beside the pose, without it: there other points decide.
+        let beside_it = half.map(|side| BESIDE * side);
+        places(half).iter().for_each(|middle| add(middle, &beside_it));
     }
     found
+}
+
+/// Returns the middles of the sides of a box, then its corners.
+fn places(half: &Coordinates) -> Vec<Coordinates> {
+    let axes: Vec<usize> = (0..COORDINATES).filter(|&axis| half[axis] > 0.0).collect();
+    let sides = axes.iter().flat_map(|&axis| {
+        [1.0, -1.0].map(|sign| {
+            let mut middle = [0.0; COORDINATES];
+            middle[axis] = sign * half[axis];
+            middle
+        })
+    });
+    let corners = (0..1_usize << axes.len()).map(|signs| {
+        let mut corner = [0.0; COORDINATES];
+        for (bit, &axis) in axes.iter().enumerate() {
+            corner[axis] = if (signs >> bit) & 1 == 0 { half[axis] } else { -half[axis] };
+        }
+        corner
+    });
+    sides.chain(corners).collect()
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -51,6 +70,7 @@ mod tests {
         let mut half = [0.0; COORDINATES];
         half[0] = 1.0;
         let found = contacts(&rows, &half);
+        assert_eq!(places(&half), [half, half.map(|side| -side), half, half.map(|side| -side)]);
         assert!(found.contains(&0) && found.contains(&5) && !found.contains(&2), "{found:?}");
     }
 }

@@ -6,6 +6,7 @@ use crate::alignment::fit::Step;
 use crate::alignment::freedoms::{COORDINATES, Coordinates, Freedoms};
 use crate::alignment::samples::Samples;
 use crate::model::RigidTransform;
+use crate::rounding::upper_max;
 use crate::threads::parallel::map_ranges;
 use glam::DVec3;
 
@@ -199,5 +200,5 @@ impl<F: Field> LargestFit<F> {
 }
 
 fn largest(residuals: &[Residual]) -> Option<f64> {
-    residuals.iter().map(Residual::distance).reduce(f64::max)
+    residuals.iter().map(Residual::distance).reduce(upper_max)
 }

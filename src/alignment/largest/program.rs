@@ -1,6 +1,7 @@
 //! The linear program of one step: the least t, over a box of motions, that no row exceeds.
 
 use crate::alignment::freedoms::{COORDINATES, Coordinates};
+use crate::rounding::upper_max;
 
 /// The rows of a basis: the weights' sum, and one a coordinate.
 const ROWS: usize = COORDINATES + 1;
@@ -52,7 +53,7 @@ pub(crate) fn solve(rows: &[Row], half: &Coordinates) -> Option<Solution> {
     for (axis, column) in basis.iter_mut().skip(1).enumerate() {
         *column = Column::Side(axis, if rows[highest].slope[axis] > 0.0 { -1.0 } else { 1.0 });
     }
-    let scale = rows.iter().fold(0.0, |most: f64, row| most.max(row.value.abs()));
+    let scale = rows.iter().map(|row| row.value.abs()).fold(0.0, upper_max);
     let mut solved = program.at(&basis)?;
     for _ in 0..MAX_EXCHANGES {
         let Some(entering) = program.entering(&solved, LEAST_EXCESS * scale) else { break };

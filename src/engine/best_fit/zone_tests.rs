@@ -164,7 +164,7 @@ fn poses_by_hand_stay_where_no_norm_is_asked_for() {
         crate::PointPair { a: motion.apply(point).to_array(), b: a, weight: 1.0 }
     };
     let pairs = vec![pair([0.0; 3]), pair([1.0, 0.0, 0.0]), pair([0.0, 2.0, 0.0])];
-    let samples = part.fit_samples(24, SamplingRule::Uniform).thinned(3000).points;
+    let samples = part.fit_samples(24, SamplingRule::Uniform).thinned(1500).points;
     let moved = cloud(samples.iter().map(|&point| motion.apply(point)).collect());
     let by_hand = BestFitOptions { norm: FitNorm::None, ..BestFitOptions::default() };
     let found = fit(&moved, &part, &BestFitOptions { pairs, ..by_hand.clone() });
