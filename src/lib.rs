@@ -165,14 +165,14 @@ pub use engine::{
     CertifiedOptions, CertifiedStatistics, CheckOptions, CheckResult, CheckRules, CheckedBody,
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation,
     Counts, Details, DeviationField, DiffOptions, DiffResult, Difference, DistanceOptions, DistanceResult,
-    Engine, FaceCounts, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitPose, FitStart,
-    FreeEdge, GapOptions, GapsResult, Grid, GridOptions, HausdorffScore, HierarchyOptions, IterationOptions,
-    LeftOut, Measure, Method, MethodName, ModelInfo, NamedModel, NamedOptions, NamesOfPair, Overlap,
-    OverlapOptions, OverlapResult, OverlapUnknown, OverlapVolumes, PairState, PartDifference, PartFaces,
-    PartMotion, PartState, Percentile, Placement, Precision, PreparedModel, RequiredDistance, Requirement,
-    Rule, Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, SelfOverlap, Shell,
+    Engine, FaceCounts, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitNorm, FitPose,
+    FitStart, FreeEdge, GapOptions, GapsResult, Grid, GridOptions, HausdorffScore, HierarchyOptions,
+    IterationOptions, LeftOut, Measure, Method, MethodName, ModelInfo, NamedModel, NamedOptions, NamesOfPair,
+    Overlap, OverlapOptions, OverlapResult, OverlapUnknown, OverlapVolumes, PairState, PartDifference,
+    PartFaces, PartMotion, PartState, Percentile, Placement, Precision, PreparedModel, RequiredDistance,
+    Requirement, Rule, Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, SelfOverlap, Shell,
     SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics, StatisticsOptions, SurfaceScore,
-    UnkeptRule, VolumesUnknown, Witness, checked_bodies,
+    UnkeptRule, VolumesUnknown, Witness, Zone, ZoneOptions, checked_bodies,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

@@ -74,6 +74,11 @@ impl<'a> Progress<'a> {
         Self { monitor, direction: [0.0, length], section: [0.0, 1.0], reported: 0.0, last: Instant::now() }
     }
 
+    /// Returns the caller's side, for a computation that is a part of this one.
+    pub(crate) fn monitor(&mut self) -> &mut dyn Monitor {
+        self.monitor
+    }
+
     /// Begins the second direction.
     pub(crate) fn second_half(&mut self) {
         self.direction = [0.5, 0.5];

@@ -12,7 +12,7 @@ from importlib.metadata import version as _version
 from . import testing
 from ._check import check
 from ._errors import NurbsHausdorffError
-from ._fit import BestFit, FitPose, LeftOut, best_fit
+from ._fit import BestFit, FitPose, LeftOut, Zone, best_fit
 from ._interval import Interval
 from ._measure import (
     clearance, closest_points, diff, distance, field, gaps, overlap, signed_distances, statistics,
@@ -47,8 +47,13 @@ __all__ = [
     "GapsResult", "HausdorffScore", "Interval", "LeftOut", "Mesh", "MeshReport", "Model",
     "NurbsHausdorffError", "Overlap", "OverlapResult", "OverlapVolumes", "PartDifference",
     "PartFaces", "PartMotion", "Placement", "ReadReport", "Remark", "Requirement", "Score",
+<<<<<<< HEAD
     "ScoredModel", "SelfOverlap", "Shell", "SignedDistances", "Solid", "Statistics", "SurfacePoint",
     "SurfaceScore", "Transform", "UnkeptRule", "Witness", "best_fit", "check", "clearance",
+=======
+    "ScoredModel", "Shell", "SignedDistances", "Solid", "Statistics", "SurfacePoint",
+    "SurfaceScore", "Transform", "UnkeptRule", "Witness", "Zone", "best_fit", "check", "clearance",
+>>>>>>> 184b7c0e
     "closest_points", "diff", "distance", "field", "gaps", "model", "overlap", "read", "score",
     "signed_distances", "statistics", "testing",
 ]  # fmt: skip

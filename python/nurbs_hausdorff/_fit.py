@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -40,6 +41,37 @@ class LeftOut:
 
 
 @dataclass(frozen=True)
+class Zone:
+    """The least, over a box of motions, of the largest distance of A's points to B: certain.
+
+    Attributes
+    ----------
+    lower : float
+        No motion of the box brings all points of A nearer to B than this.
+    upper : float
+        In the pose found no point of A is farther from B than this.
+    degrees, translation : float
+        The box: turns by up to this angle about ``center`` from the pose found, then shifts of up
+        to this length; both only in the freedoms that datums leave.
+    center : tuple of float
+        Centre of the turns, in the frame of B.
+    boxes : int
+        Number of boxes of motions that were bounded.
+    passes : bool or None
+        Whether some motion of the box brings all of A within the limit; None without a limit, and
+        where it lies between the bounds.
+    """
+
+    lower: float
+    upper: float
+    degrees: float
+    translation: float
+    center: tuple[float, float, float]
+    boxes: int
+    passes: bool | None = None
+
+
+@dataclass(frozen=True)
 class BestFit:
     """The pose of A that fits B best.
 
@@ -65,6 +97,14 @@ class BestFit:
         Number of samples.
     left_out : LeftOut
         The samples that are left out.
+    largest : float
+        The largest distance of the samples there: an estimate.
+    zone : Zone or None
+        Interval of the least largest distance, with ``norm="largest"``.
+    zone_proven : bool or None
+        Whether that interval is narrow: at most a twentieth of its upper bound wide.
+    taken : tuple of int
+        Number of freedoms, of six, that each datum took, in their order.
     """
 
     transform: Transform
@@ -78,6 +118,10 @@ class BestFit:
     tried: int
     samples: int
     left_out: LeftOut
+    largest: float
+    zone: Zone | None = None
+    zone_proven: bool | None = None
+    taken: tuple[int, ...] = ()
 
 
 def best_fit(
@@ -86,7 +130,14 @@ def best_fit(
     *,
     samples: int = 16,
     sampling: Sampling | None = None,
-    start: Literal["any", "given"] = "any",
+    start: Literal["any", "given", "axes", "boxes"] = "any",
+    norm: Literal["mean", "largest", "none"] = "mean",
+    pairs: Sequence[Mapping[str, Any]] = (),
+    datums: Sequence[Mapping[str, Any]] = (),
+    zone_translation: float | None = None,
+    zone_degrees: float = 1.0,
+    limit: float | None = None,
+    max_boxes: int = 2000,
     outliers: float = 0.0,
     robust: Literal["none", "trimmed", "tukey", "geman-mcclure"] | None = None,
     tolerance: float | None = None,
@@ -99,15 +150,34 @@ def best_fit(
 ) -> BestFit:
     """Return the pose of A at which the mean square of its samples' distances from B is least.
 
-    It is no certified result: measure ``distance`` there.
+    It is no certified result but for ``zone``: measure ``distance`` there.
 
     Parameters
     ----------
     a, b : anything that `model` takes
     samples, sampling : optional
         Grid of samples of every surface of A, as for `field`.
-    start : {"any", "given"}
-        Poses from which the fit starts: all rotations, or ``transform`` alone.
+    start : {"any", "given", "axes", "boxes"}
+        Poses from which the fit starts: all rotations, ``transform`` alone, principal axes on each
+        other, or ``transform`` with the middles of both boxes on each other.
+    norm : {"mean", "largest", "none"}
+        What is made least: the root mean square, the largest distance, or nothing: A then stays in
+        its first pose, whose residual is stated.
+    pairs : sequence of mappings
+        ``{"a": point, "b": point, "weight": 1.0}``, three or more: the first pose lays points of A
+        on those of B.
+    datums : sequence of mappings
+        ``{"a": feature, "b": feature}`` in their order, the primary first, where a feature is
+        ``{"plane": {"point": p, "normal": n}}``, ``{"axis": {"point": p, "direction": d}}``,
+        ``{"point": {"point": p}}`` or ``{"face": {"index": i}}``. A is moved only in the freedoms
+        that they leave.
+    zone_translation, zone_degrees : float, optional
+        With ``norm="largest"``, the motions that ``zone`` is about: shifts up to this length, a
+        hundredth of the larger diagonal if not given, and turns up to this angle.
+    limit : float, optional
+        With ``norm="largest"``, the distance that ``zone.passes`` is about.
+    max_boxes : int
+        Largest number of boxes of motions that are bounded.
     outliers : float
         Share of the samples, 0 to 0.95, that lie on nothing of B and are left out.
     robust : {"none", "trimmed", "tukey", "geman-mcclure"}, optional
@@ -129,8 +199,13 @@ def best_fit(
     NurbsHausdorffError
         With the code of what was refused; ``CANCELLED`` if ``cancel`` was set.
     """
+    zone = _names.options(
+        translation=zone_translation, degrees=zone_degrees, limit=limit, max_boxes=max_boxes
+    )
     options = _names.options(
-        samples=samples, sampling=sampling, start=start, outliers=outliers, robust=robust,
+        samples=samples, sampling=sampling, start=start, norm=norm,
+        pairs=[_plain(pair) for pair in pairs], datums=[_plain(datum) for datum in datums],
+        zone=zone, outliers=outliers, robust=robust,
         tolerance=tolerance, relative_tolerance=relative_tolerance, max_steps=max_steps,
         scale_units=scale_units,
     )  # fmt: skip
@@ -146,14 +221,30 @@ def best_fit(
 def fit_result(data: dict[str, Any]) -> BestFit:
     """Make the result of a native dictionary in snake case."""
     left_out = data.pop("left_out")
+    zone = data.pop("zone", None)
+    if zone is not None:
+        zone = Zone(**{**zone, "center": tuple(zone["center"])})
     points = np.asarray(left_out["points"], np.float64).reshape(-1, 3)
     poses = tuple(FitPose(motion(one["transform"]), one["rms"]) for one in data.pop("ambiguous"))
     return BestFit(
         transform=motion(data.pop("transform")),
         ambiguous=poses,
         left_out=LeftOut(points, left_out.get("beyond")),
+        zone=zone,
+        taken=tuple(data.pop("taken", ())),
         **data,
     )
+
+
+def _plain(value: Any) -> Any:
+    """Return a nested value with lists of numbers in place of arrays."""
+    if isinstance(value, Mapping):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    if isinstance(value, np.generic):
+        return value.item()
+    return [_plain(item) for item in value] if isinstance(value, (list, tuple)) else value
 
 
 def motion(parts: dict[str, Any]) -> Transform:

@@ -66,6 +66,24 @@ def test_best_fit_finds_a_known_motion():
     assert raised.value.code == "OPTION_INVALID"
 
 
+def test_poses_by_hand_and_the_least_zone():
+    part, moved = box((0, 0, 0), (3, 2, 1)), box((0, 0, 5), (3, 2, 1))
+    corners = np.array([[0, 0, 0], [3, 0, 0], [0, 2, 0]], float)
+    pairs = [{"a": one, "b": one + [0, 0, 5]} for one in corners]
+    # The first face is the floor, the second a wall beside it, the third the other one.
+    datums = [{"a": {"face": {"index": i}}, "b": {"face": {"index": i}}} for i in range(3)]
+    for given in ({"pairs": pairs}, {"datums": datums}, {"start": "boxes"}):
+        fit = nh.best_fit(part, moved, norm="none", **given)
+        assert np.allclose(fit.transform.translation, [0, 0, 5], atol=1e-9)
+        assert fit.converged and fit.rms < 1e-9 and fit.zone is None and fit.ambiguous == ()
+    assert nh.best_fit(part, moved, norm="none", datums=datums).taken == (3, 2, 1)
+    # 0.1 longer: 0.05 at either end.
+    longer = box((-0.05, 0, 5), (3.1, 2, 1))
+    fit = nh.best_fit(longer, moved, norm="largest", start="given", zone_degrees=0.5, limit=0.04)
+    assert fit.zone is not None and fit.zone.lower <= 0.05 <= fit.zone.upper
+    assert fit.zone.passes is False and fit.zone.lower > 0.04
+
+
 def test_sides_of_a_box_and_of_an_open_one():
     closed = nh.model(box((0, 0, 0)))
     solid = closed.solid()

@@ -1,5 +1,6 @@
 //! The motion by datums in their order: each takes of the freedoms that those before it leave.
 
+use super::freedoms::Freedoms;
 use crate::error::{Error, Result};
 use crate::limits::is_in_range;
 use crate::model::RigidTransform;
@@ -35,6 +36,12 @@ pub enum Feature {
         /// Its coordinates.
         point: [f64; 3],
     },
+    /// A face, which stands for what [`crate::PreparedModel::face_feature`] returns; of the models of a best
+    /// fit only.
+    Face {
+        /// Its index.
+        index: usize,
+    },
 }
 
 /// A datum of A and that of B on which it belongs; both are of one kind.
@@ -69,22 +76,36 @@ impl RigidTransform {
     /// [`Error::OptionInvalid`] for features of two kinds, a direction without length, and coordinates
     /// that are not finite or above 1e100.
     pub fn from_datums(datums: &[Datum], given: &Self) -> Result<DatumFit> {
-        let mut state =
-            State { motion: *given, turning: Turning::Free, sliding: DVec3::AXES.to_vec(), anchor: None };
-        let mut taken = Vec::with_capacity(datums.len());
-        for (index, datum) in datums.iter().enumerate() {
-            let before = state.freedoms();
-            let (a, b) = (Checked::of(index, &datum.a)?, Checked::of(index, &datum.b)?);
-            if a.rank != b.rank {
-                let found = format!("datum {index} has features of two kinds, expected one");
-                return Err(Error::OptionInvalid { found });
-            }
-            state.turn(&a, &b);
-            state.slide(&a, &b);
-            taken.push(before - state.freedoms());
-        }
-        Ok(DatumFit { transform: state.motion, taken, free: state.freedoms() })
+        Ok(by_datums(datums, given)?.0)
     }
+}
+
+/// Returns the motion by datums, with the freedoms that they leave.
+///
+/// # Errors
+/// Those of [`RigidTransform::from_datums`].
+pub(crate) fn by_datums(datums: &[Datum], given: &RigidTransform) -> Result<(DatumFit, Freedoms)> {
+    let mut state =
+        State { motion: *given, turning: Turning::Free, sliding: DVec3::AXES.to_vec(), anchor: None };
+    let mut taken = Vec::with_capacity(datums.len());
+    for (index, datum) in datums.iter().enumerate() {
+        let before = state.freedoms();
+        let (a, b) = (Checked::of(index, &datum.a)?, Checked::of(index, &datum.b)?);
+        if a.rank != b.rank {
+            let found = format!("datum {index} has features of two kinds, expected one");
+            return Err(Error::OptionInvalid { found });
+        }
+        state.turn(&a, &b);
+        state.slide(&a, &b);
+        taken.push(before - state.freedoms());
+    }
+    let turns = match state.turning {
+        Turning::Free => DVec3::AXES.to_vec(),
+        Turning::About(axis) => vec![axis],
+        Turning::Fixed => Vec::new(),
+    };
+    let fit = DatumFit { transform: state.motion, taken, free: state.freedoms() };
+    Ok((fit, Freedoms { center: state.anchor, turns, shifts: state.sliding }))
 }
 
 /// A feature that was checked: a point, a direction of length 1 (of a point none), and the number of
@@ -101,6 +122,11 @@ impl Checked {
             Feature::Plane { point, normal } => (point, Some(normal), 1),
             Feature::Axis { point, direction } => (point, Some(direction), 2),
             Feature::Point { point } => (point, None, 3),
+            Feature::Face { index: face } => {
+                let found =
+                    format!("datum {index} is face {face} of no model, expected a plane, an axis or a point");
+                return Err(Error::OptionInvalid { found });
+            }
         };
         if !point.iter().chain(direction.into_iter().flatten()).all(|&value| is_in_range(value)) {
             let found = format!("datum {index} has a coordinate that is not finite or above 1e100");
@@ -339,6 +365,7 @@ mod tests {
             (ball, plane([0.0; 3], [0.0, 0.0, 1.0])),
             (plane([0.0; 3], [0.0; 3]), plane([0.0; 3], [0.0, 0.0, 1.0])),
             (Feature::Point { point: [f64::NAN, 0.0, 0.0] }, ball),
+            (Feature::Face { index: 0 }, Feature::Face { index: 0 }),
         ] {
             let refused = RigidTransform::from_datums(&datums(&[pair]), &RigidTransform::IDENTITY);
             assert_eq!(refused.map_err(|error| error.code()), Err("OPTION_INVALID"));

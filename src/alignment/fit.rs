@@ -1,11 +1,13 @@
 //! The fit in the mean near a pose: damped Newton steps (Levenberg–Marquardt) on the distances.
 
 use super::field::{Field, Place, Residual};
+use super::freedoms::Freedoms;
 use super::loss::Loss;
 use super::samples::Samples;
 use super::system::System;
 use crate::model::RigidTransform;
 use crate::threads::parallel::map_ranges;
+use glam::DVec3;
 
 /// The damping of the first step, relative to unit weights, and how it changes.
 const FIRST_DAMPING: f64 = 1e-3;
@@ -39,6 +41,7 @@ pub(crate) enum Step {
 pub(crate) struct LocalFit<'a, F> {
     field: F,
     samples: &'a Samples,
+    freedoms: Freedoms,
     loss: Loss,
     /// The length of a step that ends the fit.
     smallest: f64,
@@ -63,6 +66,7 @@ impl<'a, F: Field> LocalFit<'a, F> {
         let mut fit = Self {
             field,
             samples,
+            freedoms: Freedoms::all(),
             loss,
             smallest,
             extent: samples.extent(),
@@ -75,6 +79,16 @@ impl<'a, F: Field> LocalFit<'a, F> {
         (fit.residuals, fit.places) = fit.at(&motion)?;
         fit.distances = fit.residuals.iter().map(Residual::distance).collect();
         Some(fit)
+    }
+
+    /// Moves A in these freedoms only.
+    pub(crate) fn within(self, freedoms: &Freedoms) -> Self {
+        Self { freedoms: freedoms.clone(), ..self }
+    }
+
+    /// Returns the point that turns keep.
+    fn center(&self) -> DVec3 {
+        self.freedoms.center.unwrap_or_else(|| self.motion.apply(self.samples.center))
     }
 
     fn at(&self, motion: &RigidTransform) -> Option<(Vec<Residual>, Vec<Place>)> {
@@ -103,8 +117,8 @@ impl<'a, F: Field> LocalFit<'a, F> {
         parts.map(|(&distance, weight)| weight * self.loss.cost(distance, scale)).sum()
     }
 
-    fn system(&self, scale: f64) -> System {
-        let mut system = System::new(self.motion.apply(self.samples.center), self.samples.gyration);
+    fn system(&self, scale: f64) -> System<'_> {
+        let mut system = System::new(&self.freedoms, self.center(), self.samples.gyration);
         for ((residual, &distance), weight) in
             self.residuals.iter().zip(&self.distances).zip(&self.samples.weights)
         {
@@ -123,8 +137,7 @@ impl<'a, F: Field> LocalFit<'a, F> {
         if !(length > self.smallest) || !(step.gain > MIN_GAIN * cost) || self.damping > MAX_DAMPING {
             return Step::Converged;
         }
-        let center = self.motion.apply(self.samples.center);
-        let motion = self.motion.followed(step.vector, center, step.shift);
+        let motion = self.motion.followed(step.vector, self.center(), step.shift);
         let next = self.at(&motion).map(|(residuals, places)| {
             let distances: Vec<f64> = residuals.iter().map(Residual::distance).collect();
             (residuals, places, distances)
@@ -156,6 +169,11 @@ impl<'a, F: Field> LocalFit<'a, F> {
         let total: f64 = kept().map(|(_, weight)| weight).sum();
         let squares: f64 = kept().map(|(distance, weight)| weight * distance * distance).sum();
         if total > 0.0 { (squares / total).sqrt() } else { f64::INFINITY }
+    }
+
+    /// Returns the samples.
+    pub(crate) fn samples(&self) -> &'a Samples {
+        self.samples
     }
 
     /// Returns the distances of all samples.

@@ -1,5 +1,6 @@
 //! The points of one model that are laid on another, with their weights.
 
+use crate::model::RigidTransform;
 use glam::DVec3;
 
 /// Weighted points; the weights sum to 1.
@@ -46,6 +47,12 @@ impl Samples {
         }
         let weights = vec![1.0; chosen.len()];
         Self::new(chosen, weights)
+    }
+
+    /// Returns the middle of the box of the points under a motion; `None` without points.
+    pub(crate) fn middle(&self, motion: &RigidTransform) -> Option<DVec3> {
+        let images = || self.points.iter().map(|&point| motion.apply(point));
+        Some(0.5 * (images().reduce(DVec3::min)? + images().reduce(DVec3::max)?))
     }
 
     /// Returns the largest distance of a point from the centre.

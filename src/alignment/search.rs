@@ -166,6 +166,16 @@ impl<'a> Search<'a> {
     }
 }
 
+/// Returns the poses in which the principal axes of samples lie on those of others, with both centres: four, or more
+/// where spreads are nearly equal.
+pub(crate) fn principal_poses(samples: &Samples, other: &Samples) -> Vec<RigidTransform> {
+    let rotations = Principal::of(samples).onto(&Principal::of(other));
+    rotations
+        .into_iter()
+        .map(|rotation| RigidTransform::about(rotation, samples.center, other.center))
+        .collect()
+}
+
 /// Returns the candidates whose residual is at most `factor` times the least one and `floor`.
 fn within(candidates: Vec<Candidate>, factor: f64, floor: f64) -> Vec<Candidate> {
     let least = candidates.iter().map(|one| one.rms).fold(f64::INFINITY, f64::min);

@@ -1,11 +1,9 @@
 //! The linear least-squares problem of one step: three unknowns of a shift, three of a rotation.
 
 use super::field::Residual;
+use super::freedoms::{COORDINATES as UNKNOWNS, Coordinates, Freedoms};
 use super::moments::eigen;
 use glam::DVec3;
-
-/// The unknowns of a small rigid motion.
-const UNKNOWNS: usize = 6;
 
 /// The part of the largest eigenvalue below which a motion changes no residual: the square of the
 /// part of a length by which a smooth motion along a symmetric part moves off it, with the errors of
@@ -15,12 +13,13 @@ const FREE: f64 = 1e-6;
 /// The sum of weighted squares at one pose, linearised in a shift s and a rotation vector v about c:
 /// a point p at the distance r from its foot in the direction u has the distance
 /// r + u · (s + v × (p - c)), exact to first order, as the foot moves orthogonally to u.
-pub(super) struct System {
+pub(super) struct System<'a> {
+    freedoms: &'a Freedoms,
     center: DVec3,
     /// The unit of angles is the inverse of this length.
     radius: f64,
     matrix: [[f64; UNKNOWNS]; UNKNOWNS],
-    gradient: [f64; UNKNOWNS],
+    gradient: Coordinates,
 }
 
 /// A shift, a rotation vector in radians, and the decrease that the gradient alone predicts.
@@ -30,10 +29,10 @@ pub(super) struct Motion {
     pub(super) gain: f64,
 }
 
-impl System {
+impl<'a> System<'a> {
     /// Starts a problem about a centre, with angles in units of 1 / radius.
-    pub(super) fn new(center: DVec3, radius: f64) -> Self {
-        Self { center, radius, matrix: [[0.0; UNKNOWNS]; UNKNOWNS], gradient: [0.0; UNKNOWNS] }
+    pub(super) fn new(freedoms: &'a Freedoms, center: DVec3, radius: f64) -> Self {
+        Self { freedoms, center, radius, matrix: [[0.0; UNKNOWNS]; UNKNOWNS], gradient: [0.0; UNKNOWNS] }
     }
 
     /// Adds a residual: one row, or three of a foot that is a point.
@@ -48,9 +47,7 @@ impl System {
     }
 
     fn add_row(&mut self, residual: &Residual, direction: DVec3, weight: f64) {
-        let arm = (residual.point - self.center) / self.radius;
-        let moment = arm.cross(direction);
-        let row = [direction.x, direction.y, direction.z, moment.x, moment.y, moment.z];
+        let row = self.freedoms.slopes(residual.point - self.center, self.radius, direction);
         let distance = residual.offset.dot(direction);
         for (i, entries) in self.matrix.iter_mut().enumerate() {
             let scaled = weight * row[i];
@@ -63,7 +60,7 @@ impl System {
 
     /// Returns the step that minimises the linearised sum with `damping` times the squared step
     /// added, by Cholesky's decomposition: every pivot of a positive semidefinite matrix with
-    /// `damping` on its diagonal is at least `damping`.
+    /// `damping` on its diagonal is at least `damping`. Coordinates that are no freedom stay 0.
     pub(super) fn step(&self, damping: f64) -> Motion {
         let mut lower = [[0.0; UNKNOWNS]; UNKNOWNS];
         for i in 0..UNKNOWNS {
@@ -83,15 +80,16 @@ impl System {
             step[i] = (step[i] - known) / lower[i][i];
         }
         let gain = step.iter().zip(self.gradient).map(|(value, slope)| -value * slope).sum();
-        let [a, b, c, x, y, z] = step;
-        Motion { shift: DVec3::new(a, b, c), vector: DVec3::new(x, y, z) / self.radius, gain }
+        let (vector, shift) = self.freedoms.motion(&step, self.radius);
+        Motion { shift, vector, gain }
     }
 
-    /// Returns the number of independent motions, from 0 to 6, that change no residual to first order.
+    /// Returns the number of independent motions, of those that are free, that change no residual to first order.
     pub(super) fn freedoms(&self) -> usize {
         let (values, _) = eigen(self.matrix);
         let largest = values.into_iter().fold(0.0, f64::max);
-        values.into_iter().filter(|&value| !(value > FREE * largest)).count()
+        let still = values.into_iter().filter(|&value| !(value > FREE * largest)).count();
+        still - (UNKNOWNS - self.freedoms.count())
     }
 }
 
@@ -110,7 +108,8 @@ mod tests {
 
     #[test]
     fn one_step_lays_a_plane_on_a_plane_and_leaves_three_motions_free() {
-        let mut system = System::new(DVec3::new(2.0, 2.0, 3.0), 2.0);
+        let free = Freedoms::all();
+        let mut system = System::new(&free, DVec3::new(2.0, 2.0, 3.0), 2.0);
         plane_samples(3.0).iter().for_each(|residual| system.add(residual, 0.04));
         let motion = system.step(1e-12);
         assert!((motion.shift - DVec3::Z * -3.0).length() < 1e-9, "{:?}", motion.shift);
@@ -123,7 +122,8 @@ mod tests {
     /// On a ball every direction passes the centre.
     #[test]
     fn a_ball_turns_freely() {
-        let mut system = System::new(DVec3::ZERO, 1.0);
+        let free = Freedoms::all();
+        let mut system = System::new(&free, DVec3::ZERO, 1.0);
         for (_, turn) in super::super::moments::right_handed() {
             let point = turn * DVec3::new(1.0, 2.0, 2.0);
             let residual = Residual { point, offset: 0.1 * point, direction: Some(point / 3.0) };

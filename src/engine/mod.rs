@@ -28,7 +28,7 @@ mod signs;
 mod solid;
 mod statistics;
 
-pub use best_fit::{BestFit, BestFitOptions, FitPose, FitStart, LeftOut};
+pub use best_fit::{BestFit, BestFitOptions, FitNorm, FitPose, FitStart, LeftOut, Zone, ZoneOptions};
 pub use bodies::{Body, BodyKind};
 pub use check::{
     BodyPair, CheckOptions, CheckResult, CheckRules, CheckedBody, NamedModel, NamesOfPair, PairState,

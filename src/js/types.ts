@@ -38,7 +38,17 @@ export type {
 } from "./measure/diff.js";
 export type { DistanceEngine } from "./measure/engine.js";
 export type { DeviationField, FieldOptions } from "./measure/field.js";
-export type { BestFit, BestFitOptions, FitPose, Rigid } from "./measure/fit.js";
+export type {
+  BestFit,
+  BestFitOptions,
+  Datum,
+  DatumFeature,
+  FitPose,
+  PointPair,
+  Rigid,
+  Zone,
+  ZoneOptions,
+} from "./measure/fit.js";
 export { Latest } from "./measure/latest.js";
 export type {
   Backend,

@@ -2,6 +2,7 @@
 
 use crate::commands::{file, run, status};
 use nurbs_hausdorff::shapes::shape;
+use nurbs_hausdorff::{Model, SurfaceArrays};
 use serde_json::Value;
 
 fn wing(name: &str) -> String {
@@ -46,4 +47,68 @@ fn json_has_the_motion_in_all_forms_and_a_fit_that_is_none_is_undecided() {
     assert_eq!(status(&output), 3);
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!((&found["verdict"], &found["converged"]), (&"undecided".into(), &false.into()));
+}
+
+/// A square by its corners' heights, from (0, 0) to (4, 4).
+fn square(name: &str, heights: [f64; 4]) -> String {
+    let corners = [(0.0, 0.0), (0.0, 4.0), (4.0, 0.0), (4.0, 4.0)];
+    let points = corners.iter().zip(heights).map(|(&(x, y), z)| [x, y, z, 1.0]);
+    let arrays = SurfaceArrays {
+        degree: [1, 1],
+        knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+        counts: [2, 2],
+        control_points: points.collect(),
+    };
+    file(name, &Model::from_arrays(None, vec![arrays]).unwrap().to_json().unwrap())
+}
+
+/// A saddle whose corners are ± 0.1 beside the plane that is nearest to them.
+#[test]
+fn a_limit_that_no_motion_keeps_fails_and_one_that_the_pose_keeps_passes() {
+    let saddle = square("align-saddle.json", [0.1, -0.1, -0.1, 0.1]);
+    let plane = square("align-plane.json", [0.0; 4]);
+    let fit = |limit: &str| {
+        let output = run(&["align", &saddle, &plane, "--norm", "largest", "--limit", limit, "--json"]);
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        (status(&output), found)
+    };
+    let (passed, found) = fit("0.11");
+    assert_eq!((passed, &found["verdict"], &found["zone"]["passes"]), (0, &"passed".into(), &true.into()));
+    let [lower, upper] = ["lower", "upper"].map(|end| found["zone"][end].as_f64().unwrap());
+    assert!(lower <= 0.1 && 0.1 <= upper + 1e-6 && found["zoneProven"] == true, "{found}");
+    let (failed, found) = fit("0.09");
+    assert_eq!((failed, &found["verdict"], &found["zone"]["passes"]), (1, &"failed".into(), &false.into()));
+    let output = run(&["align", &saddle, &plane, "--norm", "largest"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("\nzone       0.09") && text.contains("no motion of the box"), "{text}");
+}
+
+#[test]
+fn pairs_and_datums_lay_a_part_by_hand() {
+    let part = square("align-by-hand.json", [0.0; 4]);
+    let raised = square("align-raised.json", [3.0; 4]);
+    let pairs = file("align-pairs.txt", "# a b\n0 0 0, 0 0 3\n4 0 0, 4 0 3, 2\n\n0 4 0, 0 4 3\n");
+    let json = |arguments: &[&str]| -> Value {
+        let output = run(&[&["align", &part, &raised, "--norm", "none", "--json"], arguments].concat());
+        assert_eq!(status(&output), 0, "{}", String::from_utf8_lossy(&output.stderr));
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    for arguments in [
+        &["--pairs", &pairs] as &[&str],
+        &["--datum", "face:0=0"],
+        &["--datum=plane:0,0,0,0,0,1=1,1,3,0,0,2"],
+        &["--from", "boxes"],
+    ] {
+        let found = json(arguments);
+        let translation: Vec<f64> = serde_json::from_value(found["motion"]["translation"].clone()).unwrap();
+        assert!((translation[2] - 3.0).abs() < 1e-9 && found["rms"].as_f64() < Some(1e-9), "{found}");
+        assert_eq!((&found["steps"], &found["ambiguous"]), (&0.into(), &serde_json::json!([])));
+    }
+    assert_eq!(json(&["--datum", "face:0=0"])["taken"], serde_json::json!([3]));
+    let refused = run(&["align", &part, &raised, "--datum", "face:9=0"]);
+    assert_eq!(status(&refused), 2);
+    assert_eq!(status(&run(&["align", &part, &raised, "--pairs", "nowhere.txt"])), 2);
+    let two = file("align-two-pairs.txt", "0 0 0 0 0 3\n1 0 0 1 0\n");
+    let output = run(&["align", &part, &raised, "--pairs", &two]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("line 2"), "{output:?}");
 }

@@ -249,3 +249,20 @@ fn a_closed_pipe_ends_the_batch() {
     assert_eq!(child.wait().unwrap().code(), Some(0));
     assert_distances(&answers(first.as_bytes()), 0..1);
 }
+
+/// A datum in a line lays the square on the higher one; its verdict is that of `align`.
+#[test]
+fn a_line_may_align() {
+    let [a, b] = [square("align", 0.0), square("align", 2.0)];
+    let face = json!({ "face": { "index": 0 } });
+    let datums = json!([{ "a": face, "b": face }]);
+    let lines = [
+        json!({ "id": 1, "command": "align", "a": a, "b": b, "norm": "none", "datums": datums }),
+        json!({ "id": 2, "command": "align", "a": a, "b": b, "norm": "smallest" }),
+    ];
+    let output = batch(&lines, &[]);
+    let found = answers(&output.stdout);
+    assert_eq!((&found[0]["command"], &found[0]["verdict"]), (&json!("align"), &json!("passed")));
+    assert_eq!((&found[0]["taken"], &found[0]["motion"]["translation"][2]), (&json!([3]), &json!(2.0)));
+    assert_eq!(found[1]["error"]["code"], "OPTION_INVALID");
+}

@@ -8,7 +8,8 @@
 use std::path::{Path, PathBuf};
 
 /// The folders of code that forms bounds.
-const FOLDERS: [&str; 11] = [
+const FOLDERS: [&str; 12] = [
+    "src/alignment/largest",
     "src/bezier",
     "src/certified",
     "src/clearance",

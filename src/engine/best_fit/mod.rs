@@ -1,21 +1,33 @@
 //! The pose of one model that fits another best.
 
+mod clear;
+mod faces;
 mod options;
 mod points;
+mod start;
 #[cfg(all(test, feature = "shapes", not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests;
+mod zone;
+#[cfg(all(test, feature = "shapes", not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod zone_tests;
 
 use super::direction::Direction;
+use super::prepared::PreparedTarget;
 use super::{Computation, Engine, PreparedModel};
 use crate::alignment::{
-    Candidate, FootField, LocalFit, Loss, Samples, Search, Step, distinct, random_residual,
+    Candidate, FootField, LargestFit, LocalFit, Loss, Samples, Search, Step, distinct, random_residual,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::progress::{Monitor, Progress};
+use clear::{Kind, ToModel};
 use options::DEFAULT_RELATIVE_TOLERANCE;
-pub use options::{BestFit, BestFitOptions, FitPose, FitStart, LeftOut};
+pub use options::{BestFit, BestFitOptions, FitNorm, FitPose, FitStart, LeftOut};
+use start::Start;
+use zone::ZonePair;
+pub use zone::{Zone, ZoneOptions};
 
 /// The largest number of samples of a fit: more change the pose by less than the accuracy of a scan.
 const MAX_SAMPLES: usize = 20_000;
@@ -54,7 +66,11 @@ impl Engine {
     ///
     /// From [`FitStart::Any`] the best of some 600 starts is fitted, twice as many where A is a part
     /// of B; of equal fits the one nearest to the options' transform. The same input gives the same
-    /// answer. All numbers are estimates; [`Engine::distance`] says what a pose is worth.
+    /// answer. All numbers but `zone` are estimates; [`Engine::distance`] says what a pose is worth.
+    ///
+    /// `pairs`, `datums` and the other starts make the first pose by hand; with [`FitNorm::None`] A stays there.
+    /// With [`FitNorm::Largest`] the fit in the mean is followed by that in the largest distance, and `zone`
+    /// is a certain interval: the least largest distance of all of A over a box of motions about the pose found.
     ///
     /// `converged` says that the last fit ended by itself, and that its residual is at most a tenth
     /// of that of random poses, or that all poses known come to it.
@@ -96,6 +112,8 @@ impl Engine {
         let pair = Pair {
             field,
             diagonal,
+            held: held.as_deref(),
+            a,
             samples: a.fit_samples(options.samples, options.sampling).thinned(MAX_SAMPLES),
             other: b.fit_samples(options.samples, options.sampling),
             b,
@@ -109,9 +127,11 @@ impl Engine {
 /// The samples of A and the model that they are laid on.
 struct Pair<'a> {
     field: FootField<'a>,
+    held: Option<&'a PreparedTarget>,
     diagonal: f64,
     samples: Samples,
     other: Samples,
+    a: &'a PreparedModel,
     b: &'a PreparedModel,
     options: &'a BestFitOptions,
     loss: Loss,
@@ -123,60 +143,124 @@ struct Found {
     tried: usize,
 }
 
-impl Pair<'_> {
+/// The last fit: its pose, whether it ended by itself, and its steps.
+struct Last {
+    steps: usize,
+    ended: bool,
+    zone: Option<Zone>,
+}
+
+impl<'a> Pair<'a> {
     async fn fit(&self, progress: &mut Progress<'_>) -> Result<BestFit> {
         let options = self.options;
         let search_field = self.field.up_to(SEARCH_GAP * self.diagonal);
         let rms_random = random_residual(search_field, (&self.samples, &self.other), self.loss)
             .ok_or(Error::EmptyModel)?;
-        let found = match options.start {
-            FitStart::Given => Found { poses: Vec::new(), tried: 1 },
-            FitStart::Any => self.search(search_field, progress).await?,
+        let start = Start::of(options, [self.a, self.b], [&self.samples, &self.other], |motion| {
+            Ok(self.local(&self.samples.thinned(COMPARED_SAMPLES), 0.0, motion)?.rms())
+        })?;
+        let found = match start.is_given {
+            true => Found { poses: Vec::new(), tried: 1 },
+            false => self.search(search_field, progress).await?,
         };
-        let (mut fit, rms_before) = self.best_start(&found)?;
+        let rms_before = self.local(&self.samples, 0.0, options.transform)?.rms();
+        let mut fit = self.best_start(&found, &start)?;
         progress.section(SEARCH_SHARE, 1.0 - SEARCH_SHARE);
-        let (mut steps, mut ended) = (0, false);
-        while steps < options.max_steps {
+        let last = self.last(&mut fit, &start, progress).await?;
+        progress.finish();
+        let rms = fit.rms();
+        let (ambiguous, of_one_basin) = self.ambiguous(&found, &fit, search_field)?;
+        let scale = fit.scale();
+        let is_fit = rms <= CONVERGED_SHARE * rms_random + EXACT * self.diagonal || of_one_basin;
+        let kept = fit.distances().iter().copied().filter(|distance| *distance <= scale);
+        Ok(BestFit {
+            transform: fit.motion,
+            rms,
+            largest: kept.fold(0.0, f64::max),
+            zone: last.zone,
+            zone_proven: last.zone.map(|zone| zone.is_proven(EXACT * self.diagonal)),
+            taken: start.taken,
+            rms_before,
+            rms_random,
+            steps: last.steps,
+            converged: last.ended && is_fit,
+            ambiguous,
+            freedoms: fit.freedoms(),
+            tried: found.tried,
+            samples: self.samples.points.len(),
+            left_out: self.left_out(fit.distances(), scale),
+        })
+    }
+
+    /// Takes the steps of the last fit, or of two where the norm is the largest distance.
+    async fn last(
+        &self,
+        fit: &mut LocalFit<'_, FootField<'a>>,
+        start: &Start,
+        progress: &mut Progress<'_>,
+    ) -> Result<Last> {
+        let most = self.options.max_steps;
+        let (mut steps, mut ended) = (0, self.options.norm == FitNorm::None);
+        while !ended && steps < most {
             if fit.advance() == Step::Converged {
                 ended = true;
                 break;
             }
             steps += 1;
             progress.step(steps, fit.rms());
-            progress.checkpoint(steps as f64 / options.max_steps as f64).await?;
+            progress.checkpoint(steps as f64 / most as f64).await?;
         }
-        progress.finish();
-        let rms = fit.rms();
+        if self.options.norm != FitNorm::Largest {
+            return Ok(Last { steps, ended, zone: None });
+        }
+        let pair = self.zone_pair();
+        let smallest = self.smallest();
+        let largest = LargestFit::new(self.field, &self.samples, &start.freedoms, smallest, fit.motion)
+            .ok_or(Error::EmptyModel)?;
+        let found = pair.fit(largest, &start.freedoms, progress).await?;
+        *fit = LocalFit::new(self.field, fit.samples(), self.loss, smallest, found.motion)
+            .ok_or(Error::EmptyModel)?
+            .within(&start.freedoms);
+        Ok(Last { steps: steps + found.steps, ended: ended && found.ended, zone: Some(found.zone) })
+    }
+
+    fn zone_pair(&self) -> ZonePair<'_> {
+        let (kind, error) = match (self.b.facets(), self.held) {
+            (None, Some(held)) => (Kind::Patches(&held.target), held.point_error(self.b)),
+            (facets, _) => {
+                let length = facets.map_or(0.0, |facets| facets.target.bounding_box().farthest_from_origin());
+                (Kind::Facets(facets, length), facets.map_or(0.0, |facets| facets.error))
+            }
+        };
+        let size = self.b.bounding_box().diagonal();
+        ZonePair {
+            a: self.a,
+            b: self.b,
+            to: ToModel { kind, error, gap: SEARCH_GAP * self.diagonal, size },
+            diagonal: self.diagonal,
+            options: &self.options.zone,
+            max_steps: self.options.max_steps,
+        }
+    }
+
+    /// Returns the other poses that fit nearly as well, and whether all that the search kept do.
+    fn ambiguous(
+        &self,
+        found: &Found,
+        fit: &LocalFit<'_, FootField<'_>>,
+        field: FootField<'_>,
+    ) -> Result<(Vec<FitPose>, bool)> {
         let compared = self.samples.thinned(COMPARED_SAMPLES);
-        let best =
-            LocalFit::new(search_field, &compared, self.loss, 0.0, fit.motion).ok_or(Error::EmptyModel)?;
+        let best = LocalFit::new(field, &compared, self.loss, 0.0, fit.motion).ok_or(Error::EmptyModel)?;
         let best = Candidate { motion: fit.motion, rms: best.rms() };
         let most = AMBIGUOUS * best.rms + EXACT * self.diagonal;
         let near = |one: &Candidate| one.rms <= most;
         let of_one_basin = !found.poses.is_empty() && found.poses.iter().all(near);
         let others = found.poses.iter().copied().filter(near);
-        let others = distinct(
-            std::iter::once(Candidate { rms: -1.0, ..best }).chain(others).collect(),
-            &compared,
-            usize::MAX,
-        );
-        let ambiguous =
-            others.into_iter().skip(1).map(|Candidate { motion, rms }| FitPose { transform: motion, rms });
-        let scale = fit.scale();
-        let is_fit = rms <= CONVERGED_SHARE * rms_random + EXACT * self.diagonal || of_one_basin;
-        Ok(BestFit {
-            transform: fit.motion,
-            rms,
-            rms_before,
-            rms_random,
-            steps,
-            converged: ended && is_fit,
-            ambiguous: ambiguous.collect(),
-            freedoms: fit.freedoms(),
-            tried: found.tried,
-            samples: self.samples.points.len(),
-            left_out: self.left_out(fit.distances(), scale),
-        })
+        let all = std::iter::once(Candidate { rms: -1.0, ..best }).chain(others).collect();
+        let others = distinct(all, &compared, usize::MAX).into_iter().skip(1);
+        let poses = others.map(|Candidate { motion, rms }| FitPose { transform: motion, rms });
+        Ok((poses.collect(), of_one_basin))
     }
 
     /// Searches poses from the given one and from all rotations.
@@ -193,24 +277,32 @@ impl Pair<'_> {
         Ok(Found { poses: search.best(), tried: search.tried() })
     }
 
-    /// Returns the fit that the steps continue, with the residual at the given pose: that from the
-    /// given pose unless a pose that was found is better by more than rounding.
-    fn best_start(&self, found: &Found) -> Result<(LocalFit<'_, FootField<'_>>, f64)> {
-        let smallest = self.options.permitted_width().in_units(self.diagonal, DEFAULT_RELATIVE_TOLERANCE);
-        let start = |motion: RigidTransform| {
-            LocalFit::new(self.field, &self.samples, self.loss, smallest, motion).ok_or(Error::EmptyModel)
-        };
-        let given = start(self.options.transform)?;
-        let before = given.rms();
-        let Some(best) = found.poses.first() else { return Ok((given, before)) };
+    fn smallest(&self) -> f64 {
+        self.options.permitted_width().in_units(self.diagonal, DEFAULT_RELATIVE_TOLERANCE)
+    }
+
+    fn local<'s>(
+        &self,
+        samples: &'s Samples,
+        smallest: f64,
+        motion: RigidTransform,
+    ) -> Result<LocalFit<'s, FootField<'a>>> {
+        LocalFit::new(self.field, samples, self.loss, smallest, motion).ok_or(Error::EmptyModel)
+    }
+
+    /// Returns the fit that the steps continue: that from the first pose unless a pose that was found is better by
+    /// more than rounding.
+    fn best_start(&self, found: &Found, start: &Start) -> Result<LocalFit<'_, FootField<'a>>> {
+        let smallest = self.smallest();
+        let given = self.local(&self.samples, smallest, start.motion)?.within(&start.freedoms);
+        let Some(best) = found.poses.first() else { return Ok(given) };
         let compared = self.samples.thinned(COMPARED_SAMPLES);
-        let mut near = LocalFit::new(self.field, &compared, self.loss, smallest, self.options.transform)
-            .ok_or(Error::EmptyModel)?;
+        let mut near = self.local(&compared, smallest, start.motion)?;
         near.run(NEAR_STEPS);
         if near.rms() <= (1.0 + NEARLY_EQUAL) * best.rms + EXACT * self.diagonal {
-            return Ok((given, before));
+            return Ok(given);
         }
-        Ok((start(best.motion)?, before))
+        self.local(&self.samples, smallest, best.motion)
     }
 
     fn left_out(&self, distances: &[f64], scale: f64) -> LeftOut {

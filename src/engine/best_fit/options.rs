@@ -1,6 +1,7 @@
 //! The options and the result of a best fit.
 
-use crate::alignment::{Loss, Robust};
+use super::zone::{Zone, ZoneOptions};
+use crate::alignment::{Datum, Loss, PointPair, Robust};
 use crate::engine::options::{at_least_zero, require_samples};
 use crate::error::{Error, Result};
 use crate::iteration::SamplingRule;
@@ -27,6 +28,24 @@ pub enum FitStart {
     Any,
     /// The pose of the options alone: the fit is the local one near it.
     Given,
+    /// The poses in which A's principal axes lie on B's, of which the one with the least residual is taken.
+    Axes,
+    /// The pose of the options, moved so that the middles of the boxes of both models' samples agree.
+    Boxes,
+}
+
+/// The distance of a pose that a fit makes least.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum FitNorm {
+    /// The root mean square of the distances of A's samples: least squares.
+    #[default]
+    Mean,
+    /// The largest distance of A's points: Chebyshev's norm, the minimum zone of ISO 1101.
+    Largest,
+    /// None: A stays in its first pose, of which the fit only states the residual.
+    None,
 }
 
 /// Options of [`crate::Engine::best_fit`]; names in camelCase when deserialized.
@@ -41,6 +60,16 @@ pub struct BestFitOptions {
     pub sampling: SamplingRule,
     /// The poses from which the fit starts.
     pub start: FitStart,
+    /// What the fit makes least.
+    pub norm: FitNorm,
+    /// Points of A with those of B on which they belong, none or at least three: the pose in which the
+    /// sum of their squared distances is least takes the place of `start`.
+    pub pairs: Vec<PointPair>,
+    /// Datums of A on those of B in their order, which A keeps: they take the place of `start`, from the
+    /// pose of `pairs` or else of `transform`, and the fit moves A only in the freedoms that they leave.
+    pub datums: Vec<Datum>,
+    /// The motions over which the least largest distance is bounded, if that is the norm.
+    pub zone: ZoneOptions,
     /// The length, in model units, below which a step ends the fit, positive.
     pub tolerance: Option<f64>,
     /// The same as a fraction of the larger diagonal; 1e-9 if neither is given. Both at once are an
@@ -66,6 +95,10 @@ impl Default for BestFitOptions {
             samples: DEFAULT_SAMPLES,
             sampling: SamplingRule::default(),
             start: FitStart::default(),
+            norm: FitNorm::default(),
+            pairs: Vec::new(),
+            datums: Vec::new(),
+            zone: ZoneOptions::default(),
             tolerance: None,
             relative_tolerance: None,
             max_steps: DEFAULT_MAX_STEPS,
@@ -85,7 +118,8 @@ impl BestFitOptions {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] naming the option; [`Error::OptionInvalid`] for both tolerances,
-    /// and for outliers that no rule leaves out.
+    /// for outliers that no rule leaves out, and for outliers or a rule in the largest distance, which is that
+    /// of all points.
     pub fn validate(&self) -> Result<()> {
         require_samples(self.samples)?;
         self.permitted_width().validate()?;
@@ -97,6 +131,12 @@ impl BestFitOptions {
             let found = "found outliers and robust none, expected a rule that leaves them out".to_owned();
             return Err(Error::OptionInvalid { found });
         }
+        if self.norm == FitNorm::Largest && self.loss().robust != Robust::None {
+            let found =
+                "found the norm largest with outliers or a rule for them, expected all points to count";
+            return Err(Error::OptionInvalid { found: found.to_owned() });
+        }
+        self.zone.validate()?;
         if self.max_steps == 0 {
             return Err(Error::out_of_range("maxSteps", 0, "at least 1"));
         }
@@ -148,9 +188,21 @@ pub struct BestFit {
     /// The root mean square there of the distances of A's samples to B, weighted by area, without
     /// those left out: an estimate.
     pub rms: f64,
-    /// The same where A was at first.
+    /// The largest distance of A's samples there, of those not left out: an estimate.
+    pub largest: f64,
+    /// The interval of the least largest distance, if that is the norm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub zone: Option<Zone>,
+    /// Whether that interval is narrow: its width at most a twentieth of the upper bound. Else `zone.upper`
+    /// is the zone that was found, and that none is less has not been shown.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub zone_proven: Option<bool>,
+    /// The number of freedoms, of six, that each datum took, in their order.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub taken: Vec<usize>,
+    /// The root mean square where A was at first.
     pub rms_before: f64,
-    /// The same in a pose that nothing determines: the median of 48 rotations spread over all, A's
+    /// The root mean square in a pose that nothing determines: the median of 48 rotations spread over all, A's
     /// centre beside B's by half of A's radius of gyration.
     pub rms_random: f64,
     /// The number of steps of the last fit.

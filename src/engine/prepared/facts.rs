@@ -9,6 +9,7 @@ use crate::facets::PreparedFacets;
 use crate::model::Model;
 use crate::pieces::FacePieces;
 use crate::solid::{Boundary, Edges, Joined};
+use crate::symmetry::Revolution;
 use crate::threads::computed;
 use crate::threads::parallel::map;
 
@@ -128,6 +129,12 @@ impl PreparedModel {
     #[must_use]
     pub fn face_count(&self) -> usize {
         self.pieces.face_count()
+    }
+
+    /// Returns the surface of revolution that a face lies on, if it lies on one.
+    pub(in crate::engine) fn revolution_of(&self, face: usize) -> Option<&Revolution> {
+        let pieces = self.revolutions.iter().enumerate();
+        pieces.filter(|(piece, _)| self.pieces.face(*piece) == face).find_map(|(_, found)| found.as_ref())
     }
 
     /// Returns the name of a face in its source, if it has one.

@@ -6,6 +6,64 @@ export interface Rigid {
   translation: Vector3;
 }
 
+/** A point of `a` and the point of `b` on which it belongs, with a positive weight; default 1. */
+export interface PointPair {
+  a: Vector3;
+  b: Vector3;
+  weight?: number;
+}
+
+/**
+ * A feature that a datum is taken from: a plane by a point and its outward normal, an axis by a point
+ * and its direction, both of any length, a point, or a face by its index. A flat face stands for its
+ * plane, a ball for its centre, another surface of revolution for its axis; its direction is turned to
+ * the side of that of the other model.
+ */
+export type DatumFeature =
+  | { plane: { point: Vector3; normal: Vector3 } }
+  | { axis: { point: Vector3; direction: Vector3 } }
+  | { point: { point: Vector3 } }
+  | { face: { index: number } };
+
+/** A datum of `a` and that of `b` on which it belongs; both are of one kind. */
+export interface Datum {
+  a: DatumFeature;
+  b: DatumFeature;
+}
+
+/** The motions over which the least largest distance is bounded: a box about the pose found. */
+export interface ZoneOptions {
+  /** The largest shift, in model units, 0 or more; default a hundredth of the larger diagonal. */
+  translation?: number;
+  /** The largest angle, in degrees, 0 to 45; default 1. */
+  degrees?: number;
+  /** The distance that `passes` is about, in model units, 0 or more. */
+  limit?: number;
+  /** The largest number of boxes of motions that are bounded; default 2000. */
+  maxBoxes?: number;
+}
+
+/** The least, over a box of motions, of the largest distance of the points of `a`: certain. */
+export interface Zone {
+  /** No motion of the box brings all points of `a` nearer to `b` than this. */
+  lower: number;
+  /** In the pose found no point of `a` is farther from `b` than this. */
+  upper: number;
+  /** The box: turns by up to this angle about `center`, in degrees, from the pose found … */
+  degrees: number;
+  /** … followed by shifts of up to this length; both only in the freedoms that datums leave. */
+  translation: number;
+  /** The centre of the turns, in the frame of `b`. */
+  center: Vector3;
+  /** The number of boxes of motions that were bounded. */
+  boxes: number;
+  /**
+   * Whether some motion of the box brings all of `a` within the limit; absent without a limit, and
+   * where it lies between the bounds.
+   */
+  passes?: boolean;
+}
+
 /** Options of `Hausdorff.bestFit`. */
 export interface BestFitOptions {
   /**
@@ -18,10 +76,25 @@ export interface BestFitOptions {
   /** Where `a` is at first; default where it lies. Of fits that are equally good, the one near this. */
   transform?: Transform;
   /**
-   * The poses from which the fit starts: all rotations (default), or `transform` alone, which
-   * gives the local fit near it.
+   * The poses from which the fit starts: all rotations (default); `transform` alone, which gives the
+   * local fit near it; the principal axes of both on each other; or `transform`, moved so that the
+   * middles of both boxes agree.
    */
-  start?: "any" | "given";
+  start?: "any" | "given" | "axes" | "boxes";
+  /**
+   * What the fit makes least: the root mean square of the distances (default), the largest distance,
+   * or nothing: `a` then stays in its first pose, whose residual is stated.
+   */
+  norm?: "mean" | "largest" | "none";
+  /** Points of `a` with those of `b`, three or more: the first pose lays them on each other. */
+  pairs?: PointPair[];
+  /**
+   * Datums in their order, the primary first, laid on each other in the first pose; the fit moves
+   * `a` only in the freedoms that they leave.
+   */
+  datums?: Datum[];
+  /** The motions over which the least largest distance is bounded, with `norm: "largest"`. */
+  zone?: ZoneOptions;
   /** The share of the samples, 0 to 0.95, that lie on nothing of `b` and are left out; default 0. */
   outliers?: number;
   /**
@@ -68,10 +141,21 @@ export interface BestFit {
    * out: an estimate.
    */
   rms: number;
-  /** The same before. */
+  /** The largest of these distances: an estimate. */
+  largest: number;
+  /** The interval of the least largest distance, with `norm: "largest"`. */
+  zone?: Zone;
+  /**
+   * Whether that interval is narrow: at most a twentieth of `zone.upper` wide. Otherwise `zone.upper` is
+   * the zone that was found, and that none is less has not been shown.
+   */
+  zoneProven?: boolean;
+  /** The number of freedoms, of six, that each datum took, in their order; absent without datums. */
+  taken?: number[];
+  /** The root mean square where `a` was at first. */
   rmsBefore: number;
   /**
-   * The same in a pose that nothing determines: the median of 48 rotations spread over all, with the
+   * The root mean square in a pose that nothing determines: the median of 48 rotations spread over all, with the
    * centres apart by half the radius of gyration.
    */
   rmsRandom: number;

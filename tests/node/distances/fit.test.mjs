@@ -113,3 +113,54 @@ test("a model on itself stays, and wrong options are refused", async () => {
   await refused({ signal: AbortSignal.abort() }, "CANCELLED");
   model.dispose();
 });
+
+/** A square of side 4 by its corners' heights. */
+const bent = (heights) => ({
+  ...square(0),
+  controlPoints: square(0).controlPoints.map((value, at) => {
+    if (at % 4 === 3) return 1;
+    return at % 4 === 2 ? heights[Math.floor(at / 4)] : 4 * value;
+  }),
+});
+
+test("the least zone of a saddle is its height, and a limit below it passes nowhere", async () => {
+  const saddle = hd.model([bent([0.1, -0.1, -0.1, 0.1])]);
+  const plane = hd.model([bent([0, 0, 0, 0])]);
+  const options = { norm: "largest", start: "given", zone: { degrees: 2, translation: 0.1 } };
+  const { zone, zoneProven, largest } = await hd.bestFit(saddle, plane, options);
+  assert.ok(zone.lower <= 0.1 && zone.upper >= 0.1 - 1e-6, JSON.stringify(zone));
+  assert.ok(zoneProven && zone.upper < 0.101, JSON.stringify(zone));
+  near(largest, 0.1, 1e-3);
+  assert.equal("passes" in zone, false);
+  const limited = { ...options, zone: { limit: 0.09 } };
+  assert.equal((await hd.bestFit(saddle, plane, limited)).zone.passes, false);
+  const refused = (options, code, message) =>
+    assert.rejects(hd.bestFit(saddle, plane, options), withCode(code, message));
+  await refused({ zone: { degrees: 90 } }, "OPTION_OUT_OF_RANGE", /degrees/);
+  await refused({ zone: { angle: 1 } }, "OPTION_INVALID", /angle/);
+  await refused({ norm: "largest", outliers: 0.1 }, "OPTION_INVALID", /largest/);
+  for (const model of [saddle, plane]) model.dispose();
+});
+
+test("pairs, datums and boxes lay a part by hand", async () => {
+  const [part, raised] = [hd.model([bent([0, 0, 0, 0])]), hd.model([bent([3, 3, 3, 3])])];
+  const pair = (a) => ({ a, b: [a[0], a[1], 3] });
+  const up = { plane: { point: [0, 0, 0], normal: [0, 0, 1] } };
+  const face = { face: { index: 0 } };
+  for (const options of [
+    { pairs: [pair([0, 0, 0]), pair([4, 0, 0]), { ...pair([0, 4, 0]), weight: 2 }] },
+    { datums: [{ a: face, b: face }] },
+    { datums: [{ a: up, b: face }] },
+    { start: "boxes" },
+  ]) {
+    const fit = await hd.bestFit(part, raised, { norm: "none", ...options });
+    near(fit.transform.translation[2], 3, 1e-9);
+    assert.ok(fit.converged && fit.rms < 1e-9 && fit.steps === 0, JSON.stringify(fit));
+    assert.deepEqual(fit.taken, options.datums && [3]);
+  }
+  await assert.rejects(
+    hd.bestFit(part, raised, { datums: [{ a: up, b: { point: { point: [0, 0, 0] } } }] }),
+    withCode("OPTION_INVALID", /kinds/),
+  );
+  for (const model of [part, raised]) model.dispose();
+});

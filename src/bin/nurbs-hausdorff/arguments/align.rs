@@ -1,8 +1,10 @@
 //! The arguments of the command `align`.
 
+use super::by_hand::{DatumText, read_pairs};
 use super::{Placement, SamplingName};
+use crate::failure::Failure;
 use clap::{Args, ValueEnum};
-use nurbs_hausdorff::{BestFitOptions, FitStart, Result, Robust};
+use nurbs_hausdorff::{BestFitOptions, FitNorm, FitStart, Robust, ZoneOptions};
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
@@ -11,9 +13,35 @@ pub(crate) struct AlignArguments {
     pub(crate) a: PathBuf,
     /// The model B, which it is laid on; - is standard input.
     pub(crate) b: PathBuf,
-    /// The poses from which the fit starts: all rotations, or --rotate and --translate alone.
+    /// The poses from which the fit starts: all rotations, --rotate and --translate alone, principal axes on
+    /// each other, or the middles of boxes on each other.
     #[arg(long, value_enum, default_value_t = StartName::Any)]
     from: StartName,
+    /// What the fit makes least: the mean of squared distances, the largest distance, or none: A then stays where
+    /// --from, --pairs and --datum lay it.
+    #[arg(long, value_enum, default_value_t = NormName::Mean)]
+    norm: NormName,
+    /// A file of pairs of points, three or more, from which the fit starts: lines x y z x y z of A and B, with
+    /// a weight if there is one, or JSON.
+    #[arg(long, value_name = "FILE")]
+    pairs: Option<PathBuf>,
+    /// A datum of A on that of B, the primary first, each in the freedoms that those before it leave: face:3=7 by
+    /// the index of faces, plane:x,y,z,nx,ny,nz=…, axis:… by a point and a direction, or point:x,y,z=x,y,z.
+    #[arg(long, value_name = "KIND:A=B", allow_hyphen_values = true)]
+    datum: Vec<DatumText>,
+    /// With --norm largest: the distance within which all of A should lie, in model units.
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) limit: Option<f64>,
+    /// With --norm largest: the largest shift of the motions that the interval is about; a hundredth of the
+    /// larger diagonal if not given.
+    #[arg(long, value_name = "LENGTH")]
+    box_translation: Option<f64>,
+    /// With --norm largest: the largest angle of the motions that the interval is about.
+    #[arg(long, value_name = "DEGREES", default_value_t = ZoneOptions::default().degrees)]
+    box_degrees: f64,
+    /// With --norm largest: the largest number of boxes of motions that are bounded.
+    #[arg(long, hide_short_help = true, value_name = "BOXES", default_value_t = ZoneOptions::default().max_boxes)]
+    max_boxes: usize,
     /// The share of A's samples that lie on nothing of B and are left out, from 0 to 0.95.
     #[arg(long, value_name = "SHARE", default_value_t = 0.0)]
     outliers: f64,
@@ -46,8 +74,14 @@ impl AlignArguments {
     /// The library's options.
     ///
     /// # Errors
-    /// As [`nurbs_hausdorff::RigidTransform::new`]; the library checks the ranges.
-    pub(crate) fn options(&self) -> Result<BestFitOptions> {
+    /// As [`nurbs_hausdorff::RigidTransform::new`], and of the file of pairs; the library checks the ranges.
+    pub(crate) fn options(&self) -> Result<BestFitOptions, Failure> {
+        let zone = ZoneOptions {
+            translation: self.box_translation,
+            degrees: self.box_degrees,
+            limit: self.limit,
+            max_boxes: self.max_boxes,
+        };
         Ok(BestFitOptions {
             samples: self.samples,
             sampling: self.sampling.map(Into::into).unwrap_or_default(),
@@ -55,6 +89,10 @@ impl AlignArguments {
             tolerance: self.tolerance,
             relative_tolerance: self.relative_tolerance,
             max_steps: self.max_steps,
+            norm: self.norm.into(),
+            pairs: self.pairs.as_deref().map_or(Ok(Vec::new()), read_pairs)?,
+            datums: self.datum.iter().map(|DatumText(datum)| *datum).collect(),
+            zone,
             outliers: self.outliers,
             robust: self.robust.map(Into::into),
             scale_units: self.placement.scale_units,
@@ -68,5 +106,6 @@ impl AlignArguments {
     }
 }
 
-named!(StartName, FitStart, Any, Given);
+named!(StartName, FitStart, Any, Given, Axes, Boxes);
+named!(NormName, FitNorm, Mean, Largest, None);
 named!(RobustName, Robust, None, Trimmed, Tukey, GemanMcclure);

@@ -14,6 +14,7 @@ macro_rules! named {
 }
 
 pub(crate) mod align;
+pub(crate) mod by_hand;
 pub(crate) mod check;
 pub(crate) mod grid;
 pub(crate) mod motion;
@@ -98,10 +99,13 @@ pub(crate) enum Command {
     Summary(SummaryArguments),
     /// Lays A on B: finds the rigid motion of A that fits B best, from any pose.
     ///
-    /// The last line printed measures the pair in that pose.
+    /// The first pose may be made by hand: from pairs of points, or by datums in their order. With --norm largest the
+    /// largest distance is made least, and its least value over a box of motions is printed as an interval that holds
+    /// it. The last line printed measures the pair in that pose.
     ///
-    /// Exit status: 0 if a fit was found, 2 for bad input, 3 if the best pose is no fit.
-    Align(AlignArguments),
+    /// Exit status: 0 if a fit was found or passes --limit, 1 if no motion of the box does, 2 for bad input, 3 if
+    /// the best pose is no fit or --limit was not decided.
+    Align(Box<AlignArguments>),
     /// Writes the signed distances of a solid on a grid of points, negative inside.
     ///
     /// What is left out of --origin, --spacing and --counts follows from the model's box. The file is
@@ -111,8 +115,8 @@ pub(crate) enum Command {
     Grid(GridArguments),
     /// Answers many pairs of files: lines of JSON in, lines of JSON out, in their order.
     ///
-    /// A line has an id, the files a and b, a command (distance, diff, clearance or score; distance
-    /// if none) and options by the names of the API, such as {"id": 1, "a": "a.step", "b": "b.step",
+    /// A line has an id, the files a and b, a command (distance, diff, clearance, score or align;
+    /// distance if none) and options by the names of the API, such as {"id": 1, "a": "a.step", "b": "b.step",
     /// "limit": 0.1}. The answer has the id and what the command prints with --json, or an error.
     ///
     /// Exit status: 0 if all pairs have a result, 1 if one has an error, 2 for bad usage, 130 if

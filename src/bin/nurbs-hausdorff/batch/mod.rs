@@ -8,6 +8,7 @@ mod cache;
 mod request;
 
 use crate::arguments::BatchArguments;
+use crate::commands::align::{Aligned, judged};
 use crate::commands::check::{levels, named};
 use crate::commands::distance::of_limit;
 use crate::failure::Failure;
@@ -249,6 +250,11 @@ impl Batch<'_> {
                 let result = self.cpu.score(models.0, models.1, options).monitored(monitor).wait()?;
                 let asked = question.asked(Verdict::of(result.met), is_whole);
                 line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
+            }
+            Question::Align(options) => {
+                let result = self.cpu.best_fit(models.0, models.1, options).monitored(monitor).wait()?;
+                let asked = question.asked(Verdict::of(judged(&result, options.zone.limit)), is_whole);
+                line(&OfPair { id, answer: OfFiles::new(asked, &Aligned::new(&result), a, b) })
             }
             Question::Clearance(options) => {
                 let result = self.cpu.clearance(models.0, models.1, options).monitored(monitor).wait()?;

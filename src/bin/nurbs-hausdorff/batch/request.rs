@@ -4,8 +4,8 @@ use crate::output::json::Asked;
 use crate::reports::Verdict;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::{
-    CheckOptions, ClearanceOptions, DiffOptions, DistanceOptions, Error, NamedOptions, Result,
-    RigidTransform, ScoreOptions,
+    BestFitOptions, CheckOptions, ClearanceOptions, DiffOptions, DistanceOptions, Error, NamedOptions,
+    Result, RigidTransform, ScoreOptions,
 };
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -24,6 +24,7 @@ pub(super) enum Question {
     Diff(DiffOptions),
     Clearance(ClearanceOptions),
     Score(Box<ScoreOptions>),
+    Align(Box<BestFitOptions>),
 }
 
 impl Question {
@@ -36,9 +37,10 @@ impl Question {
             Self::Diff(_) => ("diff", None, None),
             Self::Clearance(options) => ("clearance", options.limit, None),
             Self::Score(_) => ("score", None, None),
+            Self::Align(options) => ("align", options.zone.limit, None),
         };
         let is_judged = match self {
-            Self::Diff(_) => true,
+            Self::Diff(_) | Self::Align(_) => true,
             Self::Score(options) => !options.at_least.is_empty() || !options.at_most.is_empty(),
             _ => limit.is_some(),
         };
@@ -69,6 +71,7 @@ enum CommandName {
     Diff,
     Clearance,
     Score,
+    Align,
     Check,
 }
 
@@ -153,6 +156,11 @@ fn question(
             options.max_seconds = options.max_seconds.or(max_seconds);
             options.validate()?;
             Question::Score(Box::new(options))
+        }
+        CommandName::Align => {
+            let options = BestFitOptions { transform, ..named(options)? };
+            options.validate()?;
+            Question::Align(Box::new(options))
         }
         CommandName::Check => return Err(no_check()),
     })

@@ -3,7 +3,7 @@
 use crate::arguments::align::AlignArguments;
 use crate::failure::Failure;
 use crate::input::read;
-use crate::output::digits::{coordinates, number};
+use crate::output::digits::{coordinates, interval, number};
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
@@ -24,10 +24,11 @@ pub(crate) fn run(arguments: &AlignArguments) -> Result<u8, Failure> {
     let mut bar = Bar::new();
     let fit = engine.best_fit(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
     drop(bar);
-    let verdict = Verdict::of(fit.converged.then_some(true));
+    let verdict = Verdict::of(judged(&fit, arguments.limit));
     if arguments.json {
-        let asked = Asked { command: "align", verdict: Some(verdict), limit: None, symmetric: None };
-        let result = Aligned { motion: Motion::of(&fit.transform), fit: &fit };
+        let limit = arguments.limit;
+        let asked = Asked { command: "align", verdict: Some(verdict), limit, symmetric: None };
+        let result = Aligned::new(&fit);
         print_json(&OfFiles::new(asked, &result, &a, &b))?;
     } else {
         let diagonal = a.prepared.bounding_box().diagonal();
@@ -40,12 +41,26 @@ pub(crate) fn run(arguments: &AlignArguments) -> Result<u8, Failure> {
     Ok(verdict.status())
 }
 
+/// Returns whether A fits: within the limit, if there is one and a zone.
+pub(crate) fn judged(fit: &BestFit, limit: Option<f64>) -> Option<bool> {
+    match (&fit.zone, limit) {
+        (Some(zone), Some(_)) => zone.passes,
+        _ => fit.converged.then_some(true),
+    }
+}
+
 /// The result with the motion in all forms.
 #[derive(Serialize)]
-struct Aligned<'a> {
+pub(crate) struct Aligned<'a> {
     motion: Motion,
     #[serde(flatten)]
     fit: &'a BestFit,
+}
+
+impl<'a> Aligned<'a> {
+    pub(crate) fn new(fit: &'a BestFit) -> Self {
+        Self { motion: Motion::of(&fit.transform), fit }
+    }
 }
 
 /// A motion: a rotation about an axis through the origin, then a translation; the same as the rows
@@ -97,6 +112,11 @@ fn lines(out: &mut String, fit: &BestFit, diagonal: f64) -> std::fmt::Result {
         )?;
     }
     writeln!(out, "motion     {}", motion(&fit.transform, diagonal))?;
+    zone_lines(out, fit)?;
+    if !fit.taken.is_empty() {
+        let taken: Vec<String> = fit.taken.iter().map(usize::to_string).collect();
+        writeln!(out, "datums     take {} of six freedoms", taken.join(", "))?;
+    }
     writeln!(out, "steps      {}, from {} poses", fit.steps, fit.tried)?;
     if let Some(beyond) = fit.left_out.beyond {
         let count = fit.left_out.points.len() / 3;
@@ -113,6 +133,26 @@ fn lines(out: &mut String, fit: &BestFit, diagonal: f64) -> std::fmt::Result {
         writeln!(out, "or         {more} more poses, which --json lists")?;
     }
     Ok(())
+}
+
+/// Writes the interval of the least largest distance.
+fn zone_lines(out: &mut String, fit: &BestFit) -> std::fmt::Result {
+    writeln!(out, "largest    {} of the samples", estimate(fit.largest))?;
+    let Some(zone) = &fit.zone else { return Ok(()) };
+    let proof = if fit.zone_proven == Some(true) { "" } else { ", which is not proven to be the least" };
+    writeln!(out, "zone       {}{proof}", interval([zone.lower, zone.upper]))?;
+    let words = match zone.passes {
+        Some(true) => "the pose found is within the limit",
+        Some(false) => "no motion of the box is within the limit",
+        None => "no motion of the box is below the zone",
+    };
+    writeln!(
+        out,
+        "           {words}: turns up to {}°, shifts up to {}, {} boxes",
+        number(zone.degrees),
+        number(zone.translation),
+        zone.boxes
+    )
 }
 
 /// Writes the command that measures the pair in the pose found.

@@ -1,0 +1,204 @@
+//! The fit in the largest distance near a pose: linear programs within a distance that adapts.
+
+use super::program::{Row, solve};
+use crate::alignment::field::{Field, Place, Residual};
+use crate::alignment::fit::Step;
+use crate::alignment::freedoms::{COORDINATES, Coordinates, Freedoms};
+use crate::alignment::samples::Samples;
+use crate::model::RigidTransform;
+use crate::rounding::upper_max;
+use crate::threads::parallel::map_ranges;
+use glam::DVec3;
+
+/// The number of samples that a step is computed from at first; the farthest of the others join them.
+const FIRST_SAMPLES: usize = 1000;
+
+/// The number of samples that join at a time.
+const JOINING: usize = 64;
+
+/// The largest number of times that samples join.
+const MAX_ROUNDS: usize = 12;
+
+/// The part by which a sample has to be farther than those that count to join them.
+const FARTHER: f64 = 1e-4;
+
+/// The first step, in parts of the radius of the samples.
+const FIRST_TRUST: f64 = 0.05;
+
+/// The parts of the predicted decrease below and above which steps become shorter and longer.
+const POOR: f64 = 0.25;
+const GOOD: f64 = 0.75;
+
+/// The predicted decrease that is nothing, as a part of the largest distance.
+const LEAST_GAIN: f64 = 1e-7;
+
+/// The state of a fit.
+pub(crate) struct LargestFit<F> {
+    field: F,
+    pub(crate) points: Vec<DVec3>,
+    counted: Vec<DVec3>,
+    center: DVec3,
+    pub(crate) radius: f64,
+    freedoms: Freedoms,
+    pub(crate) motion: RigidTransform,
+    residuals: Vec<Residual>,
+    places: Vec<Place>,
+    largest: f64,
+    trust: f64,
+    smallest: f64,
+    rounds: usize,
+}
+
+impl<F: Field> LargestFit<F> {
+    /// Starts from a pose; `None` for a field or samples without points. A step below `smallest` ends the fit.
+    pub(crate) fn new(
+        field: F,
+        samples: &Samples,
+        freedoms: &Freedoms,
+        smallest: f64,
+        motion: RigidTransform,
+    ) -> Option<Self> {
+        let extent = samples.extent();
+        let radius = if extent > 0.0 { extent } else { 1.0 };
+        let mut fit = Self {
+            field,
+            points: samples.points.clone(),
+            counted: samples.thinned(FIRST_SAMPLES).points,
+            center: samples.center,
+            radius,
+            freedoms: freedoms.clone(),
+            motion,
+            residuals: Vec::new(),
+            places: Vec::new(),
+            largest: f64::INFINITY,
+            trust: FIRST_TRUST * radius,
+            smallest,
+            rounds: 0,
+        };
+        fit.join()?;
+        Some(fit)
+    }
+
+    /// Returns the centre of turns.
+    pub(crate) fn center(&self) -> DVec3 {
+        self.freedoms.center.unwrap_or_else(|| self.motion.apply(self.center))
+    }
+
+    /// Returns the largest distance of the samples that count.
+    pub(crate) fn largest(&self) -> f64 {
+        self.largest
+    }
+
+    /// Lets points of A, in its own frame, count from now on.
+    pub(crate) fn add(&mut self, point: DVec3) -> Option<()> {
+        self.points.push(point);
+        self.counted.push(point);
+        self.trust = FIRST_TRUST * self.radius;
+        self.rounds = 0;
+        self.measure()
+    }
+
+    fn at(
+        &self,
+        points: &[DVec3],
+        places: &[Place],
+        motion: &RigidTransform,
+    ) -> Option<Vec<(Residual, Place)>> {
+        let parts = map_ranges(points.len(), |range| {
+            let mut last = None;
+            let of = |index: usize| {
+                let mut place = places.get(index).copied().flatten().or(last);
+                let residual = self.field.residual(motion.apply(points[index]), &mut place)?;
+                last = place;
+                Some((residual, place))
+            };
+            range.map(of).collect::<Option<Vec<_>>>()
+        });
+        Some(parts.into_iter().collect::<Option<Vec<_>>>()?.concat())
+    }
+
+    fn measure(&mut self) -> Option<()> {
+        let found = self.at(&self.counted, &self.places, &self.motion)?;
+        (self.residuals, self.places) = found.into_iter().unzip();
+        self.largest = largest(&self.residuals)?;
+        Some(())
+    }
+
+    /// Measures all samples; the farthest count from now on. Returns whether any joined.
+    fn join(&mut self) -> Option<bool> {
+        self.rounds += 1;
+        self.measure()?;
+        let all = self.at(&self.points, &[], &self.motion)?;
+        let limit = (1.0 + FARTHER) * self.largest + self.smallest;
+        let mut far: Vec<(f64, DVec3)> = all
+            .iter()
+            .zip(&self.points)
+            .map(|((residual, _), &point)| (residual.distance(), point))
+            .filter(|(distance, _)| *distance > limit)
+            .collect();
+        far.sort_by(|one, other| other.0.total_cmp(&one.0));
+        let joining = far.into_iter().take(JOINING).map(|(_, point)| point);
+        let before = self.counted.len();
+        self.counted.extend(joining);
+        self.measure()?;
+        Some(self.counted.len() > before)
+    }
+
+    /// Returns the rows of the program about the pose, two a sample: its distance, and the same with B passed.
+    pub(crate) fn rows(&self) -> Vec<Row> {
+        let center = self.center();
+        let row = |residual: &Residual| {
+            let distance = residual.distance();
+            let direction = residual.direction.unwrap_or_else(|| residual.offset.normalize_or_zero());
+            let slope = self.freedoms.slopes(residual.point - center, self.radius, direction);
+            let passed = Row { value: -distance, slope: slope.map(|value| -value) };
+            [Row { value: distance, slope }, passed]
+        };
+        self.residuals.iter().flat_map(row).collect()
+    }
+
+    /// Returns the samples, in A's own frame, of rows, each once and in their order.
+    pub(crate) fn points_of(&self, rows: &[usize]) -> Vec<DVec3> {
+        let mut known = Vec::new();
+        for index in rows.iter().map(|row| row / 2) {
+            if !known.contains(&index) {
+                known.push(index);
+            }
+        }
+        known.into_iter().map(|index| self.counted[index]).collect()
+    }
+
+    /// Takes one step; none raises the largest distance of the samples that count.
+    pub(crate) fn advance(&mut self) -> Step {
+        let mut half: Coordinates = [0.0; COORDINATES];
+        half[..self.freedoms.count()].fill(self.trust);
+        let Some(solution) = solve(&self.rows(), &half) else { return Step::Converged };
+        let predicted = self.largest - solution.value;
+        if !(predicted > LEAST_GAIN * self.largest) || self.trust < self.smallest {
+            return match self.rounds < MAX_ROUNDS && self.join() == Some(true) {
+                true => Step::Better,
+                false => Step::Converged,
+            };
+        }
+        let motion = self.freedoms.followed(&self.motion, &solution.step, (self.center(), self.radius));
+        let next = self.at(&self.counted, &self.places, &motion);
+        let Some(next) = next else { return Step::Converged };
+        let (residuals, places): (Vec<_>, Vec<_>) = next.into_iter().unzip();
+        let gained = self.largest - largest(&residuals).unwrap_or(f64::INFINITY);
+        if gained < POOR * predicted {
+            self.trust *= 0.25;
+        } else if gained > GOOD * predicted {
+            self.trust *= 2.0;
+        }
+        if !(gained > 0.0) {
+            return Step::Shorter;
+        }
+        (self.motion, self.residuals, self.places) = (motion, residuals, places);
+        self.largest -= gained;
+        Step::Better
+    }
+}
+
+fn largest(residuals: &[Residual]) -> Option<f64> {
+    residuals.iter().map(Residual::distance).reduce(upper_max)
+}

@@ -1,0 +1,15 @@
+//! The fit in the largest distance (Chebyshev's norm), and its certificate: an interval of the least
+//! largest distance over all motions of a box.
+
+mod bound;
+mod chart;
+mod contacts;
+mod fit;
+mod program;
+mod search;
+
+pub(crate) use bound::{Clear, Clearance, Contacts};
+pub(crate) use chart::Chart;
+pub(crate) use contacts::contacts;
+pub(crate) use fit::LargestFit;
+pub(crate) use search::{BoxSearch, Goal};

@@ -1,0 +1,133 @@
+//! Datum features that are picked as faces: the carriers of planes, of surfaces of revolution and of balls.
+
+use crate::alignment::{Datum, Feature};
+use crate::engine::PreparedModel;
+use crate::error::{Error, Result};
+use crate::model::RigidTransform;
+use crate::rounding::unit;
+use glam::DVec3;
+
+/// The part of a face's size by which its control points may leave a plane: nets written with seven digits pass.
+const FLAT: f64 = 1e-6;
+
+impl PreparedModel {
+    /// Returns the datum feature of a face: the plane of a flat one, the centre of a ball, the axis of another
+    /// surface of revolution, such as a bore. The direction is that of the surface, which may point either way.
+    ///
+    /// # Errors
+    /// [`Error::OptionInvalid`] for a face that there is none of, and for one of another kind.
+    pub fn face_feature(&self, index: usize) -> Result<Feature> {
+        let refused = |what: &str| Error::OptionInvalid {
+            found: format!("face {index} {what}, expected a plane, a ball or a surface of revolution"),
+        };
+        let face = self.source().and_then(|source| source.faces().nth(index));
+        let face = face.ok_or_else(|| refused("of a datum does not exist"))?;
+        let points = face.surface().control_points().iter().map(|point| DVec3::from_slice(point));
+        let points: Vec<DVec3> = points.collect();
+        if let Some((point, normal)) = plane_of(&points) {
+            return Ok(Feature::Plane { point: point.to_array(), normal: normal.to_array() });
+        }
+        let found = self.revolution_of(index).ok_or_else(|| refused("has no datum feature"))?;
+        Ok(match found.sphere {
+            Some(ball) => Feature::Point { point: ball.center.to_array() },
+            None => Feature::Axis {
+                point: found.axis.origin.to_array(),
+                direction: found.axis.direction.to_array(),
+            },
+        })
+    }
+}
+
+/// Returns the plane on which points lie, by their mean and its normal; `None` for others, and points of a line.
+fn plane_of(points: &[DVec3]) -> Option<(DVec3, DVec3)> {
+    let center = points.iter().sum::<DVec3>() / points.len() as f64;
+    let arms = || points.iter().map(|&point| point - center);
+    let longer = |one: DVec3, other: DVec3| if other.length() > one.length() { other } else { one };
+    let longest = arms().reduce(longer)?;
+    let across = arms().map(|arm| longest.cross(arm)).reduce(longer)?;
+    let normal = unit(across);
+    let size = longest.length();
+    let is_flat = arms().all(|arm| normal.dot(arm).abs() <= FLAT * size);
+    (is_flat && across.length() > FLAT * size * size).then_some((center, normal))
+}
+
+/// Returns datums whose faces are replaced by their features. Directions of faces point either way: that of B is
+/// turned to the side to which that of A points in the pose given.
+pub(super) fn resolved(
+    datums: &[Datum],
+    [a, b]: [&PreparedModel; 2],
+    given: &RigidTransform,
+) -> Result<Vec<Datum>> {
+    let of = |model: &PreparedModel, feature: Feature| match feature {
+        Feature::Face { index } => model.face_feature(index),
+        other => Ok(other),
+    };
+    let resolve = |datum: &Datum| {
+        let (from, to) = (of(a, datum.a)?, of(b, datum.b)?);
+        let is_picked = matches!(datum.a, Feature::Face { .. }) || matches!(datum.b, Feature::Face { .. });
+        Ok(Datum { a: from, b: if is_picked { towards(to, from, given) } else { to } })
+    };
+    datums.iter().map(resolve).collect()
+}
+
+/// Returns a feature of B whose direction points to the side of that of A.
+fn towards(feature: Feature, of_a: Feature, given: &RigidTransform) -> Feature {
+    let sign = |to: [f64; 3], from: [f64; 3]| {
+        let cosine = given.rotate(DVec3::from_array(from)).dot(DVec3::from_array(to));
+        to.map(|coordinate| if cosine < 0.0 { -coordinate } else { coordinate })
+    };
+    match (feature, of_a) {
+        (Feature::Plane { point, normal }, Feature::Plane { normal: from, .. }) => {
+            Feature::Plane { point, normal: sign(normal, from) }
+        }
+        (Feature::Axis { point, direction }, Feature::Axis { direction: from, .. }) => {
+            Feature::Axis { point, direction: sign(direction, from) }
+        }
+        (other, _) => other,
+    }
+}
+
+#[cfg(all(test, feature = "shapes", not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::shapes::shape;
+
+    fn of(name: &str) -> Result<Feature> {
+        PreparedModel::new(&shape(name)?)?.face_feature(0)
+    }
+
+    #[test]
+    fn faces_are_planes_balls_axes_or_nothing() {
+        assert!(matches!(of("fig5-plane").unwrap(), Feature::Plane { .. }));
+        assert!(matches!(of("sphere").unwrap(), Feature::Point { .. }));
+        assert!(matches!(of("cylinder").unwrap(), Feature::Axis { .. }));
+        assert_eq!(of("wavy-sheet").map_err(|error| error.code()), Err("OPTION_INVALID"));
+        let plane = PreparedModel::new(&shape("fig5-plane").unwrap()).unwrap();
+        assert_eq!(plane.face_feature(7).map_err(|error| error.code()), Err("OPTION_INVALID"));
+    }
+
+    /// Control points in a plane give it, whichever way its net runs.
+    #[test]
+    fn planes_are_those_of_their_points() {
+        let points = [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0), (2.0, 2.0)].map(|(x, y)| DVec3::new(x, y, 5.0 - x));
+        let (point, normal) = plane_of(&points).unwrap();
+        assert_eq!(point, DVec3::new(1.0, 1.0, 4.0));
+        assert!((normal.dot(DVec3::new(1.0, 0.0, 1.0)).abs() - 2.0_f64.sqrt()).abs() < 1e-15);
+        let line = [0.0, 1.0, 2.0].map(|x| DVec3::X * x);
+        assert_eq!(plane_of(&line), None);
+        let bent = [points[0], points[1], points[2], points[3] + DVec3::Z];
+        assert_eq!(plane_of(&bent), None);
+    }
+
+    /// A part laid on itself by a face is laid as it was, although its surface may point away.
+    #[test]
+    fn directions_of_faces_follow_the_pose() {
+        let part = PreparedModel::new(&shape("fig5-plane").unwrap()).unwrap();
+        let Feature::Plane { point, normal } = part.face_feature(0).unwrap() else { unreachable!() };
+        let away = Feature::Plane { point, normal: normal.map(|coordinate| -coordinate) };
+        let datum = Datum { a: away, b: Feature::Face { index: 0 } };
+        let found = resolved(&[datum], [&part, &part], &RigidTransform::IDENTITY).unwrap();
+        assert_eq!(found, [Datum { a: away, b: away }]);
+    }
+}

@@ -1,0 +1,238 @@
+//! The interval of the least largest distance of A's points over a box of motions.
+
+use super::clear::ToModel;
+use crate::alignment::{BoxSearch, Chart, Contacts, Freedoms, Goal, LargestFit, Step, contacts};
+use crate::engine::options::at_least_zero;
+use crate::engine::section::Section;
+use crate::engine::{CertifiedOptions, DistanceOptions, DistanceResult, Engine, Method, PreparedModel};
+use crate::error::{Error, Result};
+use crate::facets::facet_rounding;
+use crate::flatness::MAX_HALVINGS;
+use crate::model::RigidTransform;
+use crate::progress::Progress;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// The width of a zone that counts as proven, as a part of its upper bound.
+const PROVEN_WIDTH: f64 = 0.05;
+
+/// The width of the distance of the pose found, as a part of the largest distance of the samples.
+const DISTANCE_WIDTH: f64 = 0.005;
+
+/// The part by which the distance of all of A has to exceed that of the samples for its farthest point to join them.
+const BEYOND_SAMPLES: f64 = 0.01;
+
+/// The largest number of farthest points that join the samples.
+const MAX_JOINED: usize = 6;
+
+/// The cells that the distance of a pose may take: that of the pose found is an upper bound with any.
+const DISTANCE_CELLS: usize = 2_000_000;
+
+/// The largest number of points whose distances bound those of other poses.
+const MOST_CONTACTS: usize = 96;
+
+/// The angle of the box unless the options name another, in degrees.
+const DEFAULT_DEGREES: f64 = 1.0;
+
+/// The shift of the box unless the options name another, as a part of the diagonal.
+const DEFAULT_TRANSLATION: f64 = 0.01;
+
+/// The largest angle: what curved motions take off is then many times what they move.
+const MAX_DEGREES: f64 = 45.0;
+
+/// The largest number of boxes unless the options name another: some seconds.
+const DEFAULT_BOXES: usize = 2000;
+
+/// The motions over which the least largest distance is bounded; names in camelCase when deserialized.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct ZoneOptions {
+    /// The largest shift from the pose found, in model units, 0 or more; a hundredth of the larger diagonal if
+    /// none is given.
+    pub translation: Option<f64>,
+    /// The largest angle from the pose found, in degrees, 0 to 45; 1 by default.
+    pub degrees: f64,
+    /// The distance that the verdict is about, in model units, 0 or more.
+    pub limit: Option<f64>,
+    /// The largest number of boxes of motions that are bounded, at least 1.
+    pub max_boxes: usize,
+}
+
+impl Default for ZoneOptions {
+    fn default() -> Self {
+        Self { translation: None, degrees: DEFAULT_DEGREES, limit: None, max_boxes: DEFAULT_BOXES }
+    }
+}
+
+impl ZoneOptions {
+    pub(super) fn validate(&self) -> Result<()> {
+        at_least_zero("translation", self.translation.unwrap_or(0.0))?;
+        at_least_zero("limit", self.limit.unwrap_or(0.0))?;
+        at_least_zero("degrees", self.degrees)?;
+        if self.degrees > MAX_DEGREES {
+            return Err(Error::out_of_range("degrees", self.degrees, "0 to 45"));
+        }
+        if self.max_boxes == 0 {
+            return Err(Error::out_of_range("maxBoxes", 0, "at least 1"));
+        }
+        Ok(())
+    }
+}
+
+/// The least, over a box of motions, of the largest distance of A's points to B, as an interval.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct Zone {
+    /// No motion of the box brings all of A's points nearer to B than this.
+    pub lower: f64,
+    /// In the pose found no point of A is farther from B than this.
+    pub upper: f64,
+    /// The box: turns by up to this angle about `center`, in degrees, from the pose found …
+    pub degrees: f64,
+    /// … followed by shifts of up to this length; both only in the freedoms that datums leave.
+    pub translation: f64,
+    /// The centre of the turns, in the frame of B.
+    pub center: [f64; 3],
+    /// The number of boxes of motions that were bounded.
+    pub boxes: usize,
+    /// Whether some motion of the box brings all of A within the limit; `None` without a limit, and where
+    /// it lies between the bounds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub passes: Option<bool>,
+}
+
+impl Zone {
+    /// Returns whether the interval is narrow; `exact` is a length that is rounding.
+    pub(super) fn is_proven(&self, exact: f64) -> bool {
+        self.upper - self.lower <= PROVEN_WIDTH * self.upper || self.upper <= exact
+    }
+}
+
+/// The pair of a fit in the largest distance.
+pub(super) struct ZonePair<'a> {
+    pub(super) a: &'a PreparedModel,
+    pub(super) b: &'a PreparedModel,
+    pub(super) to: ToModel<'a>,
+    pub(super) diagonal: f64,
+    pub(super) options: &'a ZoneOptions,
+    pub(super) max_steps: usize,
+}
+
+/// A fit that has ended.
+pub(super) struct LargestFound {
+    pub(super) motion: RigidTransform,
+    pub(super) zone: Zone,
+    pub(super) steps: usize,
+    pub(super) ended: bool,
+}
+
+impl ZonePair<'_> {
+    /// Fits, then measures the distance of all of A; where that is beyond the samples', its farthest point joins
+    /// them and the fit goes on. Then bounds all poses of the box.
+    pub(super) async fn fit(
+        &self,
+        mut fit: LargestFit<impl crate::alignment::Field>,
+        freedoms: &Freedoms,
+        progress: &mut Progress<'_>,
+    ) -> Result<LargestFound> {
+        let (mut steps, mut ended) = (0, false);
+        let mut best: Option<(f64, RigidTransform)> = None;
+        for _ in 0..=MAX_JOINED {
+            ended = false;
+            while !ended && steps < self.max_steps {
+                ended = fit.advance() == Step::Converged;
+                steps += usize::from(!ended);
+                progress.checkpoint(0.0).await?;
+            }
+            let found = self.distance(&fit, progress).await?;
+            if best.is_none_or(|(upper, _)| found.upper < upper) {
+                best = Some((found.upper, fit.motion));
+            }
+            let is_beyond = found.upper > (1.0 + BEYOND_SAMPLES) * fit.largest() + self.to.gap;
+            if !is_beyond || fit.add(fit.motion.apply_inverse(found.witness.a.point.into())).is_none() {
+                break;
+            }
+        }
+        let (upper, motion) = best.ok_or(Error::EmptyModel)?;
+        fit.motion = motion;
+        let chart =
+            Chart { base: motion, freedoms: freedoms.clone(), center: fit.center(), radius: fit.radius };
+        let zone = self.bounded(&chart, &fit, upper, progress).await?;
+        Ok(LargestFound { motion, zone, steps, ended })
+    }
+
+    /// Measures the distance of all of A in the pose of a fit.
+    async fn distance(
+        &self,
+        fit: &LargestFit<impl crate::alignment::Field>,
+        progress: &mut Progress<'_>,
+    ) -> Result<DistanceResult> {
+        let least = self.to.gap;
+        let width = DISTANCE_WIDTH * fit.largest();
+        let budget = CertifiedOptions { max_cells: Some(DISTANCE_CELLS), ..CertifiedOptions::default() };
+        let options = DistanceOptions {
+            method: Method::Certified(budget),
+            tolerance: Some(if width > least { width } else { least }),
+            transform: fit.motion,
+            ..DistanceOptions::default()
+        };
+        let mut section = Section { whole: progress.monitor(), part: [super::SEARCH_SHARE, 0.0] };
+        Engine::cpu().distance_of(self.a, self.b, &options, &mut section).await
+    }
+
+    async fn bounded(
+        &self,
+        chart: &Chart,
+        fit: &LargestFit<impl crate::alignment::Field>,
+        upper: f64,
+        progress: &mut Progress<'_>,
+    ) -> Result<Zone> {
+        let ZoneOptions { translation, degrees, limit, max_boxes } = *self.options;
+        let translation = translation.unwrap_or(DEFAULT_TRANSLATION * self.diagonal);
+        let cell = chart.cell(degrees.to_radians() * (1.0 + f64::EPSILON), translation);
+        let chosen = contacts(&fit.rows(), &cell.half);
+        let mut points = fit.points_of(&chosen);
+        points.truncate(MOST_CONTACTS);
+        let width = PROVEN_WIDTH * upper;
+        let contacts = Contacts {
+            chart,
+            clearance: &self.to,
+            error: self.error_of(&points, &chart.base),
+            points: &points,
+            largest_ball: 4.0 * self.diagonal,
+            width: if width > self.to.gap { width } else { self.to.gap },
+        };
+        let narrow = upper - width;
+        let decided = limit.filter(|&limit| upper > limit).map(f64::next_up);
+        let goal = Goal { lower: decided.unwrap_or(narrow), most_cells: max_boxes };
+        let mut search = BoxSearch::new(contacts, cell);
+        while upper > self.to.gap && !search.advance(goal) {
+            progress.checkpoint(search.cells() as f64 / max_boxes as f64).await?;
+        }
+        let found = search.lower();
+        let lower = if found < upper { found } else { upper };
+        let passes = limit.and_then(|limit| match () {
+            () if upper <= limit => Some(true),
+            () if lower > limit => Some(false),
+            () => None,
+        });
+        let center = chart.center.to_array();
+        Ok(Zone { lower, upper, degrees, translation, center, boxes: search.cells(), passes })
+    }
+
+    /// Returns an upper bound on the distance of computed points from those of A that they stand for: samples,
+    /// and points of the pose found that were moved back.
+    fn error_of(&self, points: &[DVec3], motion: &RigidTransform) -> f64 {
+        let length = points.iter().fold(0.0, |most: f64, point| {
+            let length = point.length();
+            if length > most { length } else { most }
+        });
+        let of_points = match self.a.facets() {
+            Some(facets) => facets.error + facets.point_error().after(MAX_HALVINGS) + facet_rounding(length),
+            None => self.a.bezier().point_error.after(MAX_HALVINGS),
+        };
+        let moved = length + motion.offset().length();
+        of_points + motion.rounding(length) + motion.rounding(moved)
+    }
+}
