@@ -40,6 +40,9 @@
 //! audited. Volumes in common, of a solid with itself, shifted, and with another one, are compared with counts of
 //! points, the other way round, and with the volumes that they are parts of. None of the shapes may be said to meet itself. Statistics of one in eight ordinary pairs are checked in the same way.
 //!
+//! With `--zones`, scans with noise and bumps are fitted to such shapes in the largest distance: of 120 motions of the
+//! box, drawn and descended to, none may lay all points nearer than `zone.lower`.
+//!
 //! With `--collapsed`, all control points of most surfaces lie on a point, on a line, in a plane or in
 //! parallel rows, exactly or within rounding; otherwise one pair in 26 is of these.
 //!
@@ -70,6 +73,7 @@ use fuzzer::check::{Outcome, check, check_attack, check_collapsed, check_reparam
 use fuzzer::clearance::{Subjects, check_clearance};
 use fuzzer::facets::check_facets;
 use fuzzer::solids::{Shapes, check_solid};
+use fuzzer::zones::check_zone;
 use nurbs_hausdorff::internals::facets::audit_facet_searches;
 use nurbs_hausdorff::result::Lemma;
 use rayon::prelude::*;
@@ -95,6 +99,9 @@ struct Arguments {
     /// Checks facts, sides, grids and statistics of closed shapes under random maps.
     #[arg(long, conflicts_with_all = ["trimmed", "collapsed", "clearance", "facets", "reparametrized"])]
     solids: bool,
+    /// Checks the least largest distances of scans over boxes of motions.
+    #[arg(long, conflicts_with_all = ["trimmed", "collapsed", "clearance", "facets", "reparametrized", "solids"])]
+    zones: bool,
     /// Draws models of collapsed control nets.
     #[arg(long, conflicts_with = "trimmed")]
     collapsed: bool,
@@ -171,14 +178,14 @@ fn main() -> ExitCode {
     let seeds = arguments.seed..arguments.seed + arguments.pairs;
     let summary = Mutex::new(Summary::default());
     let subjects = arguments.clearance.then(|| Subjects::new(true));
-    let shapes = arguments.solids.then(Shapes::new);
+    let shapes = (arguments.solids || arguments.zones).then(Shapes::new);
     let audit = arguments.facets.then(audit_facet_searches);
     seeds.into_par_iter().for_each(|seed| {
         // Ordinary pairs and the attack's families by turns.
         let outcome = if let Some(subjects) = &subjects {
             check_clearance(seed, subjects)
         } else if let Some(shapes) = &shapes {
-            check_solid(seed, shapes)
+            if arguments.zones { check_zone(seed, shapes) } else { check_solid(seed, shapes) }
         } else if arguments.facets {
             check_facets(seed)
         } else if arguments.trimmed {

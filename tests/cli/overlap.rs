@@ -70,3 +70,29 @@ fn units_that_may_be_wrong_are_said() {
     let found = printed(&run(&["distance", &a, &b, "--json"]));
     assert!(found["hint"].as_str().unwrap().contains("25.4000 times"), "{found}");
 }
+
+/// The same box in inches and in millimetres, of which neither file states its unit.
+#[test]
+fn units_of_files_are_stated_on_the_command_line() {
+    let inches = cuboid("units-in.off", [1.0, 2.0, 3.0]);
+    let millimetres = cuboid("units-mm.off", [25.4, 50.8, 76.2]);
+    let units = ["--unit-of-a", "mm", "--unit-of-b", "in"];
+    for command in ["distance", "diff", "clearance", "overlap", "statistics"] {
+        let arguments = [&[command, &millimetres, &inches, "--json"][..], &units].concat();
+        let found = printed(&run(&arguments));
+        assert!(found["hint"].is_null(), "{command}: {found}");
+        assert_eq!(found["unit"], 1e-3, "{command}: {found}");
+    }
+    let measured = |arguments: &[&str]| {
+        let found = printed(&run(&[arguments, &["--json", "--symmetric"]].concat()));
+        found["upper"].as_f64().unwrap()
+    };
+    assert!(measured(&[&["distance", &millimetres, &inches][..], &units].concat()) < 1e-4);
+    // In inches, the other way round.
+    let turned = ["--unit-of-a", "in", "--unit-of-b", "mm"];
+    assert!(measured(&[&["distance", &inches, &millimetres][..], &turned].concat()) < 1e-5);
+    // One unit alone says nothing of the other.
+    let found = printed(&run(&["distance", &millimetres, &inches, "--unit-of-a", "mm", "--json"]));
+    assert!(found["upper"].as_f64().unwrap() > 50.0 && found["hint"].is_string(), "{found}");
+    assert_eq!(status(&run(&["distance", &inches, &inches, "--unit-of-a", "parsec"])), 2);
+}

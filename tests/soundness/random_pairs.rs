@@ -7,6 +7,7 @@ use crate::fuzzer::check::{
 use crate::fuzzer::clearance::{Subjects, check_clearance};
 use crate::fuzzer::facets::check_facets;
 use crate::fuzzer::solids::{Shapes, check_solid};
+use crate::fuzzer::zones::check_zone;
 use nurbs_hausdorff::result::Lemma;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -130,6 +131,21 @@ fn facts_sides_grids_and_statistics_are_those_of_second_ways() {
     assert!(drawn > SOLIDS / 2, "{drawn} drawn");
     let audited: usize = outcomes.iter().filter_map(|outcome| outcome.audited.get(&Lemma::Spread)).sum();
     assert!(audited > 1000, "{audited} parts of statistics audited");
+}
+
+/// Scans whose least zones are compared with motions of the box.
+const ZONES: u64 = 24;
+
+#[test]
+fn no_motion_of_a_box_is_better_than_the_least_zone() {
+    let shapes = Shapes::new();
+    let outcomes: Vec<Outcome> = (1..=ZONES).into_par_iter().map(|seed| check_zone(seed, &shapes)).collect();
+    for outcome in &outcomes {
+        assert!(outcome.violations.is_empty(), "{:?}", outcome.violations);
+    }
+    let drawn = outcomes.iter().filter(|outcome| outcome.refusal.is_none()).count() as u64;
+    let proven = outcomes.iter().filter(|outcome| outcome.converged).count() as u64;
+    assert!(drawn > ZONES / 2 && proven > ZONES / 8, "{drawn} drawn, {proven} proven");
 }
 
 #[test]

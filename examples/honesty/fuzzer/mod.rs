@@ -18,3 +18,4 @@ mod sheet;
 pub(crate) mod solids;
 mod surfaces;
 pub(crate) mod trims;
+pub(crate) mod zones;

@@ -1,7 +1,7 @@
 //! The arguments of the command `align`.
 
 use super::by_hand::{DatumText, read_pairs};
-use super::{Placement, SamplingName};
+use super::{Placement, SamplingName, UnitsOfFiles};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use nurbs_hausdorff::{BestFitOptions, FitNorm, FitStart, Robust, ZoneOptions};
@@ -95,14 +95,19 @@ impl AlignArguments {
             zone,
             outliers: self.outliers,
             robust: self.robust.map(Into::into),
-            scale_units: self.placement.scale_units,
+            scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
         })
     }
 
     /// Returns whether B is scaled to the unit of A.
     pub(crate) fn scales_units(&self) -> bool {
-        self.placement.scale_units
+        self.placement.scales_units()
+    }
+
+    /// The units of the files.
+    pub(crate) fn units(&self) -> UnitsOfFiles {
+        self.placement.units
     }
 }
 

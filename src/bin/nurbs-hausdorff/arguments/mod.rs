@@ -21,6 +21,7 @@ pub(crate) mod motion;
 pub(crate) mod score;
 pub(crate) mod usage;
 
+use crate::input::Input;
 use crate::reports::Format;
 use align::AlignArguments;
 use check::CheckArguments;
@@ -250,6 +251,8 @@ struct Placement {
     /// Scales B to the unit of A if the files state different units; else that is an error.
     #[arg(long)]
     scale_units: bool,
+    #[command(flatten)]
+    units: UnitsOfFiles,
     /// Moves A before it is measured.
     #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
     translate: Translation,
@@ -258,7 +261,33 @@ struct Placement {
     rotate: Rotation,
 }
 
+/// The units of both files, whatever they state.
+#[derive(Debug, Clone, Copy, Args)]
+pub(crate) struct UnitsOfFiles {
+    /// The unit of A's coordinates, whatever its file states; B is scaled to it.
+    #[arg(long, value_name = "UNIT", value_enum)]
+    unit_of_a: Option<Unit>,
+    /// The unit of B's coordinates, whatever its file states; B is scaled to that of A.
+    #[arg(long, value_name = "UNIT", value_enum)]
+    unit_of_b: Option<Unit>,
+}
+
+impl UnitsOfFiles {
+    /// Returns the models in these units; those of files that none is given for are unchanged.
+    ///
+    /// # Errors
+    /// Those of [`Input::in_unit`].
+    pub(crate) fn applied(self, [a, b]: [Input; 2]) -> Result<[Input; 2]> {
+        Ok([a.in_unit(self.unit_of_a)?, b.in_unit(self.unit_of_b)?])
+    }
+}
+
 impl Placement {
+    /// Whether B is scaled to the unit of A: who states a unit wants lengths in it.
+    fn scales_units(&self) -> bool {
+        self.scale_units || self.units.unit_of_a.is_some() || self.units.unit_of_b.is_some()
+    }
+
     /// The motion of A.
     ///
     /// # Errors
@@ -303,9 +332,14 @@ impl DiffArguments {
             limit: self.limit,
             max_cells: self.max_cells,
             max_seconds: self.max_seconds,
-            scale_units: self.placement.scale_units,
+            scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
         })
+    }
+
+    /// The units of the files.
+    pub(crate) fn units(&self) -> UnitsOfFiles {
+        self.placement.units
     }
 }
 
@@ -355,9 +389,14 @@ impl ClearanceArguments {
             limit: self.limit,
             max_seconds: self.max_seconds,
             max_cells: self.max_cells,
-            scale_units: self.placement.scale_units,
+            scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
         })
+    }
+
+    /// The units of the files.
+    pub(crate) fn units(&self) -> UnitsOfFiles {
+        self.placement.units
     }
 }
 
@@ -396,9 +435,14 @@ impl OverlapArguments {
             tolerance: self.tolerance,
             max_seconds: self.max_seconds,
             max_cells: self.max_cells,
-            scale_units: self.placement.scale_units,
+            scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
         })
+    }
+
+    /// The units of the files.
+    pub(crate) fn units(&self) -> UnitsOfFiles {
+        self.placement.units
     }
 }
 
@@ -446,10 +490,15 @@ impl StatisticsArguments {
             part_tolerance: self.part_tolerance,
             max_seconds: self.max_seconds,
             max_cells: self.max_cells,
-            scale_units: self.placement.scale_units,
+            scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
             ..StatisticsOptions::default()
         })
+    }
+
+    /// The units of the files.
+    pub(crate) fn units(&self) -> UnitsOfFiles {
+        self.placement.units
     }
 }
 
@@ -556,11 +605,16 @@ impl DistanceArguments {
             grid: self.grid,
             memory_budget: self.memory_budget,
             symmetric: self.symmetric,
-            scale_units: self.placement.scale_units,
+            scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
             backend: self.backend.into(),
             deviations: self.deviations,
         })
+    }
+
+    /// The units of the files.
+    pub(crate) fn units(&self) -> UnitsOfFiles {
+        self.placement.units
     }
 }
 

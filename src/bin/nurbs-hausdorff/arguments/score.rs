@@ -1,6 +1,6 @@
 //! The arguments of the commands `score` and `summary`.
 
-use super::Placement;
+use super::{Placement, UnitsOfFiles};
 use clap::{Args, ValueEnum};
 use nurbs_hausdorff::{Result, ScoreAlignment, ScoreNumber, ScoreOptions};
 use std::path::PathBuf;
@@ -86,9 +86,14 @@ impl ScoreArguments {
             at_most: bounds(&self.at_most),
             max_cells: self.max_cells,
             max_seconds: self.max_seconds,
-            scale_units: self.placement.scale_units,
+            scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
         })
+    }
+
+    /// The units of the files.
+    pub(crate) fn units(&self) -> UnitsOfFiles {
+        self.placement.units
     }
 }
 

@@ -19,7 +19,7 @@ const MOST_PRINTED: usize = 6;
 pub(crate) fn run(arguments: &AlignArguments) -> Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
-    let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
+    let [a, b] = arguments.units().applied([read(&arguments.a)?, read(&arguments.b)?])?;
     let engine = Engine::cpu();
     let mut bar = Bar::new();
     let fit = engine.best_fit(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;

@@ -1,6 +1,6 @@
 //! The command `diff`.
 
-use crate::arguments::DiffArguments;
+use crate::arguments::{DiffArguments, UnitsOfFiles};
 use crate::failure::Failure;
 use crate::input::{Input, is_judged};
 use crate::output::digits::{bounded, coordinates};
@@ -36,6 +36,10 @@ impl Comparison for Diff<'_> {
     fn options(&self) -> String {
         let DiffArguments { allow_skipped, strict_gaps, .. } = self.arguments;
         format!("{:?} {allow_skipped} {strict_gaps}", self.options)
+    }
+
+    fn units(&self) -> UnitsOfFiles {
+        self.arguments.units()
     }
 
     fn compare(&self, a: &Input, b: &Input) -> Result<(Answer, PictureOptions), Failure> {

@@ -1,6 +1,6 @@
 //! The command `distance`.
 
-use crate::arguments::DistanceArguments;
+use crate::arguments::{DistanceArguments, UnitsOfFiles};
 use crate::failure::Failure;
 use crate::input::{Input, is_judged};
 use crate::output::digits::number;
@@ -37,6 +37,10 @@ impl Comparison for Distance<'_> {
     fn options(&self) -> String {
         let DistanceArguments { limit, allow_skipped, strict_gaps, .. } = self.arguments;
         format!("{:?} {limit:?} {allow_skipped} {strict_gaps}", self.options)
+    }
+
+    fn units(&self) -> UnitsOfFiles {
+        self.arguments.units()
     }
 
     fn compare(&self, a: &Input, b: &Input) -> Result<(Answer, PictureOptions), Failure> {

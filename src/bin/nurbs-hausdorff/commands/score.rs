@@ -15,7 +15,7 @@ use std::fmt::{Result, Write};
 pub(crate) fn run(arguments: &ScoreArguments) -> std::result::Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
-    let (a, b) = (read(&arguments.candidate)?, read(&arguments.truth)?);
+    let [a, b] = arguments.units().applied([read(&arguments.candidate)?, read(&arguments.truth)?])?;
     let engine = Engine::cpu();
     let mut bar = Bar::new();
     let mut score = engine.score(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;

@@ -14,7 +14,7 @@ use std::fmt::{Result, Write};
 pub(crate) fn run(arguments: &StatisticsArguments) -> std::result::Result<(), Failure> {
     let options = arguments.options()?;
     options.validate()?;
-    let (a, b) = (read(&arguments.a)?, read(&arguments.b)?);
+    let [a, b] = arguments.units().applied([read(&arguments.a)?, read(&arguments.b)?])?;
     let engine = Engine::cpu();
     let mut bar = Bar::new();
     let result = engine.statistics(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;

@@ -3,6 +3,7 @@
 mod bytes;
 mod rhino;
 
+use crate::arguments::Unit;
 use crate::failure::Failure;
 pub(crate) use bytes::{STANDARD_STREAM, Source, hexadecimal};
 use nurbs_hausdorff::{
@@ -82,6 +83,19 @@ pub(crate) struct Input {
     pub(crate) prepared: PreparedModel,
     pub(crate) report: CadReport,
     pub(crate) source: Source,
+}
+
+impl Input {
+    /// Returns the model with coordinates in a unit, if one is given, whatever its file states.
+    ///
+    /// # Errors
+    /// Those of [`PreparedModel::with_unit`].
+    pub(crate) fn in_unit(self, unit: Option<Unit>) -> Result<Self> {
+        let Some(metres) = unit.map(Unit::metres) else { return Ok(self) };
+        let model = self.model.map(|model| model.with_unit(metres)).transpose()?;
+        let prepared = self.prepared.with_unit(metres, model.as_ref())?;
+        Ok(Self { model, prepared, ..self })
+    }
 }
 
 /// Returns whether a verdict holds for the files: no faces were left out of their models, or that is

@@ -3,7 +3,7 @@
 mod earlier;
 mod tree;
 
-use crate::arguments::{Pair, Reporting};
+use crate::arguments::{Pair, Reporting, UnitsOfFiles};
 use crate::failure::Failure;
 use crate::input::{File, Input, STANDARD_STREAM};
 use crate::output::{json::print_json, print};
@@ -22,8 +22,11 @@ pub(crate) trait Comparison {
     /// The command's name.
     const NAME: &'static str;
 
-    /// Everything but the files on which the answer depends.
+    /// Everything but the files and their units on which the answer depends.
     fn options(&self) -> String;
+
+    /// The units of the files.
+    fn units(&self) -> UnitsOfFiles;
 
     /// Compares two models; returns what pictures of them show, too.
     ///
@@ -121,13 +124,15 @@ impl<C: Comparison> Comparer<'_, C> {
     fn answer(&self, a: &Path, b: &Path) -> Result<Answer, Failure> {
         let (a, b) = (File::open(a)?, File::open(b)?);
         let draws = if self.drawn.get() < MAX_DRAWN { self.draws } else { Drawn::None };
-        let options = format!("{} {draws:?}", self.comparison.options());
+        let units = self.comparison.units();
+        let options = format!("{} {units:?} {draws:?}", self.comparison.options());
         let key = earlier::key(C::NAME, &options, [&a, &b]);
         let known = self.earlier.as_ref().and_then(|earlier| earlier.find(&key));
         let answer = match known {
             Some(answer) => answer,
             None => {
-                let answer = self.computed(&a.read()?, &b.read()?, draws)?;
+                let [a, b] = units.applied([a.read()?, b.read()?])?;
+                let answer = self.computed(&a, &b, draws)?;
                 if let Some(earlier) = &self.earlier {
                     earlier.keep(&key, &answer)?;
                 }
