@@ -3,7 +3,7 @@
 use super::PreparedModel;
 use super::prepared::BodyParts;
 use crate::facts::Orientation;
-use crate::model::face_path;
+use crate::model::{face_path, level};
 use serde::Serialize;
 use std::collections::HashSet;
 
@@ -14,6 +14,10 @@ use std::collections::HashSet;
 pub struct Body {
     /// The last name of its path, if it has one.
     pub name: Option<String>,
+    /// The name that no other body of the model has, by which comparisons and checks call it: the names of its path,
+    /// joined as those of a face are ([`crate::face_path`] splits them), else `body 1` by its number; equal names are
+    /// numbered.
+    pub full_name: String,
     /// The names of the levels that all its faces have, from the outermost; of a mesh, the name of the object.
     pub path: Vec<String>,
     /// What it is.
@@ -61,6 +65,7 @@ impl PreparedModel {
         if let Some(facets) = self.facets().filter(|facets| facets.target.is_cloud()) {
             return vec![Body {
                 name: None,
+                full_name: own_name(&[], 0),
                 path: Vec::new(),
                 kind: BodyKind::Points,
                 closed: false,
@@ -72,7 +77,12 @@ impl PreparedModel {
                 free_edges: 0,
             }];
         }
-        self.body_parts().iter().enumerate().map(|(index, parts)| self.body(index, parts)).collect()
+        let mut taken = HashSet::new();
+        let of_parts = |(index, parts)| {
+            let body = self.body(index, parts);
+            Body { full_name: unique_name(own_name(&body.path, index), &mut taken), ..body }
+        };
+        self.body_parts().iter().enumerate().map(of_parts).collect()
     }
 
     fn body(&self, index: usize, parts: &BodyParts) -> Body {
@@ -82,6 +92,7 @@ impl PreparedModel {
         let closed = free_edges == 0;
         Body {
             name: path.last().cloned(),
+            full_name: String::new(),
             path,
             kind: if closed { BodyKind::Solid } else { BodyKind::Sheet },
             closed,
@@ -118,6 +129,12 @@ impl PreparedModel {
         }
         common.unwrap_or_default()
     }
+}
+
+/// Returns the joined names of the levels, or the number of a body without one.
+fn own_name(path: &[String], index: usize) -> String {
+    let levels: Vec<String> = path.iter().map(|name| level(name)).collect();
+    if levels.is_empty() { format!("body {}", index + 1) } else { levels.join(" / ") }
 }
 
 /// Returns a name that no other body has: this one, with a number behind it where it is taken.

@@ -1,6 +1,6 @@
 //! Bodies of models.
 
-use crate::models::{cuboid, faces, mesh, moved, of, placed_all, prepared};
+use crate::models::{box_of_faces, cuboid, faces, mesh, moved, of, placed_all, prepared};
 use nurbs_hausdorff::shapes;
 use nurbs_hausdorff::{
     BodyKind, DVec3, Facets, MeshGroup, Orientation, PointCloud, PreparedModel, TriangleMesh, VolumeUnknown,
@@ -31,6 +31,25 @@ fn bodies_have_the_names_that_their_faces_have_in_common() {
     assert_eq!([bodies[0].kind, bodies[1].kind], [BodyKind::Solid, BodyKind::Sheet]);
     assert_eq!((bodies[0].free_edges, bodies[1].closed), (0, false));
     assert!(bodies[1].free_edges > 0);
+}
+
+/// Five boxes: three of one name, one without, and one that has the name of the second of them.
+#[test]
+fn equal_names_of_bodies_are_numbered_and_a_body_without_one_has_its_number() {
+    let cuboid = faces(&box_of_faces(DVec3::ZERO, DVec3::ONE));
+    let named =
+        [Some("pump / bolt"), None, Some("pump / bolt"), Some("pump / bolt (2)"), Some("in // out / b")];
+    let mut model = nurbs_hausdorff::ModelArrays::default();
+    for (index, name) in named.into_iter().enumerate() {
+        model.faces.extend(cuboid.iter().cloned().map(|mut face| {
+            face.face_name = name.map(|name| format!("{name} / face"));
+            face.surface.control_points.iter_mut().for_each(|point| point[0] += 2.0 * index as f64);
+            face
+        }));
+    }
+    let bodies = prepared(&nurbs_hausdorff::Model::from_faces(model).unwrap()).bodies();
+    let names: Vec<&str> = bodies.iter().map(|body| body.full_name.as_str()).collect();
+    assert_eq!(names, ["pump / bolt", "body 2", "pump / bolt (2)", "pump / bolt (2) (2)", "in // out / b"]);
 }
 
 /// As the shape has them, all turned over, and one of them.

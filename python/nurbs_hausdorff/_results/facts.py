@@ -71,6 +71,9 @@ class Body:
 
     Attributes
     ----------
+    full_name : str
+        The name that no other body of the model has, by which comparisons and checks call it: the
+        names of its path joined, else ``body 1`` by its number; equal names are numbered.
     path : tuple of str
         Names of the levels that all its faces have, from the outermost.
     kind : {"solid", "sheet", "points"}
@@ -83,6 +86,7 @@ class Body:
     """
 
     name: str | None
+    full_name: str
     path: tuple[str, ...]
     kind: Literal["solid", "sheet", "points"]
     closed: bool

@@ -323,10 +323,8 @@ fn all_bodies(models: &[NamedModel<'_>], options: &CheckOptions) -> Result<(Vec<
         let prepared = scaled.as_deref().unwrap_or(prepared);
         let facts = prepared.body_facts().map(|facts| (facts.volume, facts.area));
         let all = prepared.bodies().into_iter().zip(prepared.single_bodies()?).zip(facts);
-        for (index, ((body, single), (volume, area))) in all.enumerate() {
-            let own = if body.path.is_empty() { vec![format!("body {}", index + 1)] } else { body.path };
-            let levels: Vec<String> =
-                above.into_iter().map(level).chain(own.iter().map(|name| level(name))).collect();
+        for ((body, single), (volume, area)) in all {
+            let levels: Vec<String> = above.into_iter().map(level).chain([body.full_name]).collect();
             let name = unique_name(levels.join(" / "), &mut taken);
             let error = single.bezier().point_error.after(0);
             // A box of zero width may round to itself when it grows.

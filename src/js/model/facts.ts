@@ -48,6 +48,11 @@ export interface Facts {
 export interface Body {
   /** The last name of its path, if it has one. */
   name: string | null;
+  /**
+   * The name that no other body of the model has, by which comparisons and checks call it: the names of its path
+   * joined, else `body 1` by its number; equal names are numbered.
+   */
+  fullName: string;
   /** The names of the levels that all its faces have, from the outermost. */
   path: string[];
   kind: "solid" | "sheet" | "points";

@@ -1,6 +1,5 @@
 // What facts are stated of, side by side: both models, and their bodies, which go together by their names.
 import type { Body, Facts } from "nurbs-hausdorff";
-import { bodyNames } from "../worker/bodyNames.ts";
 import { type ModelFacts, SIDES, type Sides } from "../worker/protocol.ts";
 
 /** Models, or a body of one or of each. */
@@ -21,9 +20,8 @@ export function subjectsOf(models: Sides<ModelFacts>): Subject[] {
     whole.facts[side] = model.facts;
     whole.bodies[side] = model.bodies;
     isMany ||= model.bodies.length > 1;
-    const names = bodyNames(model.bodies);
-    for (const [index, body] of model.bodies.entries()) {
-      const title = names[index] ?? "";
+    for (const body of model.bodies) {
+      const title = body.fullName;
       const subject = named.get(title) ?? { title, facts: {}, bodies: {} };
       subject.facts[side] = body.facts;
       subject.bodies[side] = [body];

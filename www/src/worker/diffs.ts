@@ -6,7 +6,6 @@ import type {
   Hausdorff,
   NurbsModel,
 } from "nurbs-hausdorff/worker";
-import { bodyNames } from "./bodyNames.ts";
 import type { PlacedPart, PlainDiffOptions } from "./protocol.ts";
 
 interface Pair {
@@ -56,8 +55,7 @@ export async function placedParts({ parts }: DiffResult, { a, b }: Pair): Promis
 
 async function facesByName(model: NurbsModel): Promise<Map<string, number[]>> {
   const bodies = await model.bodies();
-  const names = bodyNames(bodies);
-  return new Map(bodies.map(({ faces }, index) => [names[index] ?? "", faces]));
+  return new Map(bodies.map(({ fullName, faces }) => [fullName, faces]));
 }
 
 /** `changed` if a face is, else `undecided` if one is. */

@@ -34,10 +34,10 @@ pub(crate) struct AlignArguments {
     pub(crate) limit: Option<f64>,
     /// With --norm largest: the largest shift of the motions that the interval is about; a hundredth of the
     /// larger diagonal if not given.
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, hide_short_help = true, value_name = "LENGTH")]
     box_translation: Option<f64>,
     /// With --norm largest: the largest angle of the motions that the interval is about.
-    #[arg(long, value_name = "DEGREES", default_value_t = ZoneOptions::default().degrees)]
+    #[arg(long, hide_short_help = true, value_name = "DEGREES", default_value_t = ZoneOptions::default().degrees)]
     box_degrees: f64,
     /// With --norm largest: the largest number of boxes of motions that are bounded.
     #[arg(long, hide_short_help = true, value_name = "BOXES", default_value_t = ZoneOptions::default().max_boxes)]

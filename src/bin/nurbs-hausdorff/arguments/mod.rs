@@ -265,10 +265,10 @@ struct Placement {
 #[derive(Debug, Clone, Copy, Args)]
 pub(crate) struct UnitsOfFiles {
     /// The unit of A's coordinates, whatever its file states; B is scaled to it.
-    #[arg(long, value_name = "UNIT", value_enum)]
+    #[arg(long, value_name = "UNIT", value_enum, hide_short_help = true)]
     unit_of_a: Option<Unit>,
     /// The unit of B's coordinates, whatever its file states; B is scaled to that of A.
-    #[arg(long, value_name = "UNIT", value_enum)]
+    #[arg(long, value_name = "UNIT", value_enum, hide_short_help = true)]
     unit_of_b: Option<Unit>,
 }
 

@@ -2,13 +2,12 @@
 
 use crate::bvh::Aabb;
 use crate::engine::PreparedModel;
-use crate::engine::bodies::unique_name;
 use crate::engine::prepared::mirror_image;
 use crate::error::Result;
 use crate::facets::Facet;
 use crate::model::level;
 use glam::DVec3;
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 
 /// The part by which areas and moments of parts may differ that are tried as copies: a wrong one costs a pairing or
 /// time, never a proof.
@@ -42,21 +41,18 @@ pub(super) struct Part {
 /// # Errors
 /// Those of [`PreparedModel::single_bodies`].
 pub(super) fn parts_of(model: &PreparedModel) -> Result<Vec<Part>> {
-    let mut taken = HashSet::new();
     let all = model.bodies().into_iter().zip(model.single_bodies()?).zip(model.body_facts());
-    let part = |(index, ((body, single), facts)): (usize, ((_, PreparedModel), _))| {
+    let part = |((body, single), facts): ((_, PreparedModel), _)| {
         let (body, facts): (crate::engine::Body, &crate::Facts) = (body, facts);
         let levels: Vec<String> = body.path.iter().map(|name| level(name)).collect();
-        let given = (!levels.is_empty()).then(|| levels.join(" / "));
-        let name = given.clone().unwrap_or_else(|| format!("body {}", index + 1));
         let vertices = vertices(&single);
         let mean = vertices.iter().sum::<DVec3>() / vertices.len().max(1) as f64;
         let center =
             facts.centroid.map_or(mean, |centroid| DVec3::from_array(centroid.map(|one| one.middle())));
         let axes = facts.principal_moments.zip(facts.principal_axes);
         Part {
-            name: unique_name(name, &mut taken),
-            given,
+            name: body.full_name,
+            given: (!levels.is_empty()).then(|| levels.join(" / ")),
             faces: body.faces,
             aabb: single.control_box(),
             volume: facts.volume.map(|volume| volume.middle()),
@@ -68,7 +64,7 @@ pub(super) fn parts_of(model: &PreparedModel) -> Result<Vec<Part>> {
             model: single,
         }
     };
-    Ok(all.enumerate().map(part).collect())
+    Ok(all.map(part).collect())
 }
 
 impl Part {
