@@ -47,13 +47,8 @@ __all__ = [
     "GapsResult", "HausdorffScore", "Interval", "LeftOut", "Mesh", "MeshReport", "Model",
     "NurbsHausdorffError", "Overlap", "OverlapResult", "OverlapVolumes", "PartDifference",
     "PartFaces", "PartMotion", "Placement", "ReadReport", "Remark", "Requirement", "Score",
-<<<<<<< HEAD
     "ScoredModel", "SelfOverlap", "Shell", "SignedDistances", "Solid", "Statistics", "SurfacePoint",
-    "SurfaceScore", "Transform", "UnkeptRule", "Witness", "best_fit", "check", "clearance",
-=======
-    "ScoredModel", "Shell", "SignedDistances", "Solid", "Statistics", "SurfacePoint",
     "SurfaceScore", "Transform", "UnkeptRule", "Witness", "Zone", "best_fit", "check", "clearance",
->>>>>>> 184b7c0e
     "closest_points", "diff", "distance", "field", "gaps", "model", "overlap", "read", "score",
     "signed_distances", "statistics", "testing",
 ]  # fmt: skip

@@ -18,7 +18,7 @@ import type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
 import type { DiffOptions, DiffResult } from "./measure/diff.js";
 import type { DistanceEngine } from "./measure/engine.js";
 import type { DeviationField, FieldOptions } from "./measure/field.js";
-import type { BestFit, BestFitOptions } from "./measure/fit.js";
+import { type BestFit, type BestFitOptions, checkFit } from "./measure/fit.js";
 import { type Backend, type DistanceOptions, split } from "./measure/options.js";
 import type { OverlapOptions, OverlapResult } from "./measure/overlap.js";
 import type { Results } from "./measure/result.js";
@@ -286,6 +286,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
 
   async bestFit(a: NurbsModel, b: NurbsModel, options: BestFitOptions = {}): Promise<BestFit> {
     const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    checkFit(options);
     // Its progress is by steps; the module calls either kind with what it reports.
     const plain = options as Omit<BestFitOptions, "onProgress"> as FieldOptions;
     return this.#inTurn(plain, (engine, call) => engine.bestFit(...models, call));

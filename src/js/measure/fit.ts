@@ -1,3 +1,4 @@
+import { checkKeys } from "../keys.js";
 import type { Transform, Vector3 } from "./options.js";
 
 /** A transform with both parts. */
@@ -122,6 +123,45 @@ export interface BestFitOptions {
    * square `Infinity`. An error that it throws cancels the work.
    */
   onProgress?: (step: number, rms: number, fraction: number) => void;
+}
+
+/** The names within options that are objects themselves. */
+const ZONE: readonly (keyof ZoneOptions)[] = ["translation", "degrees", "limit", "maxBoxes"];
+const PAIR: readonly (keyof PointPair)[] = ["a", "b", "weight"];
+const DATUM: readonly (keyof Datum)[] = ["a", "b"];
+const FEATURES = {
+  plane: ["point", "normal"],
+  axis: ["point", "direction"],
+  point: ["point"],
+  face: ["index"],
+};
+
+/**
+ * Refuses names in the zone, the pairs and the datums that are not known: the module sees only those that it looks
+ * for.
+ *
+ * @throws {HausdorffError} `OPTION_INVALID`.
+ * @internal
+ */
+export function checkFit(options: BestFitOptions): void {
+  if (typeof options !== "object" || options === null) return;
+  const { zone, pairs, datums } = options;
+  const check = (where: string, given: unknown, known: readonly string[]) => {
+    if (typeof given === "object" && given !== null) checkKeys(where, given, known);
+  };
+  check("zone", zone, ZONE);
+  const all = (list: unknown): unknown[] => (Array.isArray(list) ? list : []);
+  for (const pair of all(pairs)) check("pairs", pair, PAIR);
+  for (const datum of all(datums)) {
+    check("datums", datum, DATUM);
+    const { a, b } = (datum ?? {}) as Partial<Datum>;
+    for (const feature of [a, b]) {
+      check("datums", feature, Object.keys(FEATURES));
+      for (const [kind, known] of Object.entries(FEATURES)) {
+        check(`datums: ${kind}`, (feature as Record<string, unknown> | undefined)?.[kind], known);
+      }
+    }
+  }
 }
 
 /** A pose of one model that fits another. */

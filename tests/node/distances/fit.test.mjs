@@ -138,6 +138,9 @@ test("the least zone of a saddle is its height, and a limit below it passes nowh
     assert.rejects(hd.bestFit(saddle, plane, options), withCode(code, message));
   await refused({ zone: { degrees: 90 } }, "OPTION_OUT_OF_RANGE", /degrees/);
   await refused({ zone: { angle: 1 } }, "OPTION_INVALID", /angle/);
+  await refused({ datums: [{ a: { plain: {} }, b: {} }] }, "OPTION_INVALID", /plain/);
+  await refused({ datums: [{ a: { face: { at: 1 } }, b: {} }] }, "OPTION_INVALID", /at/);
+  await refused({ pairs: [{ a: [0, 0, 0], b: [0, 0, 0], wait: 1 }] }, "OPTION_INVALID", /wait/);
   await refused({ norm: "largest", outliers: 0.1 }, "OPTION_INVALID", /largest/);
   for (const model of [saddle, plane]) model.dispose();
 });
