@@ -132,7 +132,7 @@ fn a_cloud_is_one_body_of_points() {
 /// Boxes that meet are bodies of their own.
 #[test]
 fn bodies_that_overlap_are_no_voids() {
-    let unit = crate::models::box_of_faces(DVec3::ZERO, DVec3::ONE);
+    let unit = box_of_faces(DVec3::ZERO, DVec3::ONE);
     let shifted = moved([0.25, 0.25, 0.25]);
     let half = [0.5, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0];
     let model = prepared(&placed_all(&[(&unit, moved([0.0; 3])), (&unit, shifted)]));
