@@ -167,15 +167,35 @@ mod tests {
         }
     }
 
+    /// The sphere of radius 5 about the origin.
+    struct Sphere;
+
+    impl Clearance for Sphere {
+        fn clear(&self, point: DVec3, _place: &mut Place) -> Option<Clear> {
+            let inwards = if point.length() < 5.0 { -1.0 } else { 1.0 };
+            let lower = (5.0 - point.length()).abs() * (1.0 - 1e-15);
+            Some(Clear { lower, direction: inwards * point.normalize_or(DVec3::X) })
+        }
+    }
+
     fn bound(points: &[DVec3], angle: f64, shift: f64) -> f64 {
+        bound_to(&Plane, 1e3, points, angle, shift)
+    }
+
+    fn bound_to(
+        clearance: &impl Clearance,
+        largest_ball: f64,
+        points: &[DVec3],
+        angle: f64,
+        shift: f64,
+    ) -> f64 {
         let chart = Chart {
             base: RigidTransform::IDENTITY,
             freedoms: Freedoms::all(),
             center: DVec3::ZERO,
             radius: 2.0,
         };
-        let contacts =
-            Contacts { chart: &chart, clearance: &Plane, points, error: 0.0, largest_ball: 1e3, width: 1e-6 };
+        let contacts = Contacts { chart: &chart, clearance, points, error: 0.0, largest_ball, width: 1e-6 };
         contacts.lower(&chart.cell(angle, shift))
     }
 
@@ -196,6 +216,32 @@ mod tests {
         assert_eq!(bound(&points.map(|point| point.with_z(0.0)), 0.01, 0.01), 0.0);
         // Heights of one sign are undone by a shift.
         assert!(bound(&points.map(|point| point.with_z(0.1)), 0.01, 0.2) < 1e-9);
-        assert!(bound(&points.map(|point| point.with_z(0.1)), 0.0, 0.05) > 0.0499);
+        let shifted = bound(&points.map(|point| point.with_z(0.1)), 0.0, 0.05);
+        assert!(shifted > 0.0499 && shifted <= 0.05, "{shifted}");
+    }
+
+    /// Two points across a sphere from within: a shift h along both axes across brings both nearer, to
+    /// 5 − √(k² + 2h²). The ball about the middle is bent as the sphere is, and the movement that it allows for is √3 h.
+    #[test]
+    fn the_bound_within_a_sphere_allows_for_its_curvature() {
+        let k = 4.0;
+        let points = [k * DVec3::X, -k * DVec3::X];
+        for h in [0.02, 0.1] {
+            let lower = bound_to(&Sphere, k, &points, 0.0, h);
+            let least = 5.0 - (k * k + 2.0 * h * h).sqrt();
+            assert!(lower <= least, "{h}: {lower} of {least}");
+            assert!(lower >= 5.0 - k - 2.0 * 3.0 * h * h / (2.0 * k), "{h}: {lower} of {least}");
+        }
+    }
+
+    /// A point above a plane that is turned about its foot by h about both axes across comes down to z cos √2 h.
+    #[test]
+    fn the_bound_of_a_turn_allows_for_its_arc() {
+        let z = 2.0;
+        for h in [0.01, 0.05] {
+            let lower = bound(&[z * DVec3::Z], h, 0.0);
+            let least = z * (2.0_f64.sqrt() * h).cos();
+            assert!(lower <= least && lower >= z * (1.0 - 2.0 * h * h), "{h}: {lower} of {least}");
+        }
     }
 }

@@ -120,3 +120,22 @@ impl PreparedModel {
         Some(SelfOverlap { point: point.to_array(), radius: radius.next_down(), winding, faces })
     }
 }
+
+#[cfg(test)]
+#[cfg(not(target_arch = "wasm32"))]
+mod tests {
+    use super::*;
+    use crate::shapes::sphere;
+
+    /// Behind one sheet a sphere winds once about a point and before it not at all, which is no fault.
+    #[test]
+    fn one_sheet_is_no_crossing() {
+        let model = PreparedModel::new(&sphere(DVec3::ZERO, 2.0).unwrap()).unwrap();
+        let jet = model.bezier().patches.patch(0).jet([0.4, 0.6]);
+        let normals = [jet.normal().unwrap(); 2];
+        let crossing = Crossing { point: jet.point, normals, surfaces: [0; 2], depth: 0.5 };
+        for sign in [-1, 1] {
+            assert_eq!(model.overlap_at(&crossing, &[sign]), None);
+        }
+    }
+}
