@@ -1,4 +1,4 @@
-//! Sorting by a number, for all types by one sort: each further sort of the standard library is
+//! Sorting and ordering by a number, for all types by one sort: each further sort of the standard library is
 //! about 5 KiB of the module that browsers fetch.
 
 /// Sorts by a number of each item, in the total order of floating-point numbers; items of equal
@@ -23,6 +23,32 @@ pub(crate) fn sort_by_number<T>(items: &mut [T], number: impl Fn(&T) -> f64) {
 pub(crate) fn sort_pairs(pairs: &mut [(f64, f64)]) {
     pairs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
 }
+
+/// Orders the values of a type by a number of each, in the total order of floating-point numbers: in a heap the value of
+/// the largest number comes first.
+macro_rules! ordered_by {
+    ($type:ty, $number:expr) => {
+        impl PartialEq for $type {
+            fn eq(&self, other: &Self) -> bool {
+                self.cmp(other) == std::cmp::Ordering::Equal
+            }
+        }
+        impl Eq for $type {}
+        impl PartialOrd for $type {
+            fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+                Some(self.cmp(other))
+            }
+        }
+        impl Ord for $type {
+            fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+                let number: fn(&Self) -> f64 = $number;
+                number(self).total_cmp(&number(other))
+            }
+        }
+    };
+}
+
+pub(crate) use ordered_by;
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {

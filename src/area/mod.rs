@@ -17,10 +17,10 @@ use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
+use crate::sorting::ordered_by;
 use cell::Cell;
 use density::Density;
 use serde::Serialize;
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::ops::Add;
 
@@ -145,22 +145,4 @@ struct Open<'a> {
     axis: Axis,
 }
 
-impl PartialEq for Open<'_> {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Open<'_> {}
-
-impl PartialOrd for Open<'_> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Open<'_> {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.cell.width().total_cmp(&other.cell.width())
-    }
-}
+ordered_by!(Open<'_>, |open| open.cell.width());

@@ -13,8 +13,8 @@ use crate::bvh::{Aabb, Node};
 use crate::certified::{Interval, Stop};
 use crate::model::RigidTransform;
 use crate::rounding::lower_min;
+use crate::sorting::ordered_by;
 use glam::{DMat3, DVec3};
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// The largest number of halvings of a patch; a piece is then far smaller than rounding.
@@ -68,23 +68,8 @@ struct Entry {
     region: Region,
 }
 
-impl PartialEq for Entry {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Entry {}
-impl PartialOrd for Entry {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Entry {
-    /// The entry with the smallest lower bound is the heap's largest.
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.lower.total_cmp(&self.lower)
-    }
-}
+// The smallest lower bound comes first.
+ordered_by!(Entry, |entry| -entry.lower);
 
 /// A search for the least distance of two models.
 #[derive(Debug)]

@@ -4,8 +4,8 @@ use super::Interval;
 use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::rounding::{gamma, upper_max};
+use crate::sorting::ordered_by;
 use glam::{DVec3, Vec4Swizzles};
-use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// The largest number of parts that are divided: faces that touch the plane along a curve have many.
@@ -148,25 +148,7 @@ impl Part {
     }
 }
 
-impl PartialEq for Part {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for Part {}
-
-impl PartialOrd for Part {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Part {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.upper.total_cmp(&other.upper)
-    }
-}
+ordered_by!(Part, |part| part.upper);
 
 /// Returns an interval of the largest n·(x − origin) of points that are off by at most `moved`.
 pub(crate) fn largest_of_points(

@@ -4,8 +4,8 @@ use super::crossing::{Crossing, Level};
 use super::piece::{Piece, Whole};
 use crate::facts::Interval;
 use crate::solid::Enclosing;
+use crate::sorting::ordered_by;
 use glam::DVec3;
-use std::cmp::Ordering;
 use std::sync::Arc;
 
 /// A point of a piece, with the shells of the other solid about it.
@@ -35,19 +35,4 @@ pub(super) struct Known {
     pub(super) crossing: Option<Crossing>,
 }
 
-impl PartialEq for Undecided<'_> {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Undecided<'_> {}
-impl PartialOrd for Undecided<'_> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Undecided<'_> {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.bound.total_cmp(&other.bound)
-    }
-}
+ordered_by!(Undecided<'_>, |piece| piece.bound);

@@ -7,8 +7,8 @@ use super::discs::Discs;
 use super::interpolant::{largest, points};
 use super::local::{Ends, Local, LocalCurve, LocalSurface};
 use super::majorant::CurveMajorant;
+use crate::sorting::ordered_by;
 use glam::DVec3;
-use std::cmp::Ordering;
 
 /// A part of the curve that corresponds to one of the edge.
 pub(super) struct GapPart {
@@ -134,26 +134,8 @@ impl GapPart {
     }
 }
 
-impl PartialEq for GapPart {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-
-impl Eq for GapPart {}
-
-impl PartialOrd for GapPart {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-/// By the upper bound, so that the worst part is cut first.
-impl Ord for GapPart {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.upper.total_cmp(&other.upper)
-    }
-}
+// The worst part is cut first.
+ordered_by!(GapPart, |part| part.upper);
 
 /// Returns the end of a cell that lies inside of a range by more than the rounding of its ends.
 fn knot_inside(cell: [f64; 2], [start, end]: [f64; 2]) -> Option<f64> {

@@ -3,8 +3,8 @@
 use super::part::TrianglePart;
 use super::patch_cell::PatchCell;
 use super::source::Start;
+use crate::sorting::ordered_by;
 use glam::DVec3;
-use std::cmp::Ordering;
 
 /// A part of A.
 #[derive(Debug, Clone, Copy)]
@@ -36,23 +36,8 @@ impl Node {
     }
 }
 
-impl PartialEq for Node {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Node {}
-impl PartialOrd for Node {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Node {
-    /// The node with the largest upper bound is the heap's largest.
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.upper.total_cmp(&other.upper)
-    }
-}
+// The largest upper bound comes first.
+ordered_by!(Node, |node| node.upper);
 
 /// The place of a point on A.
 #[derive(Debug, Clone, Copy, PartialEq)]
