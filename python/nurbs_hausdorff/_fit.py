@@ -57,6 +57,9 @@ class Zone:
         Centre of the turns, in the frame of B.
     boxes : int
         Number of boxes of motions that were bounded.
+    refuted : int
+        Number of bounds that an audit refuted, and that were not relied on: 0, unless the library
+        has a fault.
     passes : bool or None
         Whether some motion of the box brings all of A within the limit; None without a limit, and
         where it lies between the bounds.
@@ -68,6 +71,7 @@ class Zone:
     translation: float
     center: tuple[float, float, float]
     boxes: int
+    refuted: int
     passes: bool | None = None
 
 

@@ -1,8 +1,10 @@
 //! The model that samples are laid on: the foot of a point, and the direction in which its distance
 //! changes.
 
-use crate::closest::{self, closest_above, newton};
+use crate::closest::{self, Closest, closest_above, newton};
 use crate::facets::{Facet, FacetTarget};
+use crate::model::RigidTransform;
+use crate::threads::parallel::map_ranges;
 use glam::DVec3;
 
 /// The largest number of Newton steps from the foot of the step before: near it a few suffice.
@@ -63,18 +65,8 @@ impl Field for FootField<'_> {
     fn residual(&self, point: DVec3, place: &mut Place) -> Option<Residual> {
         match self {
             Self::Patches { target, gap, size } => {
-                let start = place.map(|(patch, start)| {
-                    let patch_of_foot = target.patches.patch(patch as usize);
-                    (patch, newton(&patch_of_foot, point, start, MAX_ITERATIONS).parameters)
-                });
-                let closest = closest_above(target, point, *gap, start, 0.0, None)?;
-                *place = Some((closest.patch as u32, closest.parameters));
-                let offset = point - closest.point;
-                let normal = || {
-                    let jet = target.patches.patch(closest.patch).jet(closest.parameters);
-                    jet.s.cross(jet.t).normalize_or_zero()
-                };
-                Some(Residual { point, offset, direction: Some(direction(offset, *size, normal)) })
+                let (closest, direction) = foot_on_patches(target, (*gap, *size), point, place)?;
+                Some(Residual { point, offset: point - closest.point, direction: Some(direction) })
             }
             Self::Facets { target, size } => {
                 let start = place.map_or(0, |(facet, _)| facet);
@@ -82,17 +74,64 @@ impl Field for FootField<'_> {
                 *place = Some((foot.facet, [0.0; 2]));
                 let facet = target.facet(foot.facet);
                 let offset = point - facet.point(facet.nearest(point).weights);
-                let direction = match facet {
-                    Facet::Point(_) => None,
-                    Facet::Triangle([a, b, c]) => {
-                        let normal = || (b - a).cross(c - a).normalize_or_zero();
-                        Some(direction(offset, *size, normal))
-                    }
-                };
-                Some(Residual { point, offset, direction })
+                Some(Residual { point, offset, direction: direction_from_facet(&facet, offset, *size) })
             }
         }
     }
+}
+
+/// Returns the closest point on patches of a model of this size, up to a gap, with the direction from there; the search
+/// starts at the place of the last foot.
+pub(crate) fn foot_on_patches(
+    target: &closest::Target,
+    (gap, size): (f64, f64),
+    point: DVec3,
+    place: &mut Place,
+) -> Option<(Closest, DVec3)> {
+    let start = place.map(|(patch, start)| {
+        let patch_of_foot = target.patches.patch(patch as usize);
+        (patch, newton(&patch_of_foot, point, start, MAX_ITERATIONS).parameters)
+    });
+    let closest = closest_above(target, point, gap, start, 0.0, None)?;
+    *place = Some((closest.patch as u32, closest.parameters));
+    let normal = || {
+        let jet = target.patches.patch(closest.patch).jet(closest.parameters);
+        jet.s.cross(jet.t).normalize_or_zero()
+    };
+    Some((closest, direction(point - closest.point, size, normal)))
+}
+
+/// Returns the direction of an offset from a facet of a model of this size; none from a point of a cloud.
+pub(crate) fn direction_from_facet(facet: &Facet, offset: DVec3, size: f64) -> Option<DVec3> {
+    match facet {
+        Facet::Point(_) => None,
+        Facet::Triangle([a, b, c]) => {
+            let normal = || (*b - *a).cross(*c - *a).normalize_or_zero();
+            Some(direction(offset, size, normal))
+        }
+    }
+}
+
+/// Returns the residuals of points under a motion, with the places of their feet; the feet are looked for from those
+/// places on that are known, else from that of the point before. `None` for a model without points.
+pub(super) fn residuals(
+    field: &impl Field,
+    points: &[DVec3],
+    places: &[Place],
+    motion: &RigidTransform,
+) -> Option<(Vec<Residual>, Vec<Place>)> {
+    let parts = map_ranges(points.len(), |range| {
+        let mut last = None;
+        let of = |index: usize| {
+            let mut place = places.get(index).copied().flatten().or(last);
+            let residual = field.residual(motion.apply(points[index]), &mut place)?;
+            last = place;
+            Some((residual, place))
+        };
+        range.map(of).collect::<Option<Vec<_>>>()
+    });
+    let all = parts.into_iter().collect::<Option<Vec<_>>>()?;
+    Some(all.into_iter().flatten().unzip())
 }
 
 /// Returns the direction of an offset from a foot; the model's normal where the point touches it.

@@ -1,12 +1,11 @@
 //! The fit in the mean near a pose: damped Newton steps (Levenberg–Marquardt) on the distances.
 
-use super::field::{Field, Place, Residual};
+use super::field::{Field, Place, Residual, residuals};
 use super::freedoms::Freedoms;
 use super::loss::Loss;
 use super::samples::Samples;
 use super::system::System;
 use crate::model::RigidTransform;
-use crate::threads::parallel::map_ranges;
 use glam::DVec3;
 
 /// The damping of the first step, relative to unit weights, and how it changes.
@@ -88,22 +87,11 @@ impl<'a, F: Field> LocalFit<'a, F> {
 
     /// Returns the point that turns keep.
     fn center(&self) -> DVec3 {
-        self.freedoms.center.unwrap_or_else(|| self.motion.apply(self.samples.center))
+        self.freedoms.center_of(&self.motion, self.samples.center)
     }
 
     fn at(&self, motion: &RigidTransform) -> Option<(Vec<Residual>, Vec<Place>)> {
-        let parts = map_ranges(self.samples.points.len(), |range| {
-            let mut last = None;
-            let of = |index: usize| {
-                let mut place = self.places[index].or(last);
-                let residual = self.field.residual(motion.apply(self.samples.points[index]), &mut place)?;
-                last = place;
-                Some((residual, place))
-            };
-            range.map(of).collect::<Option<Vec<_>>>()
-        });
-        let all = parts.into_iter().collect::<Option<Vec<_>>>()?;
-        Some(all.into_iter().flatten().unzip())
+        residuals(&self.field, &self.samples.points, &self.places, motion)
     }
 
     /// The distance beyond which a sample counts as left out here.

@@ -24,6 +24,11 @@ impl Freedoms {
         Self { center: None, turns: DVec3::AXES.to_vec(), shifts: DVec3::AXES.to_vec() }
     }
 
+    /// Returns the point that turns after a motion keep: the one that is given, or the image of the middle of A.
+    pub(crate) fn center_of(&self, motion: &RigidTransform, middle: DVec3) -> DVec3 {
+        self.center.unwrap_or_else(|| motion.apply(middle))
+    }
+
     /// Returns the number of coordinates.
     pub(crate) fn count(&self) -> usize {
         self.turns.len() + self.shifts.len()
@@ -40,13 +45,12 @@ impl Freedoms {
 
     /// Returns how fast a point at `arm` from the centre of turns moves along `direction`, in each coordinate.
     pub(crate) fn slopes(&self, arm: DVec3, radius: f64, direction: DVec3) -> Coordinates {
-        let moment = arm.cross(direction) / radius;
-        self.slopes_of(moment, direction)
+        self.slopes_about(&self.turns, arm.cross(direction) / radius, direction)
     }
 
-    /// The same by the moment of the direction in units of the radius.
-    pub(super) fn slopes_of(&self, moment: DVec3, direction: DVec3) -> Coordinates {
-        let turns = self.turns.iter().map(|axis| axis.dot(moment));
+    /// The same by turns about other axes, and by the moment of the direction in units of their lengths.
+    pub(super) fn slopes_about(&self, turns: &[DVec3], moment: DVec3, direction: DVec3) -> Coordinates {
+        let turns = turns.iter().map(|axis| axis.dot(moment));
         let all = turns.chain(self.shifts.iter().map(|shift| shift.dot(direction)));
         let mut slopes = [0.0; COORDINATES];
         slopes.iter_mut().zip(all).for_each(|(slope, value)| *slope = value);
@@ -69,8 +73,8 @@ impl Freedoms {
 mod tests {
     use super::*;
 
-    /// A point on x at the distance 2 turned about z moves along y: twice the angle, as far as a turn in units
-    /// of 1 / 2 states.
+    /// A point at the distance 2 on the x axis that turns about z moves along y by twice the angle: by 1 for a turn of 1
+    /// in units of 1 / 2.
     #[test]
     fn slopes_are_movements() {
         let free = Freedoms { center: None, turns: vec![DVec3::Z], shifts: vec![DVec3::X] };

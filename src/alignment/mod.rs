@@ -20,7 +20,7 @@ mod system;
 
 pub(crate) use datums::by_datums;
 pub use datums::{Datum, DatumFit, Feature};
-pub(crate) use field::{Field, FootField, Place};
+pub(crate) use field::{Field, FootField, Place, direction_from_facet, foot_on_patches};
 pub(crate) use fit::{LocalFit, Step};
 pub(crate) use freedoms::Freedoms;
 pub(crate) use largest::{BoxSearch, Chart, Clear, Clearance, Contacts, Goal, LargestFit, contacts};

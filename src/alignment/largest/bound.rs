@@ -4,8 +4,8 @@
 use super::chart::{Cell, Chart, Middle};
 use super::program::{Row, solve};
 use crate::alignment::field::Place;
-use crate::alignment::freedoms::COORDINATES;
-use crate::rounding::gamma;
+use crate::alignment::freedoms::{COORDINATES, Coordinates};
+use crate::rounding::{gamma, upper_max, upper_min};
 use glam::DVec3;
 
 /// The factor between the radii of balls that are tried.
@@ -24,15 +24,16 @@ const ROW_ROUNDINGS: f64 = 512.0;
 /// What is known of B about a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Clear {
-    /// A lower bound on the distance from the point to B.
+    /// Bounds on the distance from the point to B.
     pub(crate) lower: f64,
+    pub(crate) upper: f64,
     /// The unit vector from B to the point, about: a wrong one costs sharpness.
     pub(crate) direction: DVec3,
 }
 
-/// A model that tells how far a point is from it, at least.
+/// A model with certain bounds on the distances of points from it.
 pub(crate) trait Clearance: Sync {
-    /// Returns what is known about a point; `place` is where the foot was last. `None` for a model without points.
+    /// Returns bounds on the distance of a point; `place` is where the last foot was. `None` for a model without points.
     fn clear(&self, point: DVec3, place: &mut Place) -> Option<Clear>;
 }
 
@@ -50,28 +51,43 @@ pub(crate) struct Contacts<'a, C> {
 }
 
 impl<C: Clearance> Contacts<'_, C> {
-    /// Returns a lower bound on the largest distance of the points from B over all motions of a cell.
-    /// O(points log B).
-    pub(crate) fn lower(&self, cell: &Cell) -> f64 {
+    /// Returns a lower bound on the largest distance of the points from B over all motions of a cell, and an upper bound
+    /// on it in the middle, by which the first is audited. O(points log B).
+    pub(crate) fn bounds(&self, cell: &Cell) -> [f64; 2] {
         let middle = self.chart.middle(cell);
         let mut rows = Vec::with_capacity(3 * self.points.len());
         let mut place: Place = None;
+        let mut in_middle = 0.0;
         for &point in self.points {
-            self.add(point, &middle, &mut place, &mut rows);
+            let upper = self.add(point, &middle, &mut place, &mut rows);
+            in_middle = upper_max(in_middle, upper.unwrap_or(f64::INFINITY));
         }
         let found = solve(&rows, &cell.half).map_or(0.0, |found| proven(&rows, &found.weights, cell));
-        if found > 0.0 { found } else { 0.0 }
+        [if found > 0.0 { found } else { 0.0 }, in_middle]
     }
 
-    /// Adds the rows of one point: that of its distance, and those of the balls on both sides of B.
-    fn add(&self, point: DVec3, middle: &Middle, place: &mut Place, rows: &mut Vec<Row>) {
+    /// Returns an upper bound on the largest distance of the points from B under one motion, by certified closest
+    /// points alone. O(points log B).
+    pub(super) fn largest(&self, at: &Coordinates) -> f64 {
+        let middle = self.chart.middle(&Cell { middle: *at, half: [0.0; COORDINATES] });
+        let mut place: Place = None;
+        let upper = |&point: &DVec3| {
+            let clear = self.clearance.clear(middle.motion.apply(point), &mut place)?;
+            Some(clear.upper + self.error + middle.rounding(point.length()))
+        };
+        self.points.iter().map(upper).map(|found| found.unwrap_or(f64::INFINITY)).fold(0.0, upper_max)
+    }
+
+    /// Adds the rows of one point: that of its distance, and those of the balls on both sides of B. Returns an upper bound
+    /// on its distance in the middle.
+    fn add(&self, point: DVec3, middle: &Middle, place: &mut Place, rows: &mut Vec<Row>) -> Option<f64> {
         let image = middle.motion.apply(point);
         let arm = (image - middle.center).length();
         let rounding = self.error + middle.rounding(point.length());
         let above = 1.0 + gamma(ROW_ROUNDINGS);
         let turned = middle.angle * (arm + rounding);
         let reach = (middle.shift + turned + rounding) * above;
-        let Some(clear) = self.clearance.clear(image, place) else { return };
+        let clear = self.clearance.clear(image, place)?;
         let flat = Row { value: clear.lower - reach, slope: [0.0; COORDINATES] };
         rows.push(flat);
         let curved = 0.5 * middle.growth * middle.angle * turned + rounding;
@@ -85,15 +101,16 @@ impl<C: Clearance> Contacts<'_, C> {
                 rows.push(row);
             }
         }
+        Some(clear.upper + rounding)
     }
 
     /// Returns the row of the best of some balls whose centres are along a direction from a point.
     fn ball(&self, ball: &Ball, along: DVec3, middle: &Middle, mut place: Place) -> Option<Row> {
         let Ball { image, reach, curved } = *ball;
         let enough = SHRINK * reach * reach / self.width;
-        let most = if enough < self.largest_ball { enough } else { self.largest_ball };
+        let most = upper_min(self.largest_ball, enough);
         let least = LEAST_REACH * reach;
-        let mut distance = if most > 2.0 * least { most } else { 2.0 * least };
+        let mut distance = upper_max(2.0 * least, most);
         let mut best: Option<(f64, DVec3)> = None;
         for _ in 0..MAX_BALLS {
             if distance < least {
@@ -163,7 +180,8 @@ mod tests {
 
     impl Clearance for Plane {
         fn clear(&self, point: DVec3, _place: &mut Place) -> Option<Clear> {
-            Some(Clear { lower: point.z.abs() * (1.0 - 1e-15), direction: DVec3::Z * point.z.signum() })
+            let [lower, upper] = [-1e-15, 1e-15].map(|rounding| point.z.abs() * (1.0 + rounding));
+            Some(Clear { lower, upper, direction: DVec3::Z * point.z.signum() })
         }
     }
 
@@ -173,8 +191,9 @@ mod tests {
     impl Clearance for Sphere {
         fn clear(&self, point: DVec3, _place: &mut Place) -> Option<Clear> {
             let inwards = if point.length() < 5.0 { -1.0 } else { 1.0 };
-            let lower = (5.0 - point.length()).abs() * (1.0 - 1e-15);
-            Some(Clear { lower, direction: inwards * point.normalize_or(DVec3::X) })
+            let distance = (5.0 - point.length()).abs();
+            let [lower, upper] = [-1e-15, 1e-15].map(|rounding| distance * (1.0 + rounding));
+            Some(Clear { lower, upper, direction: inwards * point.normalize_or(DVec3::X) })
         }
     }
 
@@ -196,7 +215,9 @@ mod tests {
             radius: 2.0,
         };
         let contacts = Contacts { chart: &chart, clearance, points, error: 0.0, largest_ball, width: 1e-6 };
-        contacts.lower(&chart.cell(angle, shift))
+        let [lower, in_middle] = contacts.bounds(&chart.cell(angle, shift));
+        assert!(lower <= in_middle);
+        lower
     }
 
     /// Corners of a square whose heights are ± 0.1 in turn: no plane is nearer to all four than 0.1, and the

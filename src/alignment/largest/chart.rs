@@ -103,12 +103,7 @@ fn series(square: f64) -> [f64; 2] {
 impl Middle {
     /// Returns how fast a point whose image is `image` moves along a unit vector, in each coordinate.
     pub(super) fn slopes(&self, freedoms: &Freedoms, image: DVec3, direction: DVec3) -> Coordinates {
-        let moment = (image - self.center).cross(direction);
-        let turns = self.turns.iter().map(|turn| turn.dot(moment));
-        let all = turns.chain(freedoms.shifts.iter().map(|shift| shift.dot(direction)));
-        let mut slopes = [0.0; COORDINATES];
-        slopes.iter_mut().zip(all).for_each(|(slope, value)| *slope = value);
-        slopes
+        freedoms.slopes_about(&self.turns, (image - self.center).cross(direction), direction)
     }
 
     /// Returns an upper bound on the error of the image of a point at this length.
@@ -118,6 +113,11 @@ impl Middle {
 }
 
 impl Cell {
+    /// Returns the corner of the largest coordinates and the opposite one.
+    pub(super) fn opposite_corners(&self) -> [Coordinates; 2] {
+        [1.0, -1.0].map(|sign| std::array::from_fn(|k| self.middle[k] + sign * self.half[k]))
+    }
+
     /// Returns both halves across the longest side.
     pub(super) fn halves(&self) -> [Self; 2] {
         let axis = (1..COORDINATES).fold(0, |best, k| if self.half[k] > self.half[best] { k } else { best });

@@ -1,13 +1,12 @@
 //! The fit in the largest distance near a pose: linear programs within a distance that adapts.
 
 use super::program::{Row, solve};
-use crate::alignment::field::{Field, Place, Residual};
+use crate::alignment::field::{Field, Place, Residual, residuals};
 use crate::alignment::fit::Step;
 use crate::alignment::freedoms::{COORDINATES, Coordinates, Freedoms};
 use crate::alignment::samples::Samples;
 use crate::model::RigidTransform;
 use crate::rounding::upper_max;
-use crate::threads::parallel::map_ranges;
 use glam::DVec3;
 
 /// The number of samples that a step is computed from at first; the farthest of the others join them.
@@ -81,7 +80,7 @@ impl<F: Field> LargestFit<F> {
 
     /// Returns the centre of turns.
     pub(crate) fn center(&self) -> DVec3 {
-        self.freedoms.center.unwrap_or_else(|| self.motion.apply(self.center))
+        self.freedoms.center_of(&self.motion, self.center)
     }
 
     /// Returns the largest distance of the samples that count.
@@ -98,28 +97,8 @@ impl<F: Field> LargestFit<F> {
         self.measure()
     }
 
-    fn at(
-        &self,
-        points: &[DVec3],
-        places: &[Place],
-        motion: &RigidTransform,
-    ) -> Option<Vec<(Residual, Place)>> {
-        let parts = map_ranges(points.len(), |range| {
-            let mut last = None;
-            let of = |index: usize| {
-                let mut place = places.get(index).copied().flatten().or(last);
-                let residual = self.field.residual(motion.apply(points[index]), &mut place)?;
-                last = place;
-                Some((residual, place))
-            };
-            range.map(of).collect::<Option<Vec<_>>>()
-        });
-        Some(parts.into_iter().collect::<Option<Vec<_>>>()?.concat())
-    }
-
     fn measure(&mut self) -> Option<()> {
-        let found = self.at(&self.counted, &self.places, &self.motion)?;
-        (self.residuals, self.places) = found.into_iter().unzip();
+        (self.residuals, self.places) = residuals(&self.field, &self.counted, &self.places, &self.motion)?;
         self.largest = largest(&self.residuals)?;
         Some(())
     }
@@ -128,12 +107,12 @@ impl<F: Field> LargestFit<F> {
     fn join(&mut self) -> Option<bool> {
         self.rounds += 1;
         self.measure()?;
-        let all = self.at(&self.points, &[], &self.motion)?;
+        let (all, _) = residuals(&self.field, &self.points, &[], &self.motion)?;
         let limit = (1.0 + FARTHER) * self.largest + self.smallest;
         let mut far: Vec<(f64, DVec3)> = all
             .iter()
             .zip(&self.points)
-            .map(|((residual, _), &point)| (residual.distance(), point))
+            .map(|(residual, &point)| (residual.distance(), point))
             .filter(|(distance, _)| *distance > limit)
             .collect();
         far.sort_by(|one, other| other.0.total_cmp(&one.0));
@@ -181,10 +160,9 @@ impl<F: Field> LargestFit<F> {
             };
         }
         let motion = self.freedoms.followed(&self.motion, &solution.step, (self.center(), self.radius));
-        let next = self.at(&self.counted, &self.places, &motion);
-        let Some(next) = next else { return Step::Converged };
-        let (residuals, places): (Vec<_>, Vec<_>) = next.into_iter().unzip();
-        let gained = self.largest - largest(&residuals).unwrap_or(f64::INFINITY);
+        let next = residuals(&self.field, &self.counted, &self.places, &motion);
+        let Some((found, places)) = next else { return Step::Converged };
+        let gained = self.largest - largest(&found).unwrap_or(f64::INFINITY);
         if gained < POOR * predicted {
             self.trust *= 0.25;
         } else if gained > GOOD * predicted {
@@ -193,7 +171,7 @@ impl<F: Field> LargestFit<F> {
         if !(gained > 0.0) {
             return Step::Shorter;
         }
-        (self.motion, self.residuals, self.places) = (motion, residuals, places);
+        (self.motion, self.residuals, self.places) = (motion, found, places);
         self.largest -= gained;
         Step::Better
     }

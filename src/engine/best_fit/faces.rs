@@ -15,7 +15,7 @@ impl PreparedModel {
     /// surface of revolution, such as a bore. The direction is that of the surface, which may point either way.
     ///
     /// # Errors
-    /// [`Error::OptionInvalid`] for a face that there is none of, and for one of another kind.
+    /// [`Error::OptionInvalid`] for the index of no face, and for a face of another kind.
     pub fn face_feature(&self, index: usize) -> Result<Feature> {
         let refused = |what: &str| Error::OptionInvalid {
             found: format!("face {index} {what}, expected a plane, a ball or a surface of revolution"),

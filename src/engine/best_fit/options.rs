@@ -28,7 +28,7 @@ pub enum FitStart {
     Any,
     /// The pose of the options alone: the fit is the local one near it.
     Given,
-    /// The poses in which A's principal axes lie on B's, of which the one with the least residual is taken.
+    /// The pose of least residual among those in which A's principal axes lie on B's.
     Axes,
     /// The pose of the options, moved so that the middles of the boxes of both models' samples agree.
     Boxes,
@@ -44,7 +44,7 @@ pub enum FitNorm {
     Mean,
     /// The largest distance of A's points: Chebyshev's norm, the minimum zone of ISO 1101.
     Largest,
-    /// None: A stays in its first pose, of which the fit only states the residual.
+    /// None: A stays in its first pose, and the fit only states the residual there.
     None,
 }
 
@@ -118,8 +118,8 @@ impl BestFitOptions {
     ///
     /// # Errors
     /// [`Error::OptionOutOfRange`] naming the option; [`Error::OptionInvalid`] for both tolerances,
-    /// for outliers that no rule leaves out, and for outliers or a rule in the largest distance, which is that
-    /// of all points.
+    /// for outliers that no rule leaves out, for outliers or a rule in the largest distance, which is that
+    /// of all points, and for a limit of a zone without that norm.
     pub fn validate(&self) -> Result<()> {
         require_samples(self.samples)?;
         self.permitted_width().validate()?;
@@ -137,6 +137,10 @@ impl BestFitOptions {
             return Err(Error::OptionInvalid { found: found.to_owned() });
         }
         self.zone.validate()?;
+        if self.zone.limit.is_some() && self.norm != FitNorm::Largest {
+            let found = "found a limit without the norm largest, whose zone alone is compared with it";
+            return Err(Error::OptionInvalid { found: found.to_owned() });
+        }
         if self.max_steps == 0 {
             return Err(Error::out_of_range("maxSteps", 0, "at least 1"));
         }

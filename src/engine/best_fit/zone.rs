@@ -10,6 +10,7 @@ use crate::facets::facet_rounding;
 use crate::flatness::MAX_HALVINGS;
 use crate::model::RigidTransform;
 use crate::progress::Progress;
+use crate::rounding::{upper_max, upper_min};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
@@ -96,6 +97,9 @@ pub struct Zone {
     pub center: [f64; 3],
     /// The number of boxes of motions that were bounded.
     pub boxes: usize,
+    /// The number of bounds that the audit refuted: points of A are nearer than that in a motion of the box. They were
+    /// not relied on; there are none, unless the library has a fault.
+    pub refuted: usize,
     /// Whether some motion of the box brings all of A within the limit; `None` without a limit, and where
     /// it lies between the bounds.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -168,12 +172,10 @@ impl ZonePair<'_> {
         fit: &LargestFit<impl crate::alignment::Field>,
         progress: &mut Progress<'_>,
     ) -> Result<DistanceResult> {
-        let least = self.to.gap;
-        let width = DISTANCE_WIDTH * fit.largest();
         let budget = CertifiedOptions { max_cells: Some(DISTANCE_CELLS), ..CertifiedOptions::default() };
         let options = DistanceOptions {
             method: Method::Certified(budget),
-            tolerance: Some(if width > least { width } else { least }),
+            tolerance: Some(upper_max(self.to.gap, DISTANCE_WIDTH * fit.largest())),
             transform: fit.motion,
             ..DistanceOptions::default()
         };
@@ -201,7 +203,7 @@ impl ZonePair<'_> {
             error: self.error_of(&points, &chart.base),
             points: &points,
             largest_ball: 4.0 * self.diagonal,
-            width: if width > self.to.gap { width } else { self.to.gap },
+            width: upper_max(self.to.gap, width),
         };
         let narrow = upper - width;
         let decided = limit.filter(|&limit| upper > limit).map(f64::next_up);
@@ -210,24 +212,22 @@ impl ZonePair<'_> {
         while upper > self.to.gap && !search.advance(goal) {
             progress.checkpoint(search.cells() as f64 / max_boxes as f64).await?;
         }
-        let found = search.lower();
-        let lower = if found < upper { found } else { upper };
+        search.audit();
+        let lower = upper_min(upper, search.lower());
         let passes = limit.and_then(|limit| match () {
             () if upper <= limit => Some(true),
             () if lower > limit => Some(false),
             () => None,
         });
         let center = chart.center.to_array();
-        Ok(Zone { lower, upper, degrees, translation, center, boxes: search.cells(), passes })
+        let (boxes, refuted) = (search.cells(), search.refuted());
+        Ok(Zone { lower, upper, degrees, translation, center, boxes, refuted, passes })
     }
 
     /// Returns an upper bound on the distance of computed points from those of A that they stand for: samples,
     /// and points of the pose found that were moved back.
     fn error_of(&self, points: &[DVec3], motion: &RigidTransform) -> f64 {
-        let length = points.iter().fold(0.0, |most: f64, point| {
-            let length = point.length();
-            if length > most { length } else { most }
-        });
+        let length = points.iter().map(|point| point.length()).fold(0.0, upper_max);
         let of_points = match self.a.facets() {
             Some(facets) => facets.error + facets.point_error().after(MAX_HALVINGS) + facet_rounding(length),
             None => self.a.bezier().point_error.after(MAX_HALVINGS),

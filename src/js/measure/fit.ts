@@ -58,6 +58,8 @@ export interface Zone {
   center: Vector3;
   /** The number of boxes of motions that were bounded. */
   boxes: number;
+  /** The number of bounds that an audit refuted, and that were not relied on: 0, unless the library has a fault. */
+  refuted: number;
   /**
    * Whether some motion of the box brings all of `a` within the limit; absent without a limit, and
    * where it lies between the bounds.

@@ -132,11 +132,13 @@ test("the least zone of a saddle is its height, and a limit below it passes nowh
   assert.ok(zoneProven && zone.upper < 0.101, JSON.stringify(zone));
   near(largest, 0.1, 1e-3);
   assert.equal("passes" in zone, false);
+  assert.equal(zone.refuted, 0);
   const limited = { ...options, zone: { limit: 0.09 } };
   assert.equal((await hd.bestFit(saddle, plane, limited)).zone.passes, false);
   const refused = (options, code, message) =>
     assert.rejects(hd.bestFit(saddle, plane, options), withCode(code, message));
   await refused({ zone: { degrees: 90 } }, "OPTION_OUT_OF_RANGE", /degrees/);
+  await refused({ zone: { limit: 0.1 } }, "OPTION_INVALID", /limit/);
   await refused({ zone: { angle: 1 } }, "OPTION_INVALID", /angle/);
   await refused({ datums: [{ a: { plain: {} }, b: {} }] }, "OPTION_INVALID", /plain/);
   await refused({ datums: [{ a: { face: { at: 1 } }, b: {} }] }, "OPTION_INVALID", /at/);
