@@ -56,27 +56,37 @@ impl Boundary {
     /// may have the patches of other shells too. As [`Boundary::enclosing`].
     ///
     /// Guarantee (lemma S7 of docs/solids.md): a closed surface that does not meet itself winds about all points with
-    /// the numbers 0 and 1, or 0 and -1.
+    /// the numbers 0 and 1, or 0 and -1. Two rays must agree.
     pub(crate) fn winding(&self, shell: u32, target: &Target, point: DVec3, error: f64) -> Option<i32> {
         let ShellState { is_one_sided, free, .. } = self.joined().of_shell[shell as usize];
         if is_one_sided || free > 0 {
             return None;
         }
-        let crossings = self.crossings(target, point, error)?;
-        Some(crossings.iter().filter(|crossing| crossing.0 == shell).map(|crossing| crossing.1).sum())
+        let by_ray = |first: usize| {
+            let crossings = self.crossings(target, point, error, (0..MAX_RAYS).skip(first).step_by(2))?;
+            let of_shell = crossings.iter().filter(|crossing| crossing.0 == shell);
+            Some(of_shell.map(|crossing| crossing.1).sum::<i32>())
+        };
+        by_ray(0).filter(|&winding| by_ray(1) == Some(winding))
     }
 
     /// As [`Boundary::enclosing`] for patches of shells that close.
     fn enclosing_closed(&self, target: &Target, point: DVec3, error: f64) -> Option<Enclosing> {
-        self.crossings(target, point, error).map(|crossings| enclosing(&crossings))
+        self.crossings(target, point, error, 0..MAX_RAYS).map(|crossings| enclosing(&crossings))
     }
 
-    /// Returns the crossings of a ray from a point.
-    fn crossings(&self, target: &Target, point: DVec3, error: f64) -> Option<Vec<Crossing>> {
+    /// Returns the crossings of the first of these rays from a point that meets no edge.
+    fn crossings(
+        &self,
+        target: &Target,
+        point: DVec3,
+        error: f64,
+        rays: impl Iterator<Item = u64>,
+    ) -> Option<Vec<Crossing>> {
         if !point.is_finite() {
             return None;
         }
-        for direction in (0..MAX_RAYS).map(direction) {
+        for direction in rays.map(direction) {
             match self.crossed(target, &Ray::new(point, direction, self.margin_at(point) + error)) {
                 Ok(crossings) => return Some(crossings),
                 Err(Obstacle::OnTheWay) => {}

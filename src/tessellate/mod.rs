@@ -81,6 +81,22 @@ pub(crate) fn draft(face: &Untrimmed) -> Result<Tessellation> {
     tessellate(&Model::new(None, surfaces)?, &TessellationOptions { tolerance: None, relative_tolerance })
 }
 
+/// Calls a function with the corners of each triangle of each surface of a model, by the index of the surface, in
+/// float64; they are within the tolerance of it, as those of [`tessellate`].
+pub(crate) fn for_each_triangle(
+    model: &BezierModel,
+    tolerance: f64,
+    mut each: impl FnMut(usize, [DVec3; 3]),
+) {
+    let divisions = Divisions::of_model(model, tolerance);
+    for (surface, (grid, divisions)) in model.grids.iter().zip(&divisions).enumerate() {
+        let vertices = VertexGrid::new(&model.patches, grid, divisions, tolerance);
+        for triangle in vertices.triangles() {
+            each(surface, triangle.map(|vertex| vertices.vertices[vertex].point));
+        }
+    }
+}
+
 /// Returns the triangles as [`tessellate`] does, for patches already extracted.
 pub(crate) fn tessellate_patches(
     model: &BezierModel,

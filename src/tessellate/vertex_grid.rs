@@ -64,6 +64,20 @@ impl VertexGrid {
         grid
     }
 
+    /// Returns the triangles between the vertices, by the places of these: cells are divided along their shorter diagonal.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = [usize; 3]> + '_ {
+        let lines = |axis: Axis| {
+            self.joined[axis].iter().enumerate().filter(|&(_, &joined)| joined).map(|(line, _)| line)
+        };
+        let cells = lines(Axis::U).flat_map(move |row| lines(Axis::V).map(move |column| [row, column]));
+        cells.flat_map(|[row, column]| {
+            let at = |i: usize, j: usize| (row + i) * self.columns + column + j;
+            let [a, b, c, d] = [at(0, 0), at(1, 0), at(1, 1), at(0, 1)];
+            let length = |p: usize, q: usize| self.vertices[p].point.distance_squared(self.vertices[q].point);
+            if length(a, c) <= length(b, d) { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] }
+        })
+    }
+
     /// Merges the two grid lines of each inner knot where the surface is smooth
     /// across it, and makes their points equal where it is only continuous.
     fn close(&mut self, axis: Axis, tolerance: f64) {

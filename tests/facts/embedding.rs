@@ -1,4 +1,4 @@
-//! Bodies whose boundary meets itself, of which it is known where.
+//! Bodies whose boundary meets itself at known places.
 
 use crate::models::{Quad, box_of_faces, cube_with_pocket, mesh, of, of_quads, prepared};
 use nurbs_hausdorff::{CheckOptions, DVec3, Engine, NamedModel, PreparedModel, SelfOverlap, shapes};
