@@ -9,6 +9,32 @@ fn wing(name: &str) -> String {
     file(name, &shape("naca-wing").unwrap().to_json().unwrap())
 }
 
+/// What is compared with a limit is the zone, which only the fit in the largest distance has.
+#[test]
+fn a_limit_without_a_zone_is_refused() {
+    let part = wing("align-limit.json");
+    let output = run(&["align", &part, &part, "--limit", "0.1"]);
+    assert_eq!(status(&output), 2);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("OPTION_INVALID"));
+}
+
+/// In millimetres and in inches, of which the files state neither: the line repeats the units that were given.
+#[test]
+fn the_line_that_measures_has_the_units_that_were_given() {
+    let points = |scale: f64| -> String {
+        let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 2.0], [4.0, 3.0, 1.0]];
+        corners.map(|point| point.map(|x| (scale * x).to_string()).join(" ") + "\n").concat()
+    };
+    let [a, b] = [file("align-mm.xyz", &points(25.4)), file("align-in.xyz", &points(1.0))];
+    let given = ["--unit-of-a", "mm", "--unit-of-b", "in"];
+    let output = run(&[&["align", &a, &b, "--from", "given"][..], &given].concat());
+    let text = String::from_utf8(output.stdout).unwrap();
+    let line = text.lines().find_map(|line| line.strip_prefix("measure    nurbs-hausdorff ")).unwrap();
+    assert!(line.contains("--unit-of-a mm --unit-of-b in") && !line.contains("--scale-units"), "{line}");
+    let measured = run(&[&line.split(' ').collect::<Vec<_>>()[..], &["--limit", "1e-4"]].concat());
+    assert_eq!(status(&measured), 0, "{line}: {}", String::from_utf8_lossy(&measured.stdout));
+}
+
 /// The line that measures the pair in the pose found does so.
 #[test]
 fn a_wing_that_was_turned_is_laid_on_itself_and_measured_there() {

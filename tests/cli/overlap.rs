@@ -71,7 +71,7 @@ fn units_that_may_be_wrong_are_said() {
     assert!(found["hint"].as_str().unwrap().contains("25.4000 times"), "{found}");
 }
 
-/// The same box in inches and in millimetres, of which neither file states its unit.
+/// The same box in inches and in millimetres; neither file states its unit.
 #[test]
 fn units_of_files_are_stated_on_the_command_line() {
     let inches = cuboid("units-in.off", [1.0, 2.0, 3.0]);

@@ -1,7 +1,7 @@
 //! The arguments of the command `align`.
 
 use super::by_hand::{DatumText, read_pairs};
-use super::{Placement, SamplingName, UnitsOfFiles};
+use super::{Placement, SamplingName};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use nurbs_hausdorff::{BestFitOptions, FitNorm, FitStart, Robust, ZoneOptions};
@@ -64,7 +64,7 @@ pub(crate) struct AlignArguments {
     #[arg(long, hide_short_help = true, value_name = "STEPS", default_value_t = BestFitOptions::default().max_steps)]
     max_steps: usize,
     #[command(flatten)]
-    placement: Placement,
+    pub(crate) placement: Placement,
     /// Prints the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
@@ -98,16 +98,6 @@ impl AlignArguments {
             scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
         })
-    }
-
-    /// Returns whether B is scaled to the unit of A.
-    pub(crate) fn scales_units(&self) -> bool {
-        self.placement.scales_units()
-    }
-
-    /// The units of the files.
-    pub(crate) fn units(&self) -> UnitsOfFiles {
-        self.placement.units
     }
 }
 

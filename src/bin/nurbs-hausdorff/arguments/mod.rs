@@ -21,7 +21,6 @@ pub(crate) mod motion;
 pub(crate) mod score;
 pub(crate) mod usage;
 
-use crate::input::Input;
 use crate::reports::Format;
 use align::AlignArguments;
 use check::CheckArguments;
@@ -196,7 +195,7 @@ pub(crate) struct DistanceArguments {
     #[arg(long)]
     symmetric: bool,
     #[command(flatten)]
-    placement: Placement,
+    pub(crate) placement: Placement,
     /// Adds statistics of the deviation at a grid of samples; they are estimates.
     #[arg(long, hide_short_help = true)]
     deviations: bool,
@@ -247,12 +246,12 @@ impl Reporting {
 
 /// The position and the unit in which the models are measured.
 #[derive(Debug, Args)]
-struct Placement {
+pub(crate) struct Placement {
     /// Scales B to the unit of A if the files state different units; else that is an error.
     #[arg(long)]
-    scale_units: bool,
+    pub(crate) scale_units: bool,
     #[command(flatten)]
-    units: UnitsOfFiles,
+    pub(crate) units: UnitsOfFiles,
     /// Moves A before it is measured.
     #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
     translate: Translation,
@@ -266,20 +265,10 @@ struct Placement {
 pub(crate) struct UnitsOfFiles {
     /// The unit of A's coordinates, whatever its file states; B is scaled to it.
     #[arg(long, value_name = "UNIT", value_enum, hide_short_help = true)]
-    unit_of_a: Option<Unit>,
+    pub(crate) unit_of_a: Option<Unit>,
     /// The unit of B's coordinates, whatever its file states; B is scaled to that of A.
     #[arg(long, value_name = "UNIT", value_enum, hide_short_help = true)]
-    unit_of_b: Option<Unit>,
-}
-
-impl UnitsOfFiles {
-    /// Returns the models in these units; those of files that none is given for are unchanged.
-    ///
-    /// # Errors
-    /// Those of [`Input::in_unit`].
-    pub(crate) fn applied(self, [a, b]: [Input; 2]) -> Result<[Input; 2]> {
-        Ok([a.in_unit(self.unit_of_a)?, b.in_unit(self.unit_of_b)?])
-    }
+    pub(crate) unit_of_b: Option<Unit>,
 }
 
 impl Placement {
@@ -317,7 +306,7 @@ pub(crate) struct DiffArguments {
     #[arg(long, value_name = "SECONDS")]
     max_seconds: Option<f64>,
     #[command(flatten)]
-    placement: Placement,
+    pub(crate) placement: Placement,
     #[command(flatten)]
     pub(crate) reporting: Reporting,
 }
@@ -335,11 +324,6 @@ impl DiffArguments {
             scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
         })
-    }
-
-    /// The units of the files.
-    pub(crate) fn units(&self) -> UnitsOfFiles {
-        self.placement.units
     }
 }
 
@@ -371,7 +355,7 @@ pub(crate) struct ClearanceArguments {
     #[arg(long, hide_short_help = true, value_name = "CELLS")]
     max_cells: Option<usize>,
     #[command(flatten)]
-    placement: Placement,
+    pub(crate) placement: Placement,
     /// Prints the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
@@ -392,11 +376,6 @@ impl ClearanceArguments {
             scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
         })
-    }
-
-    /// The units of the files.
-    pub(crate) fn units(&self) -> UnitsOfFiles {
-        self.placement.units
     }
 }
 
@@ -419,7 +398,7 @@ pub(crate) struct OverlapArguments {
     #[arg(long, hide_short_help = true, value_name = "CELLS")]
     max_cells: Option<usize>,
     #[command(flatten)]
-    placement: Placement,
+    pub(crate) placement: Placement,
     /// Prints the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
@@ -438,11 +417,6 @@ impl OverlapArguments {
             scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
         })
-    }
-
-    /// The units of the files.
-    pub(crate) fn units(&self) -> UnitsOfFiles {
-        self.placement.units
     }
 }
 
@@ -471,7 +445,7 @@ pub(crate) struct StatisticsArguments {
     #[arg(long, hide_short_help = true, value_name = "CELLS", default_value_t = 300_000)]
     max_cells: usize,
     #[command(flatten)]
-    placement: Placement,
+    pub(crate) placement: Placement,
     /// Prints the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
@@ -494,11 +468,6 @@ impl StatisticsArguments {
             transform: self.placement.transform()?,
             ..StatisticsOptions::default()
         })
-    }
-
-    /// The units of the files.
-    pub(crate) fn units(&self) -> UnitsOfFiles {
-        self.placement.units
     }
 }
 
@@ -610,11 +579,6 @@ impl DistanceArguments {
             backend: self.backend.into(),
             deviations: self.deviations,
         })
-    }
-
-    /// The units of the files.
-    pub(crate) fn units(&self) -> UnitsOfFiles {
-        self.placement.units
     }
 }
 

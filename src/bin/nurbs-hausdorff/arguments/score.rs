@@ -1,6 +1,6 @@
 //! The arguments of the commands `score` and `summary`.
 
-use super::{Placement, UnitsOfFiles};
+use super::Placement;
 use clap::{Args, ValueEnum};
 use nurbs_hausdorff::{Result, ScoreAlignment, ScoreNumber, ScoreOptions};
 use std::path::PathBuf;
@@ -61,7 +61,7 @@ pub(crate) struct ScoreArguments {
     #[arg(long)]
     pub(crate) allow_skipped: bool,
     #[command(flatten)]
-    placement: Placement,
+    pub(crate) placement: Placement,
     /// Prints the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
@@ -89,11 +89,6 @@ impl ScoreArguments {
             scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
         })
-    }
-
-    /// The units of the files.
-    pub(crate) fn units(&self) -> UnitsOfFiles {
-        self.placement.units
     }
 }
 

@@ -1,13 +1,15 @@
 //! The command `align`.
 
+use crate::arguments::Placement;
 use crate::arguments::align::AlignArguments;
 use crate::failure::Failure;
-use crate::input::read;
+use crate::input::read_both;
 use crate::output::digits::{coordinates, interval, number};
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
 use crate::reports::Verdict;
+use clap::ValueEnum;
 use nurbs_hausdorff::{BestFit, DVec3, Engine, RigidTransform};
 use serde::Serialize;
 use std::fmt::Write;
@@ -19,7 +21,7 @@ const MOST_PRINTED: usize = 6;
 pub(crate) fn run(arguments: &AlignArguments) -> Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
-    let [a, b] = arguments.units().applied([read(&arguments.a)?, read(&arguments.b)?])?;
+    let [a, b] = read_both([&arguments.a, &arguments.b], arguments.placement.units)?;
     let engine = Engine::cpu();
     let mut bar = Bar::new();
     let fit = engine.best_fit(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
@@ -155,14 +157,25 @@ fn zone_lines(out: &mut String, fit: &BestFit) -> std::fmt::Result {
     )
 }
 
+/// Returns the options about units, as they were given.
+fn units_text(Placement { scale_units, units, .. }: &Placement) -> String {
+    let mut text = if *scale_units { " --scale-units".to_owned() } else { String::new() };
+    for (option, unit) in [("--unit-of-a", units.unit_of_a), ("--unit-of-b", units.unit_of_b)] {
+        if let Some(value) = unit.and_then(|unit| unit.to_possible_value()) {
+            text.push_str(&format!(" {option} {}", value.get_name()));
+        }
+    }
+    text
+}
+
 /// Writes the command that measures the pair in the pose found.
 fn next_command(out: &mut String, arguments: &AlignArguments, fit: &BestFit) -> std::fmt::Result {
     let Motion { axis: [x, y, z], degrees, translation: [a, b, c], .. } = Motion::of(&fit.transform);
-    let scale = if arguments.scales_units() { " --scale-units" } else { "" };
+    let units = units_text(&arguments.placement);
     let [of_a, of_b] = [&arguments.a, &arguments.b].map(|path| path.display());
     writeln!(
         out,
-        "measure    nurbs-hausdorff distance {of_a} {of_b}{scale} --rotate={x:?},{y:?},{z:?},{degrees:?} \
+        "measure    nurbs-hausdorff distance {of_a} {of_b}{units} --rotate={x:?},{y:?},{z:?},{degrees:?} \
          --translate={a:?},{b:?},{c:?}"
     )
 }

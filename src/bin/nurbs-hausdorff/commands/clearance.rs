@@ -2,7 +2,7 @@
 
 use crate::arguments::ClearanceArguments;
 use crate::failure::Failure;
-use crate::input::{Input, is_judged, read};
+use crate::input::{Input, is_judged, read_both};
 use crate::output::digits::bounded;
 use crate::output::headline::{self, GAPS_DECIDE, place};
 use crate::output::json::{Asked, OfFiles, print_json};
@@ -18,7 +18,7 @@ use std::fmt::{Result, Write};
 pub(crate) fn run(arguments: &ClearanceArguments) -> std::result::Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
-    let [a, b] = arguments.units().applied([read(&arguments.a)?, read(&arguments.b)?])?;
+    let [a, b] = read_both([&arguments.a, &arguments.b], arguments.placement.units)?;
     let engine = Engine::cpu();
     let mut bar = Bar::new();
     let mut result = engine.clearance(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;

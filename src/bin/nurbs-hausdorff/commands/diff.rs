@@ -39,7 +39,7 @@ impl Comparison for Diff<'_> {
     }
 
     fn units(&self) -> UnitsOfFiles {
-        self.arguments.units()
+        self.arguments.placement.units
     }
 
     fn compare(&self, a: &Input, b: &Input) -> Result<(Answer, PictureOptions), Failure> {

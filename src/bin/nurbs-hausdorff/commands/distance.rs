@@ -40,7 +40,7 @@ impl Comparison for Distance<'_> {
     }
 
     fn units(&self) -> UnitsOfFiles {
-        self.arguments.units()
+        self.arguments.placement.units
     }
 
     fn compare(&self, a: &Input, b: &Input) -> Result<(Answer, PictureOptions), Failure> {

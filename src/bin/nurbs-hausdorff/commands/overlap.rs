@@ -2,7 +2,7 @@
 
 use crate::arguments::OverlapArguments;
 use crate::failure::Failure;
-use crate::input::{is_judged, read};
+use crate::input::{is_judged, read_both};
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
@@ -15,7 +15,7 @@ use std::fmt::{Result, Write};
 pub(crate) fn run(arguments: &OverlapArguments) -> std::result::Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
-    let [a, b] = arguments.units().applied([read(&arguments.a)?, read(&arguments.b)?])?;
+    let [a, b] = read_both([&arguments.a, &arguments.b], arguments.placement.units)?;
     let engine = Engine::cpu();
     let mut bar = Bar::new();
     let result = engine.overlap(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;

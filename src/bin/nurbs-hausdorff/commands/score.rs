@@ -2,7 +2,7 @@
 
 use crate::arguments::score::ScoreArguments;
 use crate::failure::Failure;
-use crate::input::{is_judged, read};
+use crate::input::{is_judged, read_both};
 use crate::output::digits::{bounded, number};
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
@@ -15,7 +15,7 @@ use std::fmt::{Result, Write};
 pub(crate) fn run(arguments: &ScoreArguments) -> std::result::Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
-    let [a, b] = arguments.units().applied([read(&arguments.candidate)?, read(&arguments.truth)?])?;
+    let [a, b] = read_both([&arguments.candidate, &arguments.truth], arguments.placement.units)?;
     let engine = Engine::cpu();
     let mut bar = Bar::new();
     let mut score = engine.score(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;

@@ -3,7 +3,7 @@
 mod bytes;
 mod rhino;
 
-use crate::arguments::Unit;
+use crate::arguments::{Unit, UnitsOfFiles};
 use crate::failure::Failure;
 pub(crate) use bytes::{STANDARD_STREAM, Source, hexadecimal};
 use nurbs_hausdorff::{
@@ -19,6 +19,22 @@ use std::path::{Path, PathBuf};
 /// Those of [`bytes::bytes`], [`Model::from_file`] and [`PreparedModel`], all with the path.
 pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
     File::open(path)?.read()
+}
+
+/// Reads two models as [`read`] does, in the units that are given for them.
+///
+/// # Errors
+/// Those of [`read`] and of [`in_units`].
+pub(crate) fn read_both([a, b]: [&Path; 2], units: UnitsOfFiles) -> std::result::Result<[Input; 2], Failure> {
+    Ok(in_units([read(a)?, read(b)?], units)?)
+}
+
+/// Returns models in units that are given for them, whatever their files state; the others are unchanged.
+///
+/// # Errors
+/// Those of [`PreparedModel::with_unit`].
+pub(crate) fn in_units([a, b]: [Input; 2], units: UnitsOfFiles) -> Result<[Input; 2]> {
+    Ok([a.in_unit(units.unit_of_a)?, b.in_unit(units.unit_of_b)?])
 }
 
 /// A file whose bytes are read.
@@ -90,7 +106,7 @@ impl Input {
     ///
     /// # Errors
     /// Those of [`PreparedModel::with_unit`].
-    pub(crate) fn in_unit(self, unit: Option<Unit>) -> Result<Self> {
+    fn in_unit(self, unit: Option<Unit>) -> Result<Self> {
         let Some(metres) = unit.map(Unit::metres) else { return Ok(self) };
         let model = self.model.map(|model| model.with_unit(metres)).transpose()?;
         let prepared = self.prepared.with_unit(metres, model.as_ref())?;

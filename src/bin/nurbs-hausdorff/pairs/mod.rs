@@ -5,7 +5,7 @@ mod tree;
 
 use crate::arguments::{Pair, Reporting, UnitsOfFiles};
 use crate::failure::Failure;
-use crate::input::{File, Input, STANDARD_STREAM};
+use crate::input::{File, Input, STANDARD_STREAM, in_units};
 use crate::output::{json::print_json, print};
 use crate::reports::{Answer, Format, Outcome, Row, Rows, Verdict, figures, print_report};
 use earlier::Earlier;
@@ -131,7 +131,7 @@ impl<C: Comparison> Comparer<'_, C> {
         let answer = match known {
             Some(answer) => answer,
             None => {
-                let [a, b] = units.applied([a.read()?, b.read()?])?;
+                let [a, b] = in_units([a.read()?, b.read()?], units)?;
                 let answer = self.computed(&a, &b, draws)?;
                 if let Some(earlier) = &self.earlier {
                     earlier.keep(&key, &answer)?;
