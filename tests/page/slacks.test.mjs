@@ -5,7 +5,7 @@ import { moduleOf } from "./support/module.mjs";
 
 const { edgeEnds, edgesOf } = await moduleOf("worker/map/triangles.ts");
 const { joined, middlesOf } = await moduleOf("worker/map/base.ts");
-const { placesOf } = await moduleOf("inspection/places.ts");
+const { placesOf } = await moduleOf("inspection/places/places.ts");
 
 /** A part of the unit circle of this angle, as one edge with the normals of its ends. */
 function arc(angle, lean = 0) {

@@ -18,7 +18,7 @@ import { FactsPanel } from "./facts/factsPanel.ts";
 import { OverlapPanel } from "./facts/overlapPanel.ts";
 import { Measuring } from "./inspection/measuring.ts";
 import { Probing } from "./inspection/pins/probing.ts";
-import { PlaceView } from "./inspection/placeView.ts";
+import { PlaceView } from "./inspection/places/placeView.ts";
 import * as warnings from "./results/warnings.ts";
 import { degreesOf } from "./scene/pose.ts";
 import { History } from "./state/history.ts";

@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 /// each other than its gap.
 const MAX_PAIRS_OF_ALL: usize = 8 * MAX_PAIRS;
 
-/// The least number of pairs of cells for one comparison. Most shells that are apart are told apart by fewer.
+/// The least number of pairs of cells for one comparison. Fewer show of most shells that they are apart.
 const MIN_PAIRS: usize = 1_024;
 
 /// A body by its parts.

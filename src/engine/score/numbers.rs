@@ -10,8 +10,8 @@ use std::str::FromStr;
 #[serde(rename_all = "camelCase")]
 #[non_exhaustive]
 pub enum ScoreNumber {
-    /// 1 for a candidate that is closed, oriented, without copies of faces and of which no body is known to meet
-    /// itself, else 0.
+    /// 1 for a candidate that is closed and oriented, has no copies of faces, and has no body that certainly meets
+    /// itself; else 0.
     Valid,
     /// The smaller volume over the larger.
     VolumeRatio,

@@ -170,7 +170,7 @@ mod tests {
         }
     }
 
-    /// The carrier of a patch tells it from the whole patch of a concentric sphere, and not from one that crosses it.
+    /// The carrier of a patch separates it from the whole patch of a concentric sphere, and from no patch that crosses it.
     #[test]
     fn a_carrier_tells_what_no_plane_does() {
         let ball = |center: f64, radius: f64| {

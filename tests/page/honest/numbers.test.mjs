@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { moduleOf } from "../support/module.mjs";
 
-const { certifiedText, heldText, intervalText, listedText } = await moduleOf("common/numbers.ts");
+const { certifiedText, heldText, intervalText, listedText } =
+  await moduleOf("common/text/numbers.ts");
 
 /** A generator of numbers in [0, 1), the same on every run (Park and Miller's). */
 function random(seed) {

@@ -3,8 +3,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { moduleOf } from "../support/module.mjs";
 
-const { listedQuantity, minus, percentText, quantityText, rangeText, times } =
-  await moduleOf("common/quantities.ts");
+const { listedQuantity, minus, percentText, quantityText, rangeText, times } = await moduleOf(
+  "common/text/quantities.ts",
+);
 
 /** A generator of numbers in [0, 1), the same on every run (Park and Miller's). */
 function random(seed) {

@@ -5,7 +5,7 @@ import { after, before, test } from "node:test";
 import { moduleOf } from "../support/module.mjs";
 import { open } from "../support/open.mjs";
 
-const { certifiedText, intervalText, setShownFactor } = await moduleOf("common/numbers.ts");
+const { certifiedText, intervalText, setShownFactor } = await moduleOf("common/text/numbers.ts");
 
 let opened;
 let page;

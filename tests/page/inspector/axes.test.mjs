@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { moduleOf } from "../support/module.mjs";
 
-const { ticks } = await moduleOf("inspection/cutAxes.ts");
+const { ticks } = await moduleOf("inspection/cut/axes.ts");
 
 test("ticks are round, stand where they say, and are no nearer than asked for", () => {
   for (const [from, to, origin, apart] of [

@@ -8,7 +8,7 @@ import * as options from "../controls/options.ts";
 import * as position from "../controls/position.ts";
 import * as sections from "../controls/section.ts";
 import { visibilities } from "../controls/visibilities.ts";
-import { drawCut } from "../inspection/cutView.ts";
+import { drawCut } from "../inspection/cut/view.ts";
 import * as deviation from "../inspection/deviationPanel.ts";
 import { ownLimits } from "../results/ownLimits.ts";
 import * as resultPanel from "../results/resultPanel.ts";

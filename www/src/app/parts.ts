@@ -8,7 +8,7 @@ import type { FactsPanel } from "../facts/factsPanel.ts";
 import type { OverlapPanel } from "../facts/overlapPanel.ts";
 import type { Measuring } from "../inspection/measuring.ts";
 import type { Probing } from "../inspection/pins/probing.ts";
-import type { PlaceView } from "../inspection/placeView.ts";
+import type { PlaceView } from "../inspection/places/placeView.ts";
 import type { View } from "../scene/view.ts";
 import type { History } from "../state/history.ts";
 import type { Client } from "../worker/client.ts";

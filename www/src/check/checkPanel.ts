@@ -1,6 +1,6 @@
 // The panel of the check of bodies: which pairs clash, touch or come near, and what is wrong with single bodies.
 import type { BodyPair, CheckResult, Vector3 } from "nurbs-hausdorff";
-import { element } from "../common/elements.ts";
+import { element, fillList } from "../common/elements.ts";
 import type { ReportTable } from "../common/tables.ts";
 import { unitScale } from "../files/units.ts";
 import type { CheckedFaces, CheckOf, CheckReply, CheckState, Side } from "../worker/protocol.ts";
@@ -140,7 +140,7 @@ export class CheckPanel {
     const isOfBoth = done.of === "both";
     const rowsOf = { isOfBoth, scale: scaleOf(done.of) };
     const indices = new Map(result.bodies.map(({ name }, index) => [name, index]));
-    fill(pairs, listedPairs(result), (pair) =>
+    fillList(pairs, listedPairs(result), MAX_ROWS, (pair) =>
       pairRow(pair, rowsOf, (button, label) => {
         const both = [pair.a, pair.b].flatMap((name) => done.bodies[indices.get(name) ?? -1] ?? []);
         this.#show(button, {
@@ -154,7 +154,7 @@ export class CheckPanel {
       return faults.length === 0 ? [] : [{ index, body, faults }];
     });
     element("check-faults").hidden = faulty.length === 0;
-    fill(bodies, faulty, ({ index, body, faults }) =>
+    fillList(bodies, faulty, MAX_ROWS, ({ index, body, faults }) =>
       bodyRow(body, faults, rowsOf, (button) => {
         const own = done.bodies[index];
         this.#show(button, { bodies: own === undefined ? [] : [own] });
@@ -190,17 +190,3 @@ const listedPairs = ({ pairs }: CheckResult): BodyPair[] =>
 
 /** A's units in one of those that a check is in: a check of both is in A's. */
 const scaleOf = (one: CheckOf | Side): number => (one === "b" ? unitScale() : 1);
-
-/** Fills a list with rows of the first entries, and says how many more there are. */
-function fill<Entry>(
-  list: HTMLElement,
-  entries: readonly Entry[],
-  row: (entry: Entry) => HTMLElement,
-): void {
-  list.replaceChildren(...entries.slice(0, MAX_ROWS).map(row));
-  if (entries.length <= MAX_ROWS) return;
-  const more = document.createElement("li");
-  more.className = "note";
-  more.textContent = `and ${entries.length - MAX_ROWS} more`;
-  list.append(more);
-}

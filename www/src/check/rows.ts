@@ -1,5 +1,6 @@
 // The rows of a check's lists: pairs of bodies, and bodies with a fault.
 import type { BodyPair, CheckedBody } from "nurbs-hausdorff";
+import { span } from "../common/elements.ts";
 import { pairText, shortName } from "./words.ts";
 
 /** What rows are of: whether of both models together, and the scene's units in one of the check's. */
@@ -46,18 +47,11 @@ function row(state: string | undefined, names: readonly string[], size: string) 
   button.type = "button";
   button.setAttribute("aria-pressed", "false");
   button.append(
-    ...(state === undefined ? [] : [part("state", state)]),
-    part("name", names.join(" and ")),
-    part("size", size),
+    ...(state === undefined ? [] : [span("state", state)]),
+    span("name", names.join(" and ")),
+    span("size", size),
   );
   if (state !== undefined) button.dataset.state = state;
   item.append(button);
   return { item, button };
-}
-
-function part(name: string, text: string): HTMLElement {
-  const node = document.createElement("span");
-  node.className = name;
-  node.textContent = text;
-  return node;
 }

@@ -1,7 +1,7 @@
 // The words of a check: its verdict, its pairs and its bodies.
 import { type BodyPair, type CheckedBody, type CheckResult, facePath } from "nurbs-hausdorff";
-import { grouped } from "../common/numbers.ts";
-import { listedQuantity, narrowText, shownQuantity } from "../common/quantities.ts";
+import { grouped } from "../common/text/numbers.ts";
+import { listedQuantity, narrowText, shownQuantity } from "../common/text/quantities.ts";
 import { commonUnit } from "../files/units.ts";
 
 /** The first line: what is certain of all pairs. */
@@ -43,7 +43,7 @@ export function pairText(
 
 /** What is wrong with a body by itself. */
 export function faultsOf(
-  { closed, orientation, degenerate, duplicates }: CheckedBody,
+  { closed, orientation, degenerate, selfOverlap, duplicates }: CheckedBody,
   isOfBoth: boolean,
 ): string[] {
   return [
@@ -52,6 +52,7 @@ export function faultsOf(
     ...(orientation === "mixed" ? ["faces turned over"] : []),
     ...(orientation === "notOrientable" ? ["no sides that agree"] : []),
     ...(degenerate ? ["no inside within the tolerance"] : []),
+    ...(selfOverlap === null ? [] : ["meets itself"]),
     ...(duplicates.length > 0
       ? [`duplicate of ${duplicates.map((name) => shortName(name, isOfBoth)).join(", ")}`]
       : []),

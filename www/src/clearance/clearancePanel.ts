@@ -1,8 +1,8 @@
 // The panel of clearance and clash: the least distance, and the faces that come near each other.
 import type { ClearanceResult, FaceGap, GapsResult } from "nurbs-hausdorff";
-import { element } from "../common/elements.ts";
-import { placeName } from "../common/names.ts";
-import { certifiedText, intervalText } from "../common/numbers.ts";
+import { element, fillList } from "../common/elements.ts";
+import { placeName } from "../common/text/names.ts";
+import { certifiedText, intervalText } from "../common/text/numbers.ts";
 import { commonUnit } from "../files/units.ts";
 import type { ClearanceReply } from "../worker/protocol.ts";
 
@@ -89,14 +89,7 @@ export class ClearancePanel {
     section.dataset.meeting = meeting;
     text.textContent = sentence(clearance, meeting);
     const pairs = gaps?.pairs ?? [];
-    list.replaceChildren(
-      ...pairs.slice(0, MAX_PAIRS).map((pair) => this.#row(pair, clearance.diagonal)),
-    );
-    if (pairs.length > MAX_PAIRS) {
-      const more = document.createElement("li");
-      more.textContent = `and ${pairs.length - MAX_PAIRS} more`;
-      list.append(more);
-    }
+    fillList(list, pairs, MAX_PAIRS, (pair) => this.#row(pair, clearance.diagonal));
     return { clearance, gaps, meeting };
   }
 

@@ -1,7 +1,7 @@
 // How near the models come, in the view: the faces of the gaps, and the place of a clash.
 
-import { placeName } from "../common/names.ts";
-import { certifiedText } from "../common/numbers.ts";
+import { placeName } from "../common/text/names.ts";
+import { certifiedText } from "../common/text/numbers.ts";
 import type { FaceClass } from "../scene/faces.ts";
 import type { View } from "../scene/view.ts";
 import type { Side, Sides } from "../worker/protocol.ts";

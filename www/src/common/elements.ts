@@ -1,4 +1,4 @@
-// Typed look-up of the page's elements.
+// The page's elements: typed look-up, and what lists are made of.
 
 /**
  * Returns the element with this identifier.
@@ -11,4 +11,27 @@ export function element(id: string, type: new () => Element = HTMLElement): Elem
   const found = document.getElementById(id);
   if (!(found instanceof type)) throw new Error(`the page has no ${type.name} ${id}`);
   return found;
+}
+
+/** Returns a `span` of a class with a text. */
+export function span(name: string, text: string): HTMLElement {
+  const node = document.createElement("span");
+  node.className = name;
+  node.textContent = text;
+  return node;
+}
+
+/** Fills a list with rows of the first entries, and says how many more there are than `most`. */
+export function fillList<Entry>(
+  list: HTMLElement,
+  entries: readonly Entry[],
+  most: number,
+  row: (entry: Entry) => HTMLElement,
+): void {
+  list.replaceChildren(...entries.slice(0, most).map(row));
+  if (entries.length <= most) return;
+  const more = document.createElement("li");
+  more.className = "note";
+  more.textContent = `and ${entries.length - most} more`;
+  list.append(more);
 }

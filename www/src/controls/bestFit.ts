@@ -1,6 +1,6 @@
 // The button that fits A to B, and what it found.
 import { element } from "../common/elements.ts";
-import { distanceText } from "../common/numbers.ts";
+import { distanceText } from "../common/text/numbers.ts";
 import type { FitReply } from "../worker/protocol.ts";
 
 const START = "Best fit";

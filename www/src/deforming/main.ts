@@ -2,7 +2,7 @@
 import "uplot/dist/uPlot.min.css";
 import { Hausdorff } from "nurbs-hausdorff/worker";
 import { element } from "../common/elements.ts";
-import { intervalText } from "../common/numbers.ts";
+import { intervalText } from "../common/text/numbers.ts";
 import { codeOf, messageOf } from "../worker/failure.ts";
 import { type Frame, Frames } from "./frames.ts";
 import { LiveChart } from "./liveChart.ts";

@@ -2,7 +2,7 @@
 import type { DistanceResult, Tessellation } from "nurbs-hausdorff/worker";
 import { BufferAttribute, BufferGeometry, type Material, Mesh, Vector3 } from "three";
 import { element } from "../common/elements.ts";
-import { distanceText } from "../common/numbers.ts";
+import { distanceText } from "../common/text/numbers.ts";
 import { Viewport } from "../scene/camera/viewport.ts";
 import { cssColor } from "../scene/colors/css.ts";
 import { glass, satin } from "../scene/material.ts";

@@ -1,6 +1,6 @@
 // The results of all methods at one position.
 import { element } from "../common/elements.ts";
-import { duration } from "../common/numbers.ts";
+import { duration } from "../common/text/numbers.ts";
 import { axisNumber } from "./charts/axisNumber.ts";
 import type { Curve, SweepPoint } from "./sweep/sweepPoint.ts";
 

@@ -9,8 +9,8 @@ import type {
 import type { ReportTable } from "../common/tables.ts";
 import { metresPerUnit } from "../files/units.ts";
 import { painted } from "../inspection/deviationPanel.ts";
-import { sizeText } from "../inspection/placeList.ts";
-import type { Place } from "../inspection/places.ts";
+import { sizeText } from "../inspection/places/placeList.ts";
+import type { Place } from "../inspection/places/places.ts";
 import type { View } from "../scene/view.ts";
 import { formState } from "../state/formState.ts";
 import type { DisplayModel, ModelFacts, PlainOptions, Probe, Sides } from "../worker/protocol.ts";

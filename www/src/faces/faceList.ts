@@ -1,6 +1,7 @@
 // The list of changed faces: buttons; arrow keys select the next and the previous.
 import { facePath } from "nurbs-hausdorff";
-import { intervalText, listedText } from "../common/numbers.ts";
+import { span } from "../common/elements.ts";
+import { intervalText, listedText } from "../common/text/numbers.ts";
 import type { Change } from "./changes.ts";
 
 /** Rows shown; a list of more is not read. */
@@ -66,15 +67,15 @@ export class FaceList {
     button.title = name ?? "";
     button.append(
       letter,
-      part("name", name === undefined ? `face ${difference.face}` : shortName(name)),
-      part("kind", kind === "changed" || kind === "undecided" ? "" : kind),
-      part(
+      span("name", name === undefined ? `face ${difference.face}` : shortName(name)),
+      span("kind", kind === "changed" || kind === "undecided" ? "" : kind),
+      span(
         "size",
         difference.state === "undecided"
           ? "undecided"
           : listedText((lower + upper) / 2, [lower, upper], diagonal),
       ),
-      part("interval", intervalText(lower, upper, diagonal)),
+      span("interval", intervalText(lower, upper, diagonal)),
     );
     button.addEventListener("click", () => this.select(this.#selected === row ? undefined : row));
     const item = document.createElement("li");
@@ -104,10 +105,3 @@ export class FaceList {
 
 /** A face's own name with that of its part: in an assembly, faces of many parts have one name. */
 const shortName = (name: string): string => facePath(name).slice(-2).join(" / ");
-
-function part(name: string, text: string): HTMLElement {
-  const node = document.createElement("span");
-  node.className = name;
-  node.textContent = text;
-  return node;
-}

@@ -1,6 +1,6 @@
 // All parts and faces of both models by their names, to hide, to isolate and to filter.
 import { element } from "../common/elements.ts";
-import { grouped } from "../common/numbers.ts";
+import { grouped } from "../common/text/numbers.ts";
 import { onOwnLimits } from "../results/ownLimits.ts";
 import {
   type DisplayModel,

@@ -1,8 +1,8 @@
 // The panel of changed faces: the limit, the comparison's progress, counts and list.
 import type { DiffResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
-import { duration, grouped } from "../common/numbers.ts";
 import type { ReportTable } from "../common/tables.ts";
+import { duration, grouped } from "../common/text/numbers.ts";
 import { modelUnit } from "../files/units.ts";
 import { ownLimits } from "../results/ownLimits.ts";
 import { allowed, onLimit } from "../results/verdict.ts";

@@ -1,5 +1,5 @@
 // The list of parts that are not the same in both revisions.
-import { element } from "../common/elements.ts";
+import { element, fillList, span } from "../common/elements.ts";
 import type { ReportTable } from "../common/tables.ts";
 import type { PlacedPart } from "../worker/protocol.ts";
 import { detailText, partName, partsSummary, WORDS } from "./partWords.ts";
@@ -20,12 +20,7 @@ export function showParts(
   summary.textContent = parts.length === 0 ? "" : partsSummary(parts);
   summary.hidden = parts.length === 0;
   list.hidden = others.length === 0;
-  list.replaceChildren(...others.slice(0, MAX_PARTS).map((part) => row(part, diagonal, look)));
-  if (others.length <= MAX_PARTS) return;
-  const more = document.createElement("li");
-  more.className = "note";
-  more.textContent = `and ${others.length - MAX_PARTS} more`;
-  list.append(more);
+  fillList(list, others, MAX_PARTS, (part) => row(part, diagonal, look));
 }
 
 /** The same as a table; none where there are no parts. */
@@ -65,11 +60,4 @@ function row(
   });
   item.append(button);
   return item;
-}
-
-function span(name: string, text: string): HTMLElement {
-  const node = document.createElement("span");
-  node.className = name;
-  node.textContent = text;
-  return node;
 }

@@ -1,6 +1,6 @@
 // What became of parts, in words.
 import { facePath } from "nurbs-hausdorff";
-import { distanceText, shownLength, upperText } from "../common/numbers.ts";
+import { distanceText, shownLength, upperText } from "../common/text/numbers.ts";
 import { commonUnit } from "../files/units.ts";
 import type { PlacedPart } from "../worker/protocol.ts";
 

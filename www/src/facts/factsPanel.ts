@@ -1,7 +1,13 @@
 // The panel of facts: volume, mass, area, extents and centroid of both models and of their bodies.
-import { element } from "../common/elements.ts";
-import { isNarrow, narrowText, quantityText, rangeText, wholeText } from "../common/quantities.ts";
+import { element, span } from "../common/elements.ts";
 import type { ReportTable } from "../common/tables.ts";
+import {
+  isNarrow,
+  narrowText,
+  quantityText,
+  rangeText,
+  wholeText,
+} from "../common/text/quantities.ts";
 import { commonUnit, metresPerUnit, unitScale } from "../files/units.ts";
 import { type FactsReply, type ModelFacts, SIDES, type Sides } from "../worker/protocol.ts";
 import { type Subject, subjectsOf } from "./pairs.ts";
@@ -148,10 +154,7 @@ function tableRows(
   head.scope = "row";
   const numbers = sides.map((side) => factCell(facts[side]));
   const change = factCell(difference ?? "");
-  const part = document.createElement("span");
-  part.className = "percent";
-  part.textContent = percent;
-  if (percent !== "") change.append(part);
+  if (percent !== "") change.append(span("percent", percent));
   row.append(head, ...numbers, ...(isPair ? [change] : []));
   if (!intervals.checked) return [row];
   const texts = [

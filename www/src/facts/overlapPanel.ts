@@ -1,15 +1,15 @@
 // The volumes that both models have in common and apart, below the facts.
 import type { Interval, OverlapResult, VolumesUnknown } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
-import { duration } from "../common/numbers.ts";
+import type { ReportTable } from "../common/tables.ts";
+import { duration } from "../common/text/numbers.ts";
 import {
   isNarrow,
   listedQuantity,
   rangeText,
   shownQuantity,
   wholeText,
-} from "../common/quantities.ts";
-import type { ReportTable } from "../common/tables.ts";
+} from "../common/text/quantities.ts";
 import { commonUnit } from "../files/units.ts";
 import type { OverlapReply } from "../worker/protocol.ts";
 

@@ -1,6 +1,6 @@
 // The rows of the table of facts: what is certain of A, of B, and of how B differs from A.
 import type { Body, Facts, Interval, VolumeUnknown } from "nurbs-hausdorff";
-import { minus, percentText, shownQuantity, times } from "../common/quantities.ts";
+import { minus, percentText, shownQuantity, times } from "../common/text/quantities.ts";
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import type { Subject } from "./pairs.ts";
 

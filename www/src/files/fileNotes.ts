@@ -2,8 +2,8 @@
 // that reading it left out or approximated, which unfolds to the details.
 import type { CadReport, SkippedFace } from "nurbs-hausdorff/cad";
 import { element } from "../common/elements.ts";
-import { grouped, upperText } from "../common/numbers.ts";
-import { unitName } from "../common/units.ts";
+import { grouped, upperText } from "../common/text/numbers.ts";
+import { unitName } from "../common/text/units.ts";
 import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { FORMATS } from "./formats.ts";
 

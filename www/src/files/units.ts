@@ -1,7 +1,7 @@
 // The unit beside each model: what its file states, or what the user says of one that states none.
 import { element } from "../common/elements.ts";
-import { setShownFactor } from "../common/numbers.ts";
-import { unitName } from "../common/units.ts";
+import { setShownFactor } from "../common/text/numbers.ts";
+import { unitName } from "../common/text/units.ts";
 import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
 
 /** Lengths that files are often in, in metres. */

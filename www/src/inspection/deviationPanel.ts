@@ -2,7 +2,7 @@
 // what is allowed.
 import type { DiffResult, DistanceResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
-import { distanceText, shownLength } from "../common/numbers.ts";
+import { distanceText, shownLength } from "../common/text/numbers.ts";
 import { commonUnit } from "../files/units.ts";
 import { ownLimits } from "../results/ownLimits.ts";
 import { statisticsOf } from "../results/resultDetails.ts";

@@ -1,7 +1,7 @@
 // The histogram of the deviation over the area, with axes: deviations to the right, shares of the
 // area upwards, linear or logarithmic. An estimate, as the map is.
 import { element } from "../common/elements.ts";
-import { distanceText, signedText } from "../common/numbers.ts";
+import { distanceText, signedText } from "../common/text/numbers.ts";
 import { BINS, binsOf } from "./histogram.ts";
 import type { Legend } from "./legend.ts";
 

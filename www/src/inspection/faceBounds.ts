@@ -3,7 +3,7 @@ import type { DiffResult } from "nurbs-hausdorff";
 import { facesOf } from "../faces/changes.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
 import { SIDES, type Sides } from "../worker/protocol.ts";
-import type { Place } from "./places.ts";
+import type { Place } from "./places/places.ts";
 
 /**
  * Lessens the deviations of maps that are more than the certified bound of their face; returns

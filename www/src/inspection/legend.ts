@@ -1,7 +1,7 @@
 // The legend: the scale upright, with ticks at its ends, at zero, at what is allowed and at the
 // extremes found, and the histogram beside it.
 import { element } from "../common/elements.ts";
-import { distanceText, signedText } from "../common/numbers.ts";
+import { distanceText, signedText } from "../common/text/numbers.ts";
 import type { Allowed, ColorScale } from "../scene/colors/scale.ts";
 import type { Distribution } from "../worker/map/distribution.ts";
 import { BINS, binsOf, histogram } from "./histogram.ts";

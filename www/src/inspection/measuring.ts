@@ -2,7 +2,7 @@
 // the angle of the faces there. Points are of the drawn triangles: estimates, and said to be.
 import type { Vector3 } from "three";
 import { element } from "../common/elements.ts";
-import { distanceText, signedText } from "../common/numbers.ts";
+import { distanceText, signedText } from "../common/text/numbers.ts";
 import { commonUnit } from "../files/units.ts";
 import type { View } from "../scene/view.ts";
 

@@ -1,5 +1,5 @@
 // What the card says first: the distance beside what is allowed, in the same digits.
-import { shownLength } from "../common/numbers.ts";
+import { shownLength } from "../common/text/numbers.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
 import type { Verdict } from "./judgement.ts";
 

@@ -9,7 +9,7 @@ import {
   signedText,
   twoDigits,
   upperText,
-} from "../common/numbers.ts";
+} from "../common/text/numbers.ts";
 import type { Estimates } from "../worker/map/distribution.ts";
 import type { Side } from "../worker/protocol.ts";
 

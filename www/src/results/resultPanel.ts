@@ -3,14 +3,14 @@
 import type { DistanceResult } from "nurbs-hausdorff";
 import { agrees, farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
-import { placeName } from "../common/names.ts";
+import { placeName } from "../common/text/names.ts";
 import {
   certifiedText,
   intervalText,
   shownLength,
   twoDigits,
   upperText,
-} from "../common/numbers.ts";
+} from "../common/text/numbers.ts";
 import { skippedFaces } from "../files/fileNotes.ts";
 import { commonUnit } from "../files/units.ts";
 import { type Detail, detailsOf } from "./resultDetails.ts";

@@ -3,7 +3,7 @@ import type { DiffResult, DistanceResult, Vector3 as Point } from "nurbs-hausdor
 import { Box3, Vector3 } from "three";
 import { agrees } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
-import { heldText } from "../common/numbers.ts";
+import { heldText } from "../common/text/numbers.ts";
 import { type Change, classesOf, classOf } from "../faces/changes.ts";
 import { Pins } from "../inspection/pins/pins.ts";
 import type { MapDisplay } from "../worker/map/display.ts";

@@ -1,7 +1,7 @@
 // A sweep: all methods, in turn, at every position of one pair.
 import type { DistanceResult, IterationOptions, Transform } from "nurbs-hausdorff";
 import settings from "../../../../examples/experiments/sweep.json";
-import { grouped } from "../../common/numbers.ts";
+import { grouped } from "../../common/text/numbers.ts";
 import type { DisplayModel, Plain, PlainOptions, Sides } from "../../worker/protocol.ts";
 import type { Entry } from "./methods.ts";
 import { type Pair, positions, transformAt } from "./pairs.ts";

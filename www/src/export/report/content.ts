@@ -1,12 +1,17 @@
 // What the report says, from the state of the page.
 import { element } from "../../common/elements.ts";
-import { placeName } from "../../common/names.ts";
-import { certifiedText, distanceText, intervalText, signedText } from "../../common/numbers.ts";
-import { unitName } from "../../common/units.ts";
+import { placeName } from "../../common/text/names.ts";
+import {
+  certifiedText,
+  distanceText,
+  intervalText,
+  signedText,
+} from "../../common/text/numbers.ts";
+import { unitName } from "../../common/text/units.ts";
 import { hashOf } from "../../files/identity.ts";
 import { commonUnit, modelUnit } from "../../files/units.ts";
-import { isBeyond, sizeText } from "../../inspection/placeList.ts";
-import type { Place } from "../../inspection/places.ts";
+import { isBeyond, sizeText } from "../../inspection/places/placeList.ts";
+import type { Place } from "../../inspection/places/places.ts";
 import { limitText } from "../../results/ownLimits.ts";
 import { allowed, allowedOf, shownVerdict } from "../../results/verdict.ts";
 import { type DisplayModel, SIDES, type Sides } from "../../worker/protocol.ts";

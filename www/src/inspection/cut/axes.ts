@@ -1,5 +1,5 @@
 // The axes of a section's plot: coordinates along both directions of its plane, in the unit shown.
-import { shownLength } from "../common/numbers.ts";
+import { shownLength } from "../../common/text/numbers.ts";
 
 /** Pixels that the numbers take to the left of the plot and below it. */
 const LEFT = 40;

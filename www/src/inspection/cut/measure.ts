@@ -1,10 +1,10 @@
 // Measuring on the plot of a section: the deviation under the pointer, and the distance of two
 // points of the contours. Contours are those of the drawn triangles, so that numbers are estimates.
-import { element } from "../common/elements.ts";
-import { distanceText, signedText } from "../common/numbers.ts";
-import { commonUnit } from "../files/units.ts";
-import type { Side } from "../worker/protocol.ts";
-import type { Piece, Vertex } from "./cutPlot.ts";
+import { element } from "../../common/elements.ts";
+import { distanceText, signedText } from "../../common/text/numbers.ts";
+import { commonUnit } from "../../files/units.ts";
+import type { Side } from "../../worker/protocol.ts";
+import type { Piece, Vertex } from "./plot.ts";
 
 /** Pixels within which a point is taken, and those within which it is a corner. */
 const REACH = 24;

@@ -1,13 +1,13 @@
 // The deviation along a section: the cut of the painted models in its plane, and from it the
 // deviations, enlarged.
 import { Vector3 } from "three";
-import { element } from "../common/elements.ts";
-import type { ColorScale } from "../scene/colors/scale.ts";
-import type { Cut } from "../scene/section.ts";
-import type { MapDisplay } from "../worker/map/display.ts";
-import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
-import { type AxisTexts, drawAxes } from "./cutAxes.ts";
-import { forgetMeasured, measureOn } from "./cutMeasure.ts";
+import { element } from "../../common/elements.ts";
+import type { ColorScale } from "../../scene/colors/scale.ts";
+import type { Cut } from "../../scene/section.ts";
+import type { MapDisplay } from "../../worker/map/display.ts";
+import { SIDES, type Side, type Sides } from "../../worker/protocol.ts";
+import { type AxisTexts, drawAxes } from "./axes.ts";
+import { forgetMeasured, measureOn } from "./measure.ts";
 
 const figure = element("cut");
 const factorInput = element("cut-scale", HTMLInputElement);

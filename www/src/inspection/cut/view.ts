@@ -1,9 +1,9 @@
 // The plot of the section that the user placed, of the maps that are shown.
-import { element } from "../common/elements.ts";
-import { commonUnit } from "../files/units.ts";
-import type { Models } from "../scene/models.ts";
-import { showCut } from "./cutPlot.ts";
-import { painted } from "./deviationPanel.ts";
+import { element } from "../../common/elements.ts";
+import { commonUnit } from "../../files/units.ts";
+import type { Models } from "../../scene/models.ts";
+import { painted } from "../deviationPanel.ts";
+import { showCut } from "./plot.ts";
 
 // The plot lies below what stands above the view, which takes more rows in a narrow window.
 const context = element("context");

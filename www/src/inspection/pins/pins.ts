@@ -1,7 +1,7 @@
 // Points of the models with their distances: the one under the pointer, and those pinned.
 import { type Plane, Vector3 } from "three";
 import { element } from "../../common/elements.ts";
-import { distanceText, shownLength, signedText } from "../../common/numbers.ts";
+import { distanceText, shownLength, signedText } from "../../common/text/numbers.ts";
 import { commonUnit } from "../../files/units.ts";
 import type { Viewport } from "../../scene/camera/viewport.ts";
 import type { Probe } from "../../worker/protocol.ts";

@@ -1,8 +1,8 @@
 // The list of worst places: a button each, which a key goes through.
-import { element } from "../common/elements.ts";
-import { distanceText, listedText, signedText } from "../common/numbers.ts";
-import { exceeds } from "../results/judgement.ts";
-import type { Allowed } from "../scene/colors/scale.ts";
+import { element } from "../../common/elements.ts";
+import { distanceText, listedText, signedText } from "../../common/text/numbers.ts";
+import { exceeds } from "../../results/judgement.ts";
+import type { Allowed } from "../../scene/colors/scale.ts";
 import type { Place } from "./places.ts";
 
 /** Places listed; a longer list is not read. */

@@ -1,12 +1,12 @@
 // The worst places of the maps shown: their list, the view of one, and the faces that are beyond.
-import { AGREEING } from "../common/direction.ts";
-import type { FaceTree } from "../faces/faceTree.ts";
-import { addMeasured, allowed, allowedOf } from "../results/verdict.ts";
-import type { View } from "../scene/view.ts";
-import type { Side } from "../worker/protocol.ts";
-import { painted } from "./deviationPanel.ts";
-import { boundedPlace } from "./faceBounds.ts";
-import type { Probing } from "./pins/probing.ts";
+import { AGREEING } from "../../common/direction.ts";
+import type { FaceTree } from "../../faces/faceTree.ts";
+import { addMeasured, allowed, allowedOf } from "../../results/verdict.ts";
+import type { View } from "../../scene/view.ts";
+import type { Side } from "../../worker/protocol.ts";
+import { painted } from "../deviationPanel.ts";
+import { boundedPlace } from "../faceBounds.ts";
+import type { Probing } from "../pins/probing.ts";
 import { isBeyond, PlaceList, sizeText } from "./placeList.ts";
 import { type Place, placesOf } from "./places.ts";
 

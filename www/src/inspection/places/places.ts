@@ -1,9 +1,9 @@
 // The worst place of each face of the maps, the largest first.
 import type { FaceDifference } from "nurbs-hausdorff";
-import type { MeasuredFace } from "../results/judgement.ts";
-import type { MapDisplay } from "../worker/map/display.ts";
-import type { DisplayModel, Side, Sides } from "../worker/protocol.ts";
-import { SIDES } from "../worker/protocol.ts";
+import type { MeasuredFace } from "../../results/judgement.ts";
+import type { MapDisplay } from "../../worker/map/display.ts";
+import type { DisplayModel, Side, Sides } from "../../worker/protocol.ts";
+import { SIDES } from "../../worker/protocol.ts";
 
 /** The vertex of a face whose deviation is the largest, with what the face's others are. */
 export interface Place extends MeasuredFace {

@@ -1,8 +1,8 @@
 // The arrow of a result, in the direction in which its distance is attained.
 import type { DistanceResult, Vector3 as Point } from "nurbs-hausdorff";
 import { farthestSide } from "../../common/direction.ts";
-import { placeName } from "../../common/names.ts";
-import { certifiedText } from "../../common/numbers.ts";
+import { placeName } from "../../common/text/names.ts";
+import { certifiedText } from "../../common/text/numbers.ts";
 import type { ArrowTexts } from "./arrow.ts";
 
 /** Returns the ends of a result's arrow, and what its labels say. */
