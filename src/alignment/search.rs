@@ -1,9 +1,8 @@
 //! The search for poses: many starts are fitted with the feet of a grid, and the best of them with exact feet.
 
 use super::field::{Field, FootField};
-use super::fit::LocalFit;
 use super::foot_grid::FootGrid;
-use super::loss::Loss;
+use super::mean::{LocalFit, Loss};
 use super::moments::Principal;
 use super::poses::{Candidate, distinct, spiral};
 use super::samples::Samples;

@@ -6,23 +6,17 @@
 //! [`Enclosing`] has the side that follows. [`windings`](Boundary::windings) counts the crossings with their signs: a
 //! shell that encloses a point twice meets itself. A sheet has no sides, but a [`pseudonormal`] at each point. docs/solids.md has the lemmas. Nothing here knows of files, processors or options.
 
-mod clusters;
-mod cracks;
 mod curve;
-mod edges;
 mod enclosing;
-mod joints;
-mod orientation;
+mod joining;
 mod pseudonormal;
 mod ray;
 mod side;
 mod strips;
 mod winding;
 
-pub(crate) use edges::Edges;
 pub(crate) use enclosing::{Enclosing, Relation};
-pub(crate) use joints::Boundary;
-pub(crate) use orientation::Joined;
+pub(crate) use joining::{Boundary, Edges, Joined};
 pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;
 pub(crate) use strips::Ruled;

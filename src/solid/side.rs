@@ -1,6 +1,6 @@
 //! The shells of a solid's boundary that enclose a point, and its side.
 
-use super::orientation::ShellState;
+use super::joining::ShellState;
 use super::ray::Ray;
 use super::winding::{Obstacle, patch_winding};
 use super::{Boundary, Enclosing};

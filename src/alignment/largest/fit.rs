@@ -2,8 +2,8 @@
 
 use super::program::{Row, solve};
 use crate::alignment::field::{Field, Place, Residual, residuals};
-use crate::alignment::fit::Step;
 use crate::alignment::freedoms::{COORDINATES, Coordinates, Freedoms};
+use crate::alignment::mean::Step;
 use crate::alignment::samples::Samples;
 use crate::model::RigidTransform;
 use crate::rounding::upper_max;

@@ -1,8 +1,8 @@
 //! The linear least-squares problem of one step: three unknowns of a shift, three of a rotation.
 
-use super::field::Residual;
-use super::freedoms::{COORDINATES as UNKNOWNS, Coordinates, Freedoms};
-use super::moments::eigen;
+use crate::alignment::field::Residual;
+use crate::alignment::freedoms::{COORDINATES as UNKNOWNS, Coordinates, Freedoms};
+use crate::alignment::moments::eigen;
 use glam::DVec3;
 
 /// The part of the largest eigenvalue below which a motion changes no residual: the square of the
@@ -124,7 +124,7 @@ mod tests {
     fn a_ball_turns_freely() {
         let free = Freedoms::all();
         let mut system = System::new(&free, DVec3::ZERO, 1.0);
-        for (_, turn) in super::super::moments::right_handed() {
+        for (_, turn) in crate::alignment::moments::right_handed() {
             let point = turn * DVec3::new(1.0, 2.0, 2.0);
             let residual = Residual { point, offset: 0.1 * point, direction: Some(point / 3.0) };
             system.add(&residual, 1.0 / 24.0);

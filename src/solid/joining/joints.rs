@@ -2,14 +2,14 @@
 
 use super::clusters::Clusters;
 use super::cracks::Cracks;
-use super::curve::Curve;
 use super::edges::{Edge, Edges};
 use super::orientation::{Joined, Orientations};
-use super::strips::{Covering, Ruled, Strip, StripLimits};
-use super::winding::MAX_DEPTH;
 use crate::bezier::PointError;
 use crate::bvh::{Aabb, Bvh};
 use crate::rounding::{VANISHING_LENGTH, gamma, lower_min};
+use crate::solid::curve::Curve;
+use crate::solid::strips::{Covering, Ruled, Strip, StripLimits};
+use crate::solid::winding::MAX_DEPTH;
 use crate::sorting::sort_by_number;
 use glam::DVec3;
 use std::collections::{BTreeMap, HashMap};
@@ -40,10 +40,10 @@ pub(crate) struct Boundary {
     reach: f64,
     /// An upper bound on the distance of the strips from the patches, with the rounding of both.
     clearance: f64,
-    pub(super) strips: Vec<Strip>,
-    pub(super) strip_tree: Bvh,
+    pub(in crate::solid) strips: Vec<Strip>,
+    pub(in crate::solid) strip_tree: Bvh,
     /// An upper bound on the error of a coordinate along a ray from the origin (lemma S3).
-    pub(super) margin: f64,
+    pub(in crate::solid) margin: f64,
 }
 
 /// An edge without a partner.

@@ -1,6 +1,6 @@
 //! Motions from pairs of points, and from three, two and one of them.
 
-use super::moments::eigen;
+use crate::alignment::moments::eigen;
 use crate::error::{Error, Result};
 use crate::limits::is_in_range;
 use crate::model::RigidTransform;

@@ -1,10 +1,10 @@
 //! The fit in the mean near a pose: damped Newton steps (Levenberg–Marquardt) on the distances.
 
-use super::field::{Field, Place, Residual, residuals};
-use super::freedoms::Freedoms;
 use super::loss::Loss;
-use super::samples::Samples;
 use super::system::System;
+use crate::alignment::field::{Field, Place, Residual, residuals};
+use crate::alignment::freedoms::Freedoms;
+use crate::alignment::samples::Samples;
 use crate::model::RigidTransform;
 use glam::DVec3;
 

@@ -47,7 +47,7 @@ impl Cracks {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
-    use crate::solid::orientation::Orientations;
+    use crate::solid::joining::orientation::Orientations;
 
     /// Returns the area that two surfaces of two shells get.
     fn areas(cracks: Cracks, rounding: f64) -> [f64; 2] {

@@ -1,7 +1,7 @@
 //! The edges at which the patches of a model's surfaces, or the triangles of a mesh, end.
 
-use super::curve::Curve;
 use crate::bezier::{BezierModel, Patch};
+use crate::solid::curve::Curve;
 use crate::sorting::sort_by_number;
 use glam::DVec3;
 use std::collections::HashMap;

@@ -1,6 +1,6 @@
 //! The motion by datums in their order: each takes of the freedoms that those before it leave.
 
-use super::freedoms::Freedoms;
+use crate::alignment::freedoms::Freedoms;
 use crate::error::{Error, Result};
 use crate::limits::is_in_range;
 use crate::model::RigidTransform;
