@@ -49,28 +49,25 @@ pub(crate) fn mesh(vertices: &[DVec3], triangles: &[[u32; 3]]) -> PreparedModel 
     PreparedModel::of_facets(&Facets::Mesh(mesh), None).unwrap()
 }
 
+/// The sides of a box by its corners, anticlockwise seen from outside.
+const SIDES: [[usize; 4]; 6] =
+    [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+
 /// The corners of a box, and its triangles with normals out of it.
 pub(crate) fn cuboid(min: DVec3, max: DVec3) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let corner = |index: u32| {
         let at = |bit: u32, low: f64, high: f64| if index & bit > 0 { high } else { low };
         DVec3::new(at(1, min.x, max.x), at(2, min.y, max.y), at(4, min.z, max.z))
     };
-    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    let triangles = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    let sides = SIDES.map(|side| side.map(|corner| corner as u32));
+    let triangles = sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
     ((0..8).map(corner).collect(), triangles)
 }
 
 /// The box of plane faces with normals out of it.
 pub(crate) fn box_of_faces(min: DVec3, max: DVec3) -> Model {
     let (corners, _) = cuboid(min, max);
-    let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    let surface = |[a, b, c, d]: [usize; 4]| nurbs_hausdorff::SurfaceArrays {
-        degree: [1, 1],
-        knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
-        counts: [2, 2],
-        control_points: [a, d, b, c].map(|index| corners[index].extend(1.0).to_array()).to_vec(),
-    };
-    Model::from_arrays(None, quads.map(surface).to_vec()).unwrap()
+    of_quads(&SIDES.map(|side| side.map(|corner| corners[corner])))
 }
 
 /// Four corners, anticlockwise seen from outside.
