@@ -185,11 +185,7 @@ export const steps = [
     name: "python",
     what: "the Python package's wheel, its types and tests",
     needs: ["python-packages"],
-    run: () => testPython(),
-    release: {
-      what: "the Python package's wheel as it is published, its types and tests",
-      run: () => testPython({}),
-    },
+    run: testPython,
   },
   {
     name: "package",
