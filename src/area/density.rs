@@ -37,16 +37,20 @@ pub(super) struct Series {
 }
 
 impl Series {
-    /// Returns the numbers of coefficients of |N|² in s and t, and the coefficients, by
-    /// `2 T_i T_j = T_(i+j) + T_|i-j|`. O(coefficients²).
-    pub(super) fn square(&self) -> ([usize; 2], Vec<f64>) {
-        let [rows, columns] = self.counts;
+    /// Returns the numbers of coefficients of |M|² in s and t, and the coefficients, by
+    /// `2 T_i T_j = T_(i+j) + T_|i-j|`, for the first coefficients M of N along both axes.
+    /// O(coefficients of M²).
+    pub(super) fn square(&self, [rows, columns]: [usize; 2]) -> ([usize; 2], Vec<f64>) {
         let counts = [2 * rows - 1, 2 * columns - 1];
         let mut square = vec![0.0; counts[0] * counts[1]];
-        for (first, &a) in self.numerator.iter().enumerate() {
-            let (i, j) = (first / columns, first % columns);
-            for (second, &b) in self.numerator.iter().enumerate().skip(first) {
-                let (k, l) = (second / columns, second % columns);
+        let coefficient = |index: usize| {
+            let place = (index / columns, index % columns);
+            (place, self.numerator[place.0 * self.counts[1] + place.1])
+        };
+        for first in 0..rows * columns {
+            let ((i, j), a) = coefficient(first);
+            for second in first..rows * columns {
+                let ((k, l), b) = coefficient(second);
                 // Both orders of two factors.
                 let product = if second == first { 0.25 } else { 0.5 } * a.dot(b);
                 for row in [i + k, i.abs_diff(k)] {
