@@ -184,7 +184,7 @@ mod tests {
             assert_eq!(map(count, |index| index * index), squares);
             assert_eq!(map_items((0..count).collect(), |item| item * item), squares);
             let ranges: Vec<usize> = map_ranges(count, |range| range.map(|index| index * index).sum());
-            assert_eq!(ranges.iter().sum::<usize>(), squares.iter().sum());
+            assert_eq!(ranges.iter().sum::<usize>(), squares.iter().sum::<usize>());
         }
     }
 }
