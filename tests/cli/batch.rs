@@ -1,5 +1,6 @@
 //! The command `batch`: pairs as lines of JSON.
 
+use crate::overlap::cuboid;
 use nurbs_hausdorff::{Model, SurfaceArrays};
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Write};
@@ -120,6 +121,42 @@ fn every_command_answers_as_it_does_alone() {
     let alone: Value = serde_json::from_slice(&alone.stdout).unwrap();
     assert_eq!(alone["facesOfA"][0]["state"], found[1]["facesOfA"][0]["state"]);
     assert_eq!(alone["files"], found[1]["files"]);
+}
+
+/// A box of an inch and one of 25.4 mm are the same; lines of statistics, volumes in common and facts
+/// have the exact numbers, in the unit of A.
+#[test]
+fn lines_state_statistics_volumes_and_facts_in_units_given() {
+    let a = cuboid("batch-inch.off", [1.0, 2.0, 3.0]);
+    let b = cuboid("batch-millimetres.off", [25.4, 50.8, 76.2]);
+    let lines = [
+        json!({ "id": 1, "command": "overlap", "a": a, "b": b, "unitOfA": "in", "unitOfB": "mm" }),
+        json!({ "id": 2, "command": "statistics", "a": a, "b": b, "unitOfA": "in", "unitOfB": "mm" }),
+        json!({ "id": 3, "command": "statistics", "a": a, "b": b, "limit": 0.5 }),
+        json!({ "id": 4, "command": "info", "files": [a], "density": 0.5 }),
+        json!({ "id": 5, "command": "overlap", "a": a, "b": b, "unitOfA": "in", "unitOfB": "mm", "scaleUnits": false }),
+        json!({ "id": 6, "command": "info", "files": [a, b] }),
+        json!({ "id": 7, "command": "info", "a": a }),
+        json!({ "id": 8, "command": "check", "files": [a], "unitOfA": "in" }),
+        json!({ "id": 9, "a": a, "b": b, "unitOfA": "yard" }),
+    ];
+    let found = answers(&batch(&lines, &[]).stdout);
+    let ends = |interval: &Value| ["lower", "upper"].map(|end| interval[end].as_f64().unwrap());
+    let holds = |interval: &Value, number: f64| {
+        let [lower, upper] = ends(interval);
+        assert!(lower <= number && number <= upper, "{interval} without {number}");
+    };
+    holds(&found[0]["volumes"]["intersection"], 6.0);
+    holds(&found[0]["ratio"], 1.0);
+    assert_eq!((&found[0]["command"], &found[0]["verdict"]), (&json!("overlap"), &Value::Null));
+    assert!(ends(&found[1]["mean"])[1] < 1e-3, "{}", found[1]["mean"]);
+    assert!(ends(&found[2]["beyond"]["part"])[0] > 0.0 && found[2]["hint"].is_string(), "{}", found[2]);
+    holds(&found[3]["facts"]["volume"], 6.0);
+    holds(&found[3]["mass"], 3.0);
+    assert_eq!(found[4]["error"]["code"], "UNITS_DIFFER");
+    for answer in &found[5..] {
+        assert_eq!(answer["error"]["code"], "OPTION_INVALID", "{answer}");
+    }
 }
 
 /// Squares are sheets, which are judged where they are apart: the answer is that of the command alone.

@@ -4,7 +4,7 @@ use crate::commands::{file, plane, printed, run, status};
 use serde_json::Value;
 
 /// A box from (0, 0, 0), as text of OFF.
-fn cuboid(name: &str, [x, y, z]: [f64; 3]) -> String {
+pub(crate) fn cuboid(name: &str, [x, y, z]: [f64; 3]) -> String {
     let corner = |index: usize| {
         let at = |bit: usize, length: f64| if index & bit > 0 { length } else { 0.0 };
         format!("{} {} {}\n", at(1, x), at(2, y), at(4, z))

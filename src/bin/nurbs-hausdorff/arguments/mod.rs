@@ -34,6 +34,7 @@ use nurbs_hausdorff::{
     Precision, Result, RigidTransform, StatisticsOptions,
 };
 use score::{ScoreArguments, SummaryArguments};
+use serde::Deserialize;
 use std::path::PathBuf;
 
 /// How far apart are two NURBS models? Models are files of STEP, interchange JSON or BREP text.
@@ -511,7 +512,8 @@ pub(crate) struct InfoArguments {
 }
 
 /// A unit of length.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, ValueEnum, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub(crate) enum Unit {
     Mm,
     Cm,

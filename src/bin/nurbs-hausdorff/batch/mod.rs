@@ -11,20 +11,21 @@ use crate::arguments::BatchArguments;
 use crate::commands::align::{Aligned, judged};
 use crate::commands::check::{levels, named};
 use crate::commands::distance::of_limit;
+use crate::commands::info::{InfoOptions, Stated};
 use crate::failure::Failure;
 use crate::input::{Input, STANDARD_STREAM};
-use crate::output::json::{OfAllFiles, OfFiles, Reason, line};
+use crate::output::json::{OfAllFiles, OfFile, OfFiles, Reason, line};
 use crate::reports::Verdict;
 use answers::{Answers, key, resumed};
 use cache::Cache;
 use nurbs_hausdorff::{Backend, CheckOptions, Engine, Error, MethodName, Monitor};
-use request::{Question, Request};
+use request::{FileInUnit, Question, Request};
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::HashSet;
 use std::fs::OpenOptions;
 use std::io::{BufRead, BufReader, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -207,11 +208,24 @@ impl Batch<'_> {
                 self.question(id, &a, &b, question).map_err(Arc::new)
             }
             Request::Check { files, options } => self.check(id, files, options),
+            Request::Info { file, options } => self.info(id, file, options),
         }
     }
 
+    /// Returns the model of a file, in the unit that it states.
+    fn read(&self, path: &Path) -> Result<Arc<Input>, Arc<Failure>> {
+        self.cache.get(&FileInUnit { path: path.to_owned(), unit: None })
+    }
+
+    fn info(&self, id: &Value, path: &Path, options: &InfoOptions) -> Result<String, Arc<Failure>> {
+        let input = self.read(path)?;
+        let stated = Stated::new(&input, options).map_err(Arc::new)?;
+        let info = stated.with_report(&input);
+        line(&OfPair { id, answer: OfFile::new("info", &info, &input.source) }).map_err(Arc::new)
+    }
+
     fn check(&self, id: &Value, files: &[PathBuf], options: &CheckOptions) -> Result<String, Arc<Failure>> {
-        let inputs = files.iter().map(|path| self.cache.get(path)).collect::<Result<Vec<_>, _>>()?;
+        let inputs = files.iter().map(|path| self.read(path)).collect::<Result<Vec<_>, _>>()?;
         let inputs: Vec<&Input> = inputs.iter().map(Arc::as_ref).collect();
         let levels = levels(files);
         let models = named(&levels, &inputs);
@@ -255,6 +269,16 @@ impl Batch<'_> {
                 let result = self.cpu.best_fit(models.0, models.1, options).monitored(monitor).wait()?;
                 let asked = question.asked(Verdict::of(judged(&result, options.zone.limit)), is_whole);
                 line(&OfPair { id, answer: OfFiles::new(asked, &Aligned::new(&result), a, b) })
+            }
+            Question::Statistics(options) => {
+                let result = self.cpu.statistics(models.0, models.1, options).monitored(monitor).wait()?;
+                let asked = question.asked(Verdict::Passed, is_whole);
+                line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
+            }
+            Question::Overlap(options) => {
+                let result = self.cpu.overlap(models.0, models.1, options).monitored(monitor).wait()?;
+                let asked = question.asked(Verdict::Passed, is_whole);
+                line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
             }
             Question::Clearance(options) => {
                 let result = self.cpu.clearance(models.0, models.1, options).monitored(monitor).wait()?;

@@ -1,11 +1,13 @@
 //! One line of the input: files, a command and its options.
 
+use crate::arguments::Unit;
+use crate::commands::info::InfoOptions;
 use crate::output::json::Asked;
 use crate::reports::Verdict;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::{
     BestFitOptions, CheckOptions, ClearanceOptions, DiffOptions, DistanceOptions, Error, NamedOptions,
-    Result, RigidTransform, ScoreOptions,
+    OverlapOptions, Result, RigidTransform, ScoreOptions, StatisticsOptions,
 };
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -14,8 +16,16 @@ use std::path::PathBuf;
 
 /// What is to be compared.
 pub(super) enum Request {
-    Pair { files: [PathBuf; 2], question: Question },
+    Pair { files: [FileInUnit; 2], question: Question },
     Check { files: Vec<PathBuf>, options: Box<CheckOptions> },
+    Info { file: PathBuf, options: InfoOptions },
+}
+
+/// A file, and the unit of its coordinates, if that is given, whatever the file states.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub(super) struct FileInUnit {
+    pub(super) path: PathBuf,
+    pub(super) unit: Option<Unit>,
 }
 
 /// The command of a pair, with its checked options.
@@ -25,6 +35,8 @@ pub(super) enum Question {
     Clearance(ClearanceOptions),
     Score(Box<ScoreOptions>),
     Align(Box<BestFitOptions>),
+    Statistics(StatisticsOptions),
+    Overlap(OverlapOptions),
 }
 
 impl Question {
@@ -38,6 +50,9 @@ impl Question {
             Self::Clearance(options) => ("clearance", options.limit, None),
             Self::Score(_) => ("score", None, None),
             Self::Align(options) => ("align", options.zone.limit, None),
+            // The result states the limit, by which nothing is judged.
+            Self::Statistics(_) => ("statistics", None, None),
+            Self::Overlap(_) => ("overlap", None, None),
         };
         let is_judged = match self {
             Self::Diff(_) | Self::Align(_) => true,
@@ -51,10 +66,13 @@ impl Question {
 
 /// The keys of a line that are no options.
 #[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
 struct Line {
     id: Value,
     a: Option<PathBuf>,
     b: Option<PathBuf>,
+    unit_of_a: Option<Unit>,
+    unit_of_b: Option<Unit>,
     files: Option<Vec<PathBuf>>,
     #[serde(default)]
     command: CommandName,
@@ -72,7 +90,10 @@ enum CommandName {
     Clearance,
     Score,
     Align,
+    Statistics,
+    Overlap,
     Check,
+    Info,
 }
 
 /// A motion of A.
@@ -102,33 +123,58 @@ pub(super) fn parse(text: &str, max_seconds: Option<f64>) -> (Value, Result<Requ
 }
 
 fn request(line: Line, max_seconds: Option<f64>) -> Result<Request> {
-    let Line { id: _, a, b, files, command, transform, options } = line;
-    match (command, files) {
-        (CommandName::Check, Some(files)) if a.is_none() && b.is_none() && transform.is_none() => {
-            let mut options: CheckOptions = named(options)?;
+    if !matches!(line.command, CommandName::Check | CommandName::Info) {
+        return pair(line, max_seconds);
+    }
+    let is_info = matches!(line.command, CommandName::Info);
+    let is_of_pair = line.a.is_some() || line.b.is_some() || line.transform.is_some() || line.has_unit();
+    match line.files {
+        Some(files) if is_info && !is_of_pair => match <[PathBuf; 1]>::try_from(files) {
+            Ok([file]) => Ok(Request::Info { file, options: named(line.options)? }),
+            Err(_) => Err(no_files("info", "one of `files`")),
+        },
+        Some(files) if !is_of_pair => {
+            let mut options: CheckOptions = named(line.options)?;
             options.max_seconds = options.max_seconds.or(max_seconds);
             options.validate()?;
             Ok(Request::Check { files, options: Box::new(options) })
         }
-        (CommandName::Check, _) => Err(no_check()),
-        (_, Some(_)) => Err(no_pair("`files` are of `check`")),
-        (command, None) => {
-            let file =
-                |path: Option<PathBuf>, name| path.ok_or_else(|| no_pair(format!("missing field `{name}`")));
-            let files = [file(a, "a")?, file(b, "b")?];
-            let question = question(command, transform.unwrap_or_default(), options, max_seconds)?;
-            Ok(Request::Pair { files, question })
-        }
+        _ if is_info => Err(no_files("info", "one of `files`")),
+        _ => Err(no_files("check", "`files`")),
     }
+}
+
+impl Line {
+    /// Whether a unit of a file is given.
+    fn has_unit(&self) -> bool {
+        self.unit_of_a.is_some() || self.unit_of_b.is_some()
+    }
+}
+
+fn pair(mut line: Line, max_seconds: Option<f64>) -> Result<Request> {
+    if line.files.is_some() {
+        return Err(no_pair("`files` are of `check` and `info`"));
+    }
+    if line.has_unit() {
+        // A line with a unit asks for lengths in it.
+        line.options.entry("scaleUnits").or_insert(Value::Bool(true));
+    }
+    let file = |path: Option<PathBuf>, unit, name| {
+        let path = path.ok_or_else(|| no_pair(format!("missing field `{name}`")))?;
+        Ok(FileInUnit { path, unit })
+    };
+    let files = [file(line.a, line.unit_of_a, "a")?, file(line.b, line.unit_of_b, "b")?];
+    let Motion { rotation, translation } = line.transform.unwrap_or_default();
+    let transform = RigidTransform::new(DQuat::from_array(rotation), DVec3::from_array(translation))?;
+    Ok(Request::Pair { files, question: question(line.command, transform, line.options, max_seconds)? })
 }
 
 fn question(
     command: CommandName,
-    Motion { rotation, translation }: Motion,
+    transform: RigidTransform,
     options: Map<String, Value>,
     max_seconds: Option<f64>,
 ) -> Result<Question> {
-    let transform = RigidTransform::new(DQuat::from_array(rotation), DVec3::from_array(translation))?;
     Ok(match command {
         CommandName::Distance => {
             let named: NamedOptions = named(options)?;
@@ -139,35 +185,64 @@ fn question(
             options.validate()?;
             Question::Distance(Box::new(options))
         }
-        CommandName::Diff => {
-            let mut options = DiffOptions { transform, ..named(options)? };
-            options.max_seconds = options.max_seconds.or(max_seconds);
-            options.validate()?;
-            Question::Diff(options)
-        }
-        CommandName::Clearance => {
-            let mut options = ClearanceOptions { transform, ..named(options)? };
-            options.max_seconds = options.max_seconds.or(max_seconds);
-            options.validate()?;
-            Question::Clearance(options)
-        }
-        CommandName::Score => {
-            let mut options = ScoreOptions { transform, ..named(options)? };
-            options.max_seconds = options.max_seconds.or(max_seconds);
-            options.validate()?;
-            Question::Score(Box::new(options))
-        }
         CommandName::Align => {
             let options = BestFitOptions { transform, ..named(options)? };
             options.validate()?;
             Question::Align(Box::new(options))
         }
-        CommandName::Check => return Err(no_check()),
+        CommandName::Diff => Question::Diff(placed(options, transform, max_seconds)?),
+        CommandName::Clearance => Question::Clearance(placed(options, transform, max_seconds)?),
+        CommandName::Score => Question::Score(Box::new(placed(options, transform, max_seconds)?)),
+        CommandName::Statistics => Question::Statistics(placed(options, transform, max_seconds)?),
+        CommandName::Overlap => Question::Overlap(placed(options, transform, max_seconds)?),
+        CommandName::Check => return Err(no_files("check", "`files`")),
+        CommandName::Info => return Err(no_files("info", "one of `files`")),
     })
 }
 
-fn no_check() -> Error {
-    no_pair("`check` has `files`, and neither `a`, `b` nor `transform`")
+/// Options with a motion of A and a budget of time.
+trait Placed: DeserializeOwned {
+    /// Sets the motion, and the budget unless there is one.
+    fn place(&mut self, transform: RigidTransform, max_seconds: Option<f64>);
+
+    /// Checks every range.
+    fn check(&self) -> Result<()>;
+}
+
+macro_rules! impl_placed {
+    ($($options:ty),*) => {$(
+        impl Placed for $options {
+            fn place(&mut self, transform: RigidTransform, max_seconds: Option<f64>) {
+                self.transform = transform;
+                self.max_seconds = self.max_seconds.or(max_seconds);
+            }
+
+            fn check(&self) -> Result<()> {
+                self.validate()
+            }
+        }
+    )*};
+}
+
+impl_placed!(DiffOptions, ClearanceOptions, ScoreOptions, StatisticsOptions, OverlapOptions);
+
+/// Returns checked options by their names.
+///
+/// # Errors
+/// Those of [`named`], and of each range.
+fn placed<T: Placed>(
+    options: Map<String, Value>,
+    transform: RigidTransform,
+    max_seconds: Option<f64>,
+) -> Result<T> {
+    let mut options: T = named(options)?;
+    options.place(transform, max_seconds);
+    options.check()?;
+    Ok(options)
+}
+
+fn no_files(command: &str, files: &str) -> Error {
+    no_pair(format!("`{command}` has {files}, and neither `a`, `b`, their units nor `transform`"))
 }
 
 fn no_pair(found: impl std::fmt::Display) -> Error {

@@ -11,49 +11,78 @@ use nurbs_hausdorff::{
     BodyInfo, BodyKind, Error, Facts, Interval, ModelInfo, Note, Orientation, ReadReport, Skipped,
     VolumeUnknown,
 };
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
 /// Prints the facts, bodies, faces, patches and areas of the model.
 pub(crate) fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     let input = read(&arguments.model)?;
-    let mut info = match &input.model {
-        Some(model) => ModelInfo::of_prepared(model, &input.prepared),
-        None => ModelInfo::of_facets(&input.prepared),
-    };
-    if let Some(unit) = arguments.unit {
-        convert(&mut info, unit)?;
-    }
-    let density = arguments.density;
-    if let Some(found) = density.filter(|density| !(*density > 0.0 && density.is_finite())) {
-        let expected = "a finite number above 0";
-        return Err(Error::OptionOutOfRange { option: "density", found: found.to_string(), expected }.into());
-    }
-    let mass = density.zip(info.facts.volume).map(|(density, volume)| volume * density);
-    let Input { report, source, .. } = input;
-    let unit = arguments.unit.and_then(|unit| unit.to_possible_value());
-    let unit = unit.as_ref().map(|unit| unit.get_name());
+    let options = InfoOptions { unit: arguments.unit, density: arguments.density };
+    let stated = Stated::new(&input, &options)?;
     if arguments.json {
-        let ReadReport { skipped, notes, .. } = &report.read;
-        let info = Info { info: &info, unit_of_facts: unit, mass, skipped, notes };
-        return print_json(&OfFile::new("info", &info, &source));
+        return print_json(&OfFile::new("info", &stated.with_report(&input), &input.source));
     }
     let mut text = String::new();
     // Writing to a string does not fail.
-    let _ = lines(&mut text, &info, unit, mass);
+    let _ = lines(&mut text, &stated);
     print(&text)
+}
+
+/// The unit of the facts, that of the model if it is left out, and the density, mass per volume in it.
+#[derive(Debug, Clone, Copy, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(crate) struct InfoOptions {
+    unit: Option<Unit>,
+    density: Option<f64>,
+}
+
+/// A model in numbers, as it is stated.
+pub(crate) struct Stated {
+    info: ModelInfo,
+    /// The name of the unit of the facts, if they are not in that of the model.
+    unit: Option<String>,
+    /// The volume times the density.
+    mass: Option<Interval>,
+}
+
+impl Stated {
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a unit of a model that has none, and for a density that is no
+    /// finite number above 0.
+    pub(crate) fn new(input: &Input, options: &InfoOptions) -> Result<Self, Failure> {
+        let mut info = match &input.model {
+            Some(model) => ModelInfo::of_prepared(model, &input.prepared),
+            None => ModelInfo::of_facets(&input.prepared),
+        };
+        if let Some(unit) = options.unit {
+            convert(&mut info, unit)?;
+        }
+        let density = options.density;
+        if let Some(found) = density.filter(|density| !(*density > 0.0 && density.is_finite())) {
+            let expected = "a finite number above 0";
+            let found = found.to_string();
+            return Err(Error::OptionOutOfRange { option: "density", found, expected }.into());
+        }
+        let mass = density.zip(info.facts.volume).map(|(density, volume)| volume * density);
+        let unit = options.unit.and_then(|unit| unit.to_possible_value());
+        Ok(Self { info, unit: unit.map(|unit| unit.get_name().to_owned()), mass })
+    }
+
+    /// Returns what is printed as JSON.
+    pub(crate) fn with_report<'a>(&'a self, input: &'a Input) -> Info<'a> {
+        let ReadReport { skipped, notes, .. } = &input.report.read;
+        Info { info: &self.info, unit_of_facts: self.unit.as_deref(), mass: self.mass, skipped, notes }
+    }
 }
 
 /// A model in numbers, with the faces that were left out of it and the notes on others.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
-struct Info<'a> {
+pub(crate) struct Info<'a> {
     #[serde(flatten)]
     info: &'a ModelInfo,
-    /// The unit of the facts if they are not in that of the model.
     #[serde(skip_serializing_if = "Option::is_none")]
     unit_of_facts: Option<&'a str>,
-    /// The volume times the density.
     #[serde(skip_serializing_if = "Option::is_none")]
     mass: Option<Interval>,
     skipped: &'a [Skipped],
@@ -78,7 +107,7 @@ fn convert(info: &mut ModelInfo, unit: Unit) -> Result<(), Failure> {
     Ok(())
 }
 
-fn lines(out: &mut String, info: &ModelInfo, unit: Option<&str>, mass: Option<Interval>) -> std::fmt::Result {
+fn lines(out: &mut String, Stated { info, unit, mass }: &Stated) -> std::fmt::Result {
     writeln!(out, "model     {}", info.name.as_deref().unwrap_or("without a name"))?;
     if let Some(unit) = info.unit {
         writeln!(out, "unit      {unit:?} m")?;

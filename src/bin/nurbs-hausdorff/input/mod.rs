@@ -21,6 +21,14 @@ pub(crate) fn read(path: &Path) -> std::result::Result<Input, Failure> {
     File::open(path)?.read()
 }
 
+/// Reads a model as [`read`] does, in the unit that is given for it.
+///
+/// # Errors
+/// Those of [`read`] and of [`PreparedModel::with_unit`].
+pub(crate) fn read_in_unit(path: &Path, unit: Option<Unit>) -> std::result::Result<Input, Failure> {
+    Ok(read(path)?.in_unit(unit)?)
+}
+
 /// Reads two models as [`read`] does, in the units that are given for them.
 ///
 /// # Errors
