@@ -185,7 +185,11 @@ export const steps = [
     name: "python",
     what: "the Python package's wheel, its types and tests",
     needs: ["python-packages"],
-    run: testPython,
+    run: () => testPython(),
+    release: {
+      what: "the Python package's wheel as it is published, its types and tests",
+      run: () => testPython({}),
+    },
   },
   {
     name: "package",
