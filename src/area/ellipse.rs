@@ -198,16 +198,32 @@ mod tests {
         }
     }
 
+    /// The series of N in s with these coefficients along z, so long that some are left to E.
+    fn long(coefficients: &[(usize, f64)]) -> Series {
+        let mut numerator = vec![DVec3::ZERO; MAX_WHOLE + 1];
+        for &(index, size) in coefficients {
+            numerator[index] = size * DVec3::Z;
+        }
+        Series { counts: [numerator.len(), 1], numerator, ..linear(0.0) }
+    }
+
+    /// Lemma A6, attained: N = (1 + c T_4) e_z is 1 + c at the ends of the interval, where T_4 is 1.
+    #[test]
+    fn what_is_left_out_is_attained_at_the_ends() {
+        let c = 2e-5;
+        let series = long(&[(0, 1.0), (4, c)]);
+        let sizes = Sizes::new(&series);
+        assert_eq!(sizes.square_counts, [1, 1]);
+        let [bound, largest] = [sizes.square_bound()[0], (1.0 + c) * (1.0 + c)];
+        assert!(largest <= bound && bound <= largest * (1.0 + 1e-12), "{bound} {largest}");
+    }
+
     /// Coefficients that are left to E count in the bound: N = (1 + b x + c T_4) e_z vanishes in larger ellipses, and
     /// is at most as large as the bound in those that are found.
     #[test]
     fn what_is_left_out_of_the_square_is_part_of_the_bound() {
         let (b, c) = (0.02, 2e-5);
-        let mut numerator = vec![DVec3::ZERO; MAX_WHOLE + 1];
-        for (index, size) in [(0, 1.0), (1, b), (4, c)] {
-            numerator[index] = size * DVec3::Z;
-        }
-        let series = Series { counts: [numerator.len(), 1], numerator, ..linear(b) };
+        let series = long(&[(0, 1.0), (1, b), (4, c)]);
         let sizes = Sizes::new(&series);
         assert_eq!(sizes.square_counts, [3, 1]);
         for radius in RADII {
