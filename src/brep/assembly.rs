@@ -83,7 +83,9 @@ pub(super) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<A
         }
     }
     read.model.instances = instances(&levels, &placed, &faces);
-    if read.model.instances.iter().all(|instance| instance.transform == crate::model::IDENTITY) {
+    let uses: usize = read.model.instances.iter().map(|instance| instance.surfaces.len()).sum();
+    let is_moved = read.model.instances.iter().any(|instance| instance.transform != crate::model::IDENTITY);
+    if !is_moved && uses == read.model.faces.len() {
         name_parts(&mut read.model);
     }
     match read.skipped.first() {
@@ -197,7 +199,7 @@ fn notes(
 
 /// Returns the faces, and the meshes that are no pictures of them, below the root in the order of OpenCASCADE's
 /// `TopExp_Explorer`, in which each shape is followed by its children; a face that is met again at its place, as
-/// between two solids, is listed once, as by `TopExp::MapShapes`.
+/// between two solids, is listed once, as by `TopExp::MapShapes`, unless it is of another occurrence of its product.
 ///
 /// # Errors
 /// [`Error::TooManyFaces`] before any is placed.
@@ -212,7 +214,8 @@ pub(super) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)>
     }
     let mut placed = Vec::new();
     let mut levels = Levels::default();
-    let mut met = HashSet::new();
+    let mut met = Met::default();
+    let mut occurrences = 0;
     // Uses still to be visited, the next one last, each with what it stands in.
     let mut pending = vec![(file.root, Surroundings::default())];
     while let Some((shape_use, above)) = pending.pop() {
@@ -224,12 +227,16 @@ pub(super) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)>
         let children = || shape.children.iter().filter(|child| counts[child.shape].faces > 0);
         match &shape.kind {
             ShapeKind::Face(_) | ShapeKind::Mesh(Mesh { is_picture: false, .. })
-                if met.insert((shape_use.shape, matrix(&location).map(f64::to_bits))) =>
+                if met.is_first(shape_use.shape, &location, above.occurrence) =>
             {
                 placed.push(Placed { shape: shape_use.shape, reversed, location, part: above.level, color });
             }
-            ShapeKind::Place(name) => {
-                own.place = Some(name);
+            ShapeKind::Place { name, is_occurrence } => {
+                own.place = name.as_deref().or(own.place);
+                if *is_occurrence {
+                    occurrences += 1;
+                    own.occurrence = Some(occurrences);
+                }
                 pending.extend(children().map(|&child| (child, own)));
             }
             ShapeKind::Group(name) => {
@@ -258,7 +265,7 @@ fn counts(file: &Topology) -> Vec<Counts> {
             ShapeKind::Face(_) | ShapeKind::Mesh(Mesh { is_picture: false, .. }) => {
                 Counts { faces: 1, visits: 1 }
             }
-            ShapeKind::Group(_) | ShapeKind::Place(_) => {
+            ShapeKind::Group(_) | ShapeKind::Place { .. } => {
                 let with_faces = shape.children.iter().map(|child| counts[child.shape]);
                 let sum =
                     with_faces.filter(|child| child.faces > 0).fold(Counts::default(), |sum, child| Counts {
@@ -286,6 +293,22 @@ struct Surroundings<'a> {
     is_alone: bool,
     /// The name of the place that the use is.
     place: Option<&'a str>,
+    /// The innermost occurrence of a product that it is in, if any, by its number among those visited.
+    occurrence: Option<usize>,
+}
+
+/// The faces met, with the occurrences of products that they were met in.
+#[derive(Default)]
+struct Met(HashMap<(usize, [u64; 12]), HashSet<Option<usize>>>);
+
+impl Met {
+    /// Returns whether a face was not met at this place, but in other occurrences of products: what a file states
+    /// twice without these is one face.
+    fn is_first(&mut self, shape: usize, location: &DAffine3, occurrence: Option<usize>) -> bool {
+        let met = self.0.entry((shape, matrix(location).map(f64::to_bits))).or_default();
+        let is_first = met.is_empty() || (occurrence.is_some() && !met.contains(&None));
+        met.insert(occurrence) && is_first
+    }
 }
 
 impl<'a> Surroundings<'a> {

@@ -44,7 +44,12 @@ pub(crate) enum ShapeKind {
     /// Any set of shapes, with the name of the part that it is.
     Group(Option<String>),
     /// A place of a part, with its name.
-    Place(String),
+    Place {
+        name: Option<String>,
+        /// Whether it is a use of its own by the structure of products, so that another one at the same place is
+        /// another part.
+        is_occurrence: bool,
+    },
 }
 
 /// A shape as the child of another.

@@ -80,7 +80,7 @@ impl<'a> Pieces<'a> {
         index
     }
 
-    /// Returns the sphere, the cylinder or the torus that a patch lies on, if any.
+    /// Returns the sphere, the cylinder, the cone or the torus that a patch lies on, if any.
     pub(super) fn carrier(&mut self, patch: u32) -> Option<Carrier> {
         if let Some(&known) = self.carriers.get(&patch) {
             return known;

@@ -407,8 +407,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Returns a lower bound on the distance of two patches by the spheres, cylinders or tori that
-    /// they lie on, 0 where none is known.
+    /// Returns a lower bound on the distance of two patches by the spheres, cylinders, cones or
+    /// tori that they lie on, 0 where none is known.
     fn carrier_distance(&mut self, pieces: [u32; 2]) -> f64 {
         if self.pairs < CARRIERS_FROM {
             return 0.0;

@@ -114,6 +114,11 @@ impl PreparedModel {
         enclosing.map_or(Side::Undecided, |enclosing| self.shells().side(&enclosing))
     }
 
+    /// Returns true only if all points between two points, each known up to `error`, certainly have one side.
+    pub(super) fn is_clear_between(&self, points: [DVec3; 2], error: f64) -> bool {
+        self.boundary().is_clear(&self.target(Flatness::None).target, points, error)
+    }
+
     /// Returns points of the model, one at least of each connected part of its faces.
     pub(super) fn points_of_shells(&self) -> Vec<DVec3> {
         let bezier = self.bezier();

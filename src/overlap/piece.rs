@@ -249,7 +249,10 @@ impl Whole {
 
     /// Returns the axis along which a piece is halved.
     pub(super) fn axis(&self, piece: &Piece) -> Axis {
-        longer_axis(self.degree, &piece.controls)
+        longer_axis(self.degree, |index| {
+            let control = piece.controls[index];
+            control.xyz() / control.w
+        })
     }
 
     /// Returns the degrees.

@@ -2,7 +2,7 @@
 
 use super::joining::ShellState;
 use super::ray::Ray;
-use super::winding::{Obstacle, patch_winding};
+use super::winding::{Obstacle, is_clear, patch_winding};
 use super::{Boundary, Enclosing};
 use crate::closest::Target;
 use crate::rounding::gamma;
@@ -110,6 +110,18 @@ impl Boundary {
             Ok(crossed) => Some(shells.clone().across(&enclosing(&crossed))),
             Err(_) => self.enclosing(target, point, 0.0),
         }
+    }
+
+    /// Returns true only if the segment between two points, each known up to `error`, certainly has no points of the
+    /// patches and strips: all of its points lie on one side (lemma S4 of docs/solids.md).
+    pub(crate) fn is_clear(&self, target: &Target, [start, end]: [DVec3; 2], error: f64) -> bool {
+        let margin = self.margin_at(start) + self.margin_at(end) + error;
+        let ray = Ray::segment(start, end, margin);
+        ray.leaves(&self.strip_tree).into_iter().all(|strip| self.strips[strip as usize].is_avoided(&ray))
+            && ray
+                .leaves(&target.tree)
+                .into_iter()
+                .all(|patch| is_clear(&target.patches.patch(patch as usize), &ray))
     }
 
     /// Returns an upper bound on the error of a coordinate along a ray from a point.

@@ -33,12 +33,15 @@ pub(super) fn patch_winding(patch: &Patch<'_>, ray: &Ray) -> Result<i32, Obstacl
     let controls = ray.controls(patch.center, patch.controls);
     let mut parts = vec![(controls, 0_u32)];
     let (mut winding, mut count) = (0, 0);
+    let mut points = Vec::with_capacity(patch.controls.len());
     while let Some((controls, depth)) = parts.pop() {
-        let range = Range::of(controls.iter().map(local));
+        points.clear();
+        points.extend(controls.iter().map(local));
+        let range = Range::of(points.iter().copied());
         if ray.is_beside(&range) {
             continue;
         }
-        let of_plane = || ray.beyond_plane(normal(patch.degree, &controls), controls.iter().map(local));
+        let of_plane = || ray.beyond_plane(normal(patch.degree, &points), points.iter().copied());
         match if ray.is_ahead(&range) { Some(true) } else { of_plane() } {
             Some(true) => {
                 let of_part = boundary_winding(patch.degree, &controls, ray.margin);
@@ -55,10 +58,38 @@ pub(super) fn patch_winding(patch: &Patch<'_>, ray: &Ray) -> Result<i32, Obstacl
             return Err(Obstacle::AtTheEnd);
         }
         let part = Patch { controls: &controls, center: DVec3::ZERO, domain: ParamBox::UNIT, ..*patch };
-        let halves = part.halves(longer_axis(patch.degree, &controls));
+        let halves = part.halves(longer_axis(patch.degree, |index| points[index]));
         parts.extend(halves.map(|half| (half, depth + 1)));
     }
     Ok(winding)
+}
+
+/// The largest number of parts of one patch that are divided to see that a segment does not meet it: one that does is
+/// given up soon.
+const MAX_CLEAR_PARTS: usize = 96;
+
+/// Returns true only if the ray certainly has no point of the patch.
+///
+/// The patch is halved until each part lies beside the ray, or a plane through an end of it is between both.
+pub(super) fn is_clear(patch: &Patch<'_>, ray: &Ray) -> bool {
+    let mut parts = vec![ray.controls(patch.center, patch.controls)];
+    let mut points = Vec::with_capacity(patch.controls.len());
+    let mut count = 0;
+    while let Some(controls) = parts.pop() {
+        points.clear();
+        points.extend(controls.iter().map(local));
+        let of_plane = || ray.beyond_plane(normal(patch.degree, &points), points.iter().copied());
+        if ray.is_beside(&Range::of(points.iter().copied())) || of_plane() == Some(false) {
+            continue;
+        }
+        count += 1;
+        if count > MAX_CLEAR_PARTS {
+            return false;
+        }
+        let part = Patch { controls: &controls, center: DVec3::ZERO, domain: ParamBox::UNIT, ..*patch };
+        parts.extend(part.halves(longer_axis(patch.degree, |index| points[index])));
+    }
+    true
 }
 
 /// Returns the point of a control.
@@ -67,17 +98,16 @@ fn local(control: &DVec4) -> DVec3 {
 }
 
 /// Returns the unit normal of the plane that is parallel to both diagonals; it is 0 where they are parallel.
-fn normal([_, q]: [usize; 2], controls: &[DVec4]) -> DVec3 {
-    let at = |index: usize| local(&controls[index]);
-    let last = controls.len() - 1;
-    (at(last) - at(0)).cross(at(last - q) - at(q)).normalize_or_zero()
+fn normal([_, q]: [usize; 2], points: &[DVec3]) -> DVec3 {
+    let last = points.len() - 1;
+    (points[last] - points[0]).cross(points[last - q] - points[q]).normalize_or_zero()
 }
 
-/// Returns the axis along which the longest polygon of control points is longer. Corners alone would not
-/// tell: those of a patch that closes in u coincide along u.
-pub(crate) fn longer_axis([p, q]: [usize; 2], controls: &[DVec4]) -> Axis {
+/// Returns the axis along which the longest polygon of control points, by their indices, is longer. Corners alone
+/// would not tell: those of a patch that closes in u coincide along u.
+pub(crate) fn longer_axis([p, q]: [usize; 2], point: impl Fn(usize) -> DVec3) -> Axis {
     let columns = q + 1;
-    let step = |from: usize, to: usize| local(&controls[from]).distance(local(&controls[to]));
+    let step = |from: usize, to: usize| point(from).distance(point(to));
     let along_u = |j: usize| (0..p).map(|i| step(i * columns + j, (i + 1) * columns + j)).sum::<f64>();
     let along_v = |i: usize| (0..q).map(|j| step(i * columns + j, i * columns + j + 1)).sum::<f64>();
     let [u, v] = [(0..=q).map(along_u).fold(0.0, upper_max), (0..=p).map(along_v).fold(0.0, upper_max)];
@@ -157,6 +187,29 @@ mod tests {
         assert!(winding([0.3, 0.6, 2.5], [0.1, 0.0, 1.0]).is_err(), "the ray starts on the patch");
     }
 
+    /// A segment above a bowl is clear of it, down to its margin, and one into it is not, at whichever end.
+    #[test]
+    fn a_segment_is_clear_of_a_patch_only_if_it_does_not_meet_it() {
+        let at = |x: f64, y: f64, z: f64| DVec4::new(x, y, z, 1.0);
+        // z = x² + y² over [-1, 1]².
+        let heights = [[2.0, 0.0, 2.0], [0.0, -2.0, 0.0], [2.0, 0.0, 2.0]];
+        let controls: Vec<DVec4> =
+            (0..9).map(|k| at((k / 3) as f64 - 1.0, (k % 3) as f64 - 1.0, heights[k / 3][k % 3])).collect();
+        let patch = Patch::whole([2, 2], DVec3::ZERO, &controls);
+        let clear = |start: [f64; 3], end: [f64; 3]| {
+            is_clear(&patch, &Ray::segment(DVec3::from_array(start), DVec3::from_array(end), 1e-9))
+        };
+        for low in [1e-3, 1e-7] {
+            assert!(clear([0.3, 0.4, 0.25 + low], [0.3, 0.4, 2.0]), "{low}");
+            assert!(clear([0.3, 0.4, 0.25 - low], [0.3, 0.4, -2.0]), "{low}");
+            assert!(!clear([0.3, 0.4, 0.25 - low], [0.3, 0.4, 2.0]), "{low}");
+            assert!(!clear([0.3, 0.4, 2.0], [0.3, 0.4, 0.25 - low]), "{low}");
+        }
+        assert!(!clear([0.3, 0.4, 0.25 + 1e-10], [0.3, 0.4, 2.0]), "within the margin");
+        assert!(!clear([-2.0, 0.1, 0.5], [2.0, 0.1, 0.5]), "twice, from outside to outside");
+        assert!(!clear([0.3, 0.4, 1.0], [0.3, 0.4, 1.0]), "no segment");
+    }
+
     /// A thin tube about the z axis: one patch that closes in u, whose corners coincide along u. A ray
     /// along its wall's tangent plane from near it, and one along the axis, need halves along u.
     #[test]
@@ -165,7 +218,7 @@ mod tests {
         let point = |[x, y]: [f64; 2], z: f64| DVec4::new(x, y, z, 1.0);
         let controls: Vec<DVec4> =
             ring.into_iter().flat_map(|place| [point(place, 0.0), point(place, 0.5)]).collect();
-        assert_eq!(longer_axis([6, 1], &controls), Axis::U);
+        assert_eq!(longer_axis([6, 1], |index| local(&controls[index])), Axis::U);
         let patch = Patch::whole([6, 1], DVec3::ZERO, &controls);
         for turn in 0..32 {
             let (sin, cos) = (0.1 + 0.19 * f64::from(turn)).sin_cos();

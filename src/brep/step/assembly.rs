@@ -27,6 +27,8 @@ pub(super) struct Placement {
     /// The name of the place, if the file gives it a telling one.
     pub(super) name: Option<String>,
     pub(super) child: Group,
+    /// Whether it is an occurrence of a product in another one.
+    pub(super) is_occurrence: bool,
     pub(super) transform: Result<DAffine3, FaceFault>,
 }
 
@@ -193,9 +195,10 @@ impl<'a> Assembly<'a> {
             let swapped = self.is_swapped(relations, record.number, [a, b]);
             let transform = self.transform([first, second], operation, swapped);
             let (child, parent) = if swapped { (b, a) } else { (a, b) };
-            let name = relations.occurrences.get(&record.number);
-            let name = name.and_then(|&occurrence| occurrence_name(self.shapes.file, occurrence));
-            let placement = Placement { entity: record.number, name, child, transform };
+            let occurrence = relations.occurrences.get(&record.number);
+            let name = occurrence.and_then(|&occurrence| occurrence_name(self.shapes.file, occurrence));
+            let is_occurrence = occurrence.is_some();
+            let placement = Placement { entity: record.number, name, child, is_occurrence, transform };
             self.placements.entry(parent).or_default().push(placement);
         }
     }
@@ -294,9 +297,12 @@ impl<'a> Assembly<'a> {
             self.items(representation, nesting, &mut children)?;
         }
         for placement in self.placements.remove(&group).unwrap_or_default() {
-            let Placement { entity, name, child, transform } = placement;
+            let Placement { entity, name, child, is_occurrence, transform } = placement;
             match transform {
-                Ok(location) => self.place_group(child, (entity, name, location), nesting, &mut children)?,
+                Ok(location) => {
+                    let place = (location, is_occurrence);
+                    self.place_group(child, (entity, name, place), nesting, &mut children)?;
+                }
                 Err(fault) => {
                     // The part is read and stands nowhere.
                     self.group(child, nesting + 1)?;
@@ -317,12 +323,12 @@ impl<'a> Assembly<'a> {
     fn place_group(
         &mut self,
         group: Group,
-        (instance, name, location): (u64, Option<String>, DAffine3),
+        (instance, name, place): (u64, Option<String>, (DAffine3, bool)),
         nesting: usize,
         children: &mut Vec<Use>,
     ) -> Result<(), FaceFault> {
         match self.group(group, nesting + 1)? {
-            Some(part) => children.push(self.shapes.place(instance, name, part, location)?),
+            Some(part) => children.push(self.shapes.place(instance, name, part, place)?),
             None => match self.blank(group, instance) {
                 Some(why) if self.external.contains(&group) => {
                     let fault = FaceFault::new("STEP_PLACE", why);
@@ -355,7 +361,7 @@ impl<'a> Assembly<'a> {
                 match self.mapping(item, representation) {
                     Ok((child, location)) => {
                         let name = self.shapes.file.entity(item).ok().and_then(|item| item.name());
-                        self.place_group(child, (item, name, location), nesting, children)?;
+                        self.place_group(child, (item, name, (location, false)), nesting, children)?;
                     }
                     Err(fault) => children.push(used(self.shapes.unreadable(item, fault)?, true)),
                 }

@@ -75,7 +75,13 @@ impl Assembly<'_> {
         let fault = FaceFault::new("STEP_PLACE", why);
         match (assembly, parts) {
             (Some(assembly), &[child, ..]) => {
-                let placement = Placement { entity: number, name: None, child, transform: Err(fault) };
+                let placement = Placement {
+                    entity: number,
+                    name: None,
+                    child,
+                    is_occurrence: false,
+                    transform: Err(fault),
+                };
                 self.placements.entry(assembly).or_default().push(placement);
             }
             _ => self.faults.push((number, fault)),

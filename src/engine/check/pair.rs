@@ -121,6 +121,10 @@ fn by_overlap(
             (PairState::Clash, None, Some(inside_both))
         }
         Ok(Overlap::Touching) => (PairState::Touching, None, None),
+        // The clearance is that of `below` but for the tolerance, unless a budget ended the search before.
+        Ok(Overlap::None) if matches!(stop, Stop::Converged | Stop::Precision) => {
+            or_undecided(OverlapUnknown::Precision)
+        }
         Ok(Overlap::None) => or_undecided(OverlapUnknown::Budget),
         // Without an inside of its own a body is inside the other one only if their boxes are, too.
         Err(why) if is_of_sheets(why) && interval.lower > limits.tolerance && !may_nest => or_undecided(why),

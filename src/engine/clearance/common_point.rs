@@ -5,7 +5,9 @@ use crate::bezier::Patch;
 use crate::bvh::Aabb;
 use crate::clearance::Nearest;
 use crate::engine::PreparedModel;
+use crate::rounding::upper_max;
 use crate::solid::Side;
+use crate::sorting::sort_by_number;
 use glam::DVec3;
 
 /// The distances along both parameters of a patch at which its points are tried, from those where
@@ -67,8 +69,9 @@ impl Solids<'_> {
         is_late: &dyn Fn() -> bool,
     ) -> CommonPoint {
         let Some(common) = self.common_box() else { return CommonPoint::NotFound };
-        let depths = || DEPTHS.map(|depth| depth * common.diagonal()).into_iter().chain([0.5 * tolerance]);
-        let steps: Vec<f64> = depths().flat_map(|depth| [depth, -depth]).collect();
+        let depths = DEPTHS.map(|depth| depth * common.diagonal());
+        let mut steps: Vec<f64> = depths.into_iter().chain([0.5 * tolerance]).collect();
+        sort_by_number(&mut steps, |step| -step);
         let behind = |points: Vec<BoundaryPoint>| {
             self.behind(points.into_iter().take_while(|_| !is_late()), &steps, &common)
         };
@@ -111,13 +114,33 @@ impl Solids<'_> {
         for BoundaryPoint { point, normal, is_of_a } in points {
             let other = if is_of_a { self.b.side_within(point, 0.0) } else { self.side_of_a(point) };
             let Some(normal) = normal.filter(|_| other != Side::Outside) else { continue };
-            let inner = steps.iter().map(|&step| point + step * normal);
-            let mut inner = inner.filter(|&point| common.min_distance_squared(point) == 0.0);
-            if let Some(found) = inner.find(|&point| self.common_side(point) == Side::Inside) {
-                return Some(found);
+            for side in [1.0, -1.0] {
+                let inner = steps.iter().map(|&step| point + side * step * normal);
+                let inner: Vec<DVec3> =
+                    inner.filter(|&point| common.min_distance_squared(point) == 0.0).collect();
+                if self.are_outside(&inner) {
+                    continue;
+                }
+                let found = inner.into_iter().find(|&point| self.common_side(point) == Side::Inside);
+                if found.is_some() {
+                    return found;
+                }
             }
         }
         None
+    }
+
+    /// Returns true only if these points, the first and the last of which have the others between them, are certainly
+    /// outside one of both: the first one is, and the segment between both is clear of its boundary.
+    fn are_outside(&self, points: &[DVec3]) -> bool {
+        let &[first, .., last] = points else { return points.is_empty() };
+        let of_b =
+            || self.b.side_within(first, 0.0) == Side::Outside && self.b.is_clear_between([first, last], 0.0);
+        of_b() || {
+            let error = self.transform.rounding(upper_max(first.length(), last.length()));
+            let own = [first, last].map(|point| self.transform.apply_inverse(point));
+            self.side_of_a(first) == Side::Outside && self.a.is_clear_between(own, error)
+        }
     }
 
     /// Returns points of both boundaries about the two nearest ones.

@@ -28,10 +28,15 @@ pub(super) struct Crossing {
 pub(super) fn crossings(triangles: &[SheetTriangle], tolerance: f64) -> Vec<Crossing> {
     let boxes: Vec<Aabb> =
         triangles.iter().map(|triangle| triangle.corners.into_iter().fold(Aabb::EMPTY, Aabb::with)).collect();
+    let normals: Vec<Option<DVec3>> = triangles.iter().map(normal).collect();
+    let sheet = |index: u32| {
+        let index = index as usize;
+        Some(Sheet { triangle: &triangles[index], normal: normals[index]? })
+    };
     let mut found = Vec::new();
     for_each_pair(&Bvh::new(&boxes), |a, b| {
-        let crossing = crossing(&triangles[a as usize], &triangles[b as usize]);
-        found.extend(crossing.filter(|crossing| crossing.depth > MIN_DEPTH * tolerance));
+        let Some(sheets) = sheet(a).zip(sheet(b)) else { return };
+        found.extend(crossing(sheets, MIN_DEPTH * tolerance));
     });
     found.sort_by(|a: &Crossing, b| b.depth.total_cmp(&a.depth));
     let mut counts: HashMap<[u32; 2], usize> = HashMap::new();
@@ -70,21 +75,47 @@ fn for_each_pair(tree: &Bvh, mut each: impl FnMut(u32, u32)) {
     }
 }
 
-/// Returns where two triangles cross, if each has corners on both sides of the other one.
-fn crossing(a: &SheetTriangle, b: &SheetTriangle) -> Option<Crossing> {
-    let [normal_a, normal_b] = [normal(a)?, normal(b)?];
-    let along = normal_a.cross(normal_b).try_normalize()?;
-    let of_a = cut(a, normal_b, b.corners[0], along)?;
-    let of_b = cut(b, normal_a, a.corners[0], along)?;
-    let [start, end] = [of_a.range[0].max(of_b.range[0]), of_a.range[1].min(of_b.range[1])];
-    let depth = (end - start).min(of_a.depth).min(of_b.depth);
+/// A triangle with its normal.
+#[derive(Clone, Copy)]
+struct Sheet<'a> {
+    triangle: &'a SheetTriangle,
+    normal: DVec3,
+}
+
+impl Sheet<'_> {
+    /// Returns the heights of the corners of another triangle above the plane of this one.
+    fn heights(&self, other: &Self) -> [f64; 3] {
+        other.triangle.corners.map(|corner| self.normal.dot(corner - self.triangle.corners[0]))
+    }
+}
+
+/// Returns where two triangles cross by more than a depth, if each has corners as far on both sides of the other one.
+fn crossing((a, b): (Sheet<'_>, Sheet<'_>), least: f64) -> Option<Crossing> {
+    // Most pairs are neighbours, and end here.
+    let heights_of_a = b.heights(&a);
+    let depth_of_a = depth(heights_of_a).filter(|&depth| depth > least)?;
+    let heights_of_b = a.heights(&b);
+    let depth_of_b = depth(heights_of_b).filter(|&depth| depth > least)?;
+    let along = a.normal.cross(b.normal).try_normalize()?;
+    let (point, of_a) = cut(a.triangle, heights_of_a, along)?;
+    let (_, of_b) = cut(b.triangle, heights_of_b, along)?;
+    let [start, end] = [of_a[0].max(of_b[0]), of_a[1].min(of_b[1])];
+    let depth = (end - start).min(depth_of_a).min(depth_of_b);
     let middle = 0.5 * (start + end);
-    (depth > 0.0).then_some(Crossing {
-        point: of_a.point + (middle - along.dot(of_a.point)) * along,
-        normals: [normal_a, normal_b],
-        surfaces: [a.surface, b.surface],
+    (depth > least).then_some(Crossing {
+        point: point + (middle - along.dot(point)) * along,
+        normals: [a.normal, b.normal],
+        surfaces: [a.triangle.surface, b.triangle.surface],
         depth,
     })
+}
+
+/// Returns the lesser of the largest heights on both sides of a plane, if both are positive.
+fn depth(heights: [f64; 3]) -> Option<f64> {
+    let above = heights.iter().fold(0.0, |most: f64, &height| most.max(height));
+    let below = heights.iter().fold(0.0, |most: f64, &height| most.max(-height));
+    let depth = above.min(below);
+    (depth > 0.0).then_some(depth)
 }
 
 fn normal(triangle: &SheetTriangle) -> Option<DVec3> {
@@ -92,23 +123,9 @@ fn normal(triangle: &SheetTriangle) -> Option<DVec3> {
     (b - a).cross(c - a).try_normalize()
 }
 
-/// The segment in which a plane cuts a triangle.
-struct Cut {
-    point: DVec3,
-    /// Its ends along a direction.
-    range: [f64; 2],
-    /// The lesser of the largest distances of corners from the plane on both sides.
-    depth: f64,
-}
-
-/// Returns the cut of a triangle by a plane through a point, with its ends along the direction of the cut.
-fn cut(triangle: &SheetTriangle, normal: DVec3, through: DVec3, along: DVec3) -> Option<Cut> {
-    let heights = triangle.corners.map(|corner| normal.dot(corner - through));
-    let depth = heights.iter().fold(0.0, |most: f64, &height| most.max(height));
-    let depth = depth.min(heights.iter().fold(0.0, |most: f64, &height| most.max(-height)));
-    if depth <= 0.0 {
-        return None;
-    }
+/// Returns the cut of a triangle by a plane above which its corners have these heights: a point, and the places of both
+/// ends along its direction.
+fn cut(triangle: &SheetTriangle, heights: [f64; 3], along: DVec3) -> Option<(DVec3, [f64; 2])> {
     let mut ends = (0..3).filter_map(|k| {
         let [from, to] = [k, (k + 1) % 3];
         let is_cut = (heights[from] < 0.0) != (heights[to] < 0.0);
@@ -117,7 +134,7 @@ fn cut(triangle: &SheetTriangle, normal: DVec3, through: DVec3, along: DVec3) ->
     });
     let [first, second] = [ends.next()?, ends.next()?];
     let [a, b] = [along.dot(first), along.dot(second)];
-    Some(Cut { point: first, range: [a.min(b), a.max(b)], depth })
+    Some((first, [a.min(b), a.max(b)]))
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]

@@ -87,6 +87,30 @@ fn concentric_spheres_are_their_radii_apart() {
     assert_clearance("off the origin", &other, &one, RigidTransform::IDENTITY, 0.25);
 }
 
+/// The lateral surface of a part of a cone about z whose half angle has the sine 0.6 and the cosine 0.8, of this radius
+/// at z = 0.
+fn lateral_of_cone(radius: f64, height: f64) -> Model {
+    let mut lateral = cylinder(1.0, height).unwrap().surfaces()[0].clone().into_arrays();
+    for [x, y, z, _] in &mut lateral.control_points {
+        let radius = radius + 0.75 * *z;
+        (*x, *y) = (*x * radius, *y * radius);
+    }
+    Model::from_arrays(None, vec![lateral]).unwrap()
+}
+
+/// Radii that differ by 0.225 at one height are 0.8 times that apart along the normal.
+#[test]
+fn coaxial_cones_of_one_angle_are_the_distance_of_their_lines_apart() {
+    let (outer, inner) = (lateral_of_cone(5.0, 6.0), lateral_of_cone(4.775, 2.0));
+    assert_clearance("a cone in a cone", &inner, &outer, pose([0.0, 0.0, 1.0], 0.9, [0.0; 3]), 0.18);
+    // Along the axis by the way that brings them into one, but for a ninth.
+    let along = pose([0.0, 0.0, 1.0], 0.9, [0.0, 0.0, -0.3 * 8.0 / 9.0]);
+    assert_clearance("along the axis", &inner, &outer, along, 0.02);
+    let bored = pose([0.3, -1.0, 0.4], 1.1, [5.0, -2.0, 1.0]);
+    let [inner, outer] = [&inner, &outer].map(|model| moved(model, &bored));
+    assert_clearance("turned cones", &inner, &outer, RigidTransform::IDENTITY, 0.18);
+}
+
 #[test]
 fn tori_about_one_circle_are_their_tubes_apart() {
     let (thick, thin) = (torus(2.0, 0.5).unwrap(), torus(2.0, 0.3).unwrap());

@@ -186,6 +186,25 @@ fn place(text: &mut StepText, [part, product]: [Id; 2], [whole, assembly]: [Id; 
     text.add(format!("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#{relation},#{shape})"));
 }
 
+/// Copies that lie on each other are two bodies, with names of their uses or without, and also where no use is moved.
+#[test]
+fn two_uses_of_a_product_at_one_place_are_two_bodies() {
+    for names in [["one", "other"], ["", ""]] {
+        for x in [0.0, 3.0] {
+            let mut text = StepText::new();
+            let part = part(&mut text, UnitsOf::Millimetres);
+            let bolt = [part, text.product("bolt", part)];
+            let context = text.context(UnitsOf::Millimetres);
+            let shape = text.representation(&[], context);
+            let whole = [shape, text.product("pair", shape)];
+            names.into_iter().for_each(|name| place(&mut text, bolt, whole, x, name));
+            let (model, report) = Model::from_step(text.text().as_bytes()).unwrap();
+            assert_eq!((model.faces().len(), report.faces), (12, 6), "{names:?} at {x}");
+            assert_bounds(&model, [[x, 0.0, 0.0], [x + 1.0, 2.0, 4.0]]);
+        }
+    }
+}
+
 /// A machine of two pumps, each of a housing and of bolts; the bolt's body has its product's name, and
 /// the housing's another one. The uses of the bolts have these names.
 fn of_two_levels(bolts: &[&str], bolt: &str) -> String {

@@ -118,22 +118,26 @@ impl<'a> Shapes<'a> {
         }
     }
 
-    /// Returns the use of a part at a place that may have a name and a colour.
+    /// Returns the use of a part at a place that may have a name and a colour, and may be an occurrence of its own.
     pub(super) fn place(
         &mut self,
         instance: u64,
         name: Option<String>,
         part: Use,
-        location: DAffine3,
+        (location, is_occurrence): (DAffine3, bool),
     ) -> Result<Use, FaceFault> {
-        let color = self.colors.get(&instance).copied();
-        if name.is_none() && color.is_none() {
-            return Ok(Use { location, ..part });
+        let mut part = part;
+        let is_named = name.is_some();
+        if is_named || is_occurrence {
+            part = used(self.push(ShapeKind::Place { name, is_occurrence }, vec![part])?, true);
         }
-        let kind = name.map_or(ShapeKind::Group(None), ShapeKind::Place);
-        let shape = self.push(kind, vec![part])?;
-        self.topology.colors.extend(color.map(|color| (shape, color)));
-        Ok(Use { location, ..used(shape, true) })
+        if let Some(&color) = self.colors.get(&instance) {
+            if !is_named {
+                part = used(self.push(ShapeKind::Group(None), vec![part])?, true);
+            }
+            self.topology.colors.insert(part.shape, color);
+        }
+        Ok(Use { location, ..part })
     }
 
     fn scale(&self) -> Scale {

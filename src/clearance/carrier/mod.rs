@@ -1,7 +1,12 @@
-//! Spheres, cylinders and tori that patches lie on.
+//! Spheres, cylinders, cones and tori that patches lie on.
 
-use super::curvature::{Curvature, circle};
-use super::distances::{Distances, across};
+mod cone;
+mod curvature;
+mod distances;
+
+use self::cone::Cone;
+use self::curvature::{Curvature, circle};
+use self::distances::{Distances, across, along, lowest};
 use crate::bezier::Jet;
 use crate::rounding::{gamma, upper_max};
 use glam::DVec3;
@@ -20,13 +25,15 @@ const PLACES: [[f64; 2]; 3] = [[0.0, 0.0], [0.5, 0.5], [1.0, 1.0]];
 /// docs/clearance.md.
 const SEPARATION_ROUNDINGS: f64 = 64.0;
 
-/// A point, a line or a circle from which all points of a patch are about equally far.
+/// A point, a line or a circle from which all points of a patch are about equally far, or a cone above which they have
+/// about the height 0.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Carrier {
-    /// The point, a point of the line, or the circle's centre.
+    /// The point, a point of the line, the circle's centre, or the apex.
     center: DVec3,
     kind: Kind,
-    /// Bounds on the distances of the patch's points from the point, the line or the circle.
+    /// Bounds on the distances of the patch's points from the point, the line or the circle, or on their heights above
+    /// the cone.
     range: [f64; 2],
     /// An upper bound on their distances from `center`.
     reach: f64,
@@ -39,11 +46,12 @@ enum Kind {
     Line(DVec3),
     /// About an axis of length 1, of this radius.
     Circle(DVec3, f64),
+    Cone(Cone),
 }
 
 impl Carrier {
     /// Returns the sphere or the cylinder that has the curvature of a patch in its middle, or the torus
-    /// through its centres of curvature, if all of the patch lies near it. `jet` returns the patch's
+    /// or the cone through its centres of curvature, if all of the patch lies near it. `jet` returns the patch's
     /// derivatives. O(p² q²).
     pub(super) fn of(
         jet: impl Fn([f64; 2]) -> Jet,
@@ -52,40 +60,66 @@ impl Carrier {
         weights: &[f64],
     ) -> Option<Self> {
         let middle = jet([0.5; 2]);
-        let Curvature { normal, values: [less, more], directions: [along, _] } = Curvature::of(&middle)?;
-        let (center, kind) = if less.abs() <= CURVATURE_RATIO * more.abs() {
-            (middle.point + normal / more, Kind::Line(along))
-        } else if (more - less).abs() <= CURVATURE_RATIO * more.abs() {
-            (middle.point + normal / (0.5 * (less + more)), Kind::Point)
-        } else {
-            let [a, b, c] = PLACES.map(|at| Curvature::of(&jet(at)).map(|found| found.center(jet(at).point)));
-            let (center, axis, radius) = circle([a?, b?, c?])?;
-            (center, Kind::Circle(axis, radius))
-        };
+        let curvature = Curvature::of(&middle)?;
+        let Curvature { normal, values: [less, more], directions: [along, _] } = curvature;
+        let near =
+            |center: DVec3, kind: Kind| Self::near(center, kind, middle.point, degree, points, weights);
+        if less.abs() <= CURVATURE_RATIO * more.abs() {
+            let cylinder = near(middle.point + normal / more, Kind::Line(along));
+            return cylinder.or_else(|| {
+                let (apex, cone) = Cone::of(jet, &curvature, middle.point, along)?;
+                near(apex, Kind::Cone(cone))
+            });
+        }
+        if (more - less).abs() <= CURVATURE_RATIO * more.abs() {
+            return near(middle.point + normal / (0.5 * (less + more)), Kind::Point);
+        }
+        let [a, b, c] = PLACES.map(|at| Curvature::of(&jet(at)).map(|found| found.center(jet(at).point)));
+        let (center, axis, radius) = circle([a?, b?, c?])?;
+        near(center, Kind::Circle(axis, radius))
+    }
+
+    /// Returns the carrier if all of a patch, with this point in its middle, lies near it.
+    fn near(
+        center: DVec3,
+        kind: Kind,
+        middle: DVec3,
+        degree: [usize; 2],
+        points: &[DVec3],
+        weights: &[f64],
+    ) -> Option<Self> {
         let offsets: Vec<DVec3> = points.iter().map(|&point| point - center).collect();
         let reach = offsets.iter().map(|offset| offset.length()).fold(0.0, upper_max);
-        let from_center = || Distances::new(degree, &offsets, weights, reach);
-        let from_axis = |axis| Distances::new(degree, &across(&offsets, axis), weights, reach);
+        let of = |offsets: &[DVec3]| Distances::new(degree, offsets, weights, reach);
+        let from_axis = |axis| of(&across(&offsets, axis));
         let range = match kind {
-            Kind::Point => from_center().range(),
+            Kind::Point => of(&offsets).range(),
             Kind::Line(axis) => from_axis(axis).range(),
             Kind::Circle(axis, radius) => {
-                let offset = middle.point - center;
+                let offset = middle - center;
                 let up = axis.dot(offset);
                 let near = up.hypot((offset - up * axis).length() - radius);
-                from_center().range_from_circle(&from_axis(axis), radius, near)?
+                of(&offsets).range_from_circle(&from_axis(axis), radius, near)?
+            }
+            Kind::Cone(Cone { axis, cos, sin }) => {
+                let heights = along(&offsets, axis);
+                from_axis(axis).range_from_cone(&of(&heights), lowest(&heights), [cos, sin])
             }
         };
+        let size = match kind {
+            Kind::Cone(_) => reach,
+            _ => range[1],
+        };
         // A plane's range is all numbers: its center is infinitely far.
-        let is_near = range[1] - range[0] < MAX_SPREAD * range[1];
+        let is_near = range[1] - range[0] < MAX_SPREAD * size;
         is_near.then_some(Self { center, kind, range, reach })
     }
 
     /// Returns a lower bound on the distance of two patches, 0 where none is known.
     ///
-    /// Guarantee (lemma C3 of docs/clearance.md): the distance f from a point, a line or a circle
-    /// changes by at most |x - y| between x and y, so that |x - y| is at least the least f of one patch
-    /// less the largest of the other; with a carrier each, f of the second differs by at most a shift.
+    /// Guarantee (lemmas C3 and C6 of docs/clearance.md): the distance f from a point, a line or a circle, or the height
+    /// above a cone, changes by at most |x - y| between x and y, so that |x - y| is at least the least f of one patch
+    /// less the largest of the other; with a carrier each, f of the second is larger by at most a shift.
     pub(super) fn separation(&self, other: &Self) -> f64 {
         let [Some(of_other), Some(of_self)] = [other.shift(self), self.shift(other)] else { return 0.0 };
         let rounding =
@@ -97,7 +131,7 @@ impl Carrier {
         if larger > rounding { larger - rounding } else { 0.0 }
     }
 
-    /// Returns an upper bound on the difference of a point's distances from both carriers, for the
+    /// Returns an upper bound on a point's distance from the other carrier less that from this one, for the
     /// points of this patch; `None` for carriers of two kinds.
     fn shift(&self, other: &Self) -> Option<f64> {
         let between = self.center - other.center;
@@ -110,6 +144,7 @@ impl Carrier {
                 let tilt = if one.dot(two) < 0.0 { one + two } else { one - two };
                 Some(between.length() + (radius - other_radius).abs() + radius * tilt.length())
             }
+            (Kind::Cone(one), Kind::Cone(two)) => Some(one.shift(&two, between, self.reach)),
             _ => None,
         }
     }
@@ -284,6 +319,64 @@ mod tests {
         let truth = 0.25 - 3.0 * 1e-3;
         for bound in [tilted.separation(&outer), outer.separation(&tilted)] {
             assert!(bound <= truth + 1e-5 && bound > truth - 1e-3, "{bound} for {truth}");
+        }
+    }
+
+    /// A quarter of a nappe about z with its apex at 0, between two heights, moved.
+    fn cone(tangent: f64, heights: [f64; 2], place: impl Fn(DVec3) -> DVec3) -> Carrier {
+        let at = |height: f64| {
+            quarter(tangent * height).map(|(point, weight)| (place(point + height * DVec3::Z), weight))
+        };
+        let net: Vec<(DVec3, f64)> = heights.map(at).concat();
+        carrier([1, 2], &net).unwrap_or_else(|| unreachable!("it lies on a cone"))
+    }
+
+    /// The lines of coaxial cones of a half angle with the sine 0.6 are 0.6 times the way along the axis apart.
+    #[test]
+    fn coaxial_cones_are_the_distance_of_their_lines_apart() {
+        let outer = cone(0.75, [1.0, 3.0], turned);
+        let up = |way: f64| cone(0.75, [0.5, 2.0], move |point| turned(point + way * DVec3::Z));
+        for way in [0.25, -0.25] {
+            assert_attained(up(way).separation(&outer), 0.15);
+            assert_attained(outer.separation(&up(way)), 0.15);
+        }
+        // Moved across the axis, outwards from its middle and back, it is nearer by the cosine times the way.
+        let across = |point: DVec3| turned(point - 0.3 * DVec3::Z + 0.1 * DVec3::new(0.6, 0.8, 0.0));
+        let moved = cone(0.75, [0.5, 2.0], across);
+        let truth = 0.6 * 0.3 - 0.8 * 0.1;
+        for bound in [moved.separation(&outer), outer.separation(&moved)] {
+            assert!(bound <= truth + 1e-12 && bound > truth - 1e-9, "{bound} for {truth}");
+        }
+        assert_eq!(cylinder(1.5, turned).separation(&outer), 0.0, "of another kind");
+    }
+
+    /// The apex itself has no normal and no divisor; heights above its cone are bounded by a root.
+    #[test]
+    fn cones_with_their_apex_are_as_far_apart_but_for_the_root_of_rounding() {
+        let whole = |way: f64| cone(0.75, [0.0, 2.0], move |point| turned(point + way * DVec3::Z));
+        let found = whole(0.25).separation(&whole(0.0));
+        assert!(found <= 0.15 && 0.15 - found < 1e-6, "{found}");
+    }
+
+    /// A cone that is opened by an angle, of two cones with one apex, comes nearer by that angle at its end, and one
+    /// that is tilted by it too.
+    #[test]
+    fn other_angles_and_tilts_lessen_the_bound() {
+        let outer = cone(0.75, [1.0, 3.0], turned);
+        let below = |point: DVec3| turned(point - 0.5 * DVec3::Z);
+        let least = |truth: f64, bound: f64, slack: f64| {
+            assert!(bound <= truth + 1e-12 && bound > truth - slack, "{bound} for {truth}");
+        };
+        // At heights h from 1 to 2 its radius is 0.76 h, 0.3 + 0.008 h above the other cone.
+        let opened = cone(0.76, [1.0, 2.0], below);
+        least(0.308, opened.separation(&outer), 0.05);
+        least(0.308, outer.separation(&opened), 0.05);
+        let tilt = DQuat::from_axis_angle(DVec3::new(1.0, -1.0, 0.0).normalize(), 1e-3);
+        let tilted = cone(0.75, [0.5, 2.0], |point| below(tilt * point));
+        // The line in the middle plane, 2.5 long, turns inwards.
+        let truth = 0.3 - 2.5 * 1e-3_f64.sin();
+        for bound in [tilted.separation(&outer), outer.separation(&tilted)] {
+            least(truth, bound, 5e-3);
         }
     }
 

@@ -1,4 +1,4 @@
-//! Ranges of the distances of a patch from a point, a line or a circle.
+//! Ranges of the distances of a patch from a point, a line or a circle, and of its heights above a cone.
 
 use crate::bezier::binomials;
 use crate::rounding::{gamma, lower_min, upper_max};
@@ -9,6 +9,9 @@ const SQUARE_ROUNDINGS: f64 = 48.0;
 
 /// The roundings of the polynomial of a torus, for each control point and besides: lemma C5.
 const TORUS_ROUNDINGS: [f64; 2] = [32.0, 512.0];
+
+/// The roundings of the polynomial of a cone, for each control point and besides: lemma C6.
+const CONE_ROUNDINGS: [f64; 2] = [2.0, 64.0];
 
 /// The squared lengths of the points of a patch as a quotient of two polynomials.
 pub(super) struct Distances {
@@ -93,6 +96,45 @@ impl Distances {
     }
 }
 
+impl Distances {
+    /// Returns bounds on the heights cos ρ - sin z above a cone, for the distances ρ from its axis and those along it,
+    /// `heights`, which are at least `lowest`; `part` has the cosine and the sine of the cone's half angle.
+    ///
+    /// Guarantee (lemma C6): their product with cos ρ + sin z is cos² ρ² - sin² z².
+    pub(super) fn range_from_cone(&self, heights: &Self, lowest: f64, [cos, sin]: [f64; 2]) -> [f64; 2] {
+        let [least, largest] = extremes(
+            self.sums
+                .iter()
+                .zip(&heights.sums)
+                .map(|(from_axis, along)| (cos * cos * from_axis[0] - sin * sin * along[0]) / from_axis[1]),
+        );
+        let error =
+            gamma(CONE_ROUNDINGS[0] * self.controls as f64 + CONE_ROUNDINGS[1]) * self.reach * self.reach;
+        let [below, above] = [error - least, largest + error].map(|bound| upper_max(0.0, bound));
+        let rounding = gamma(CONE_ROUNDINGS[1]) * self.reach;
+        let lowest = sin * lowest - rounding;
+        let divisor = cos * self.range()[0] + lowest - rounding;
+        // Near the apex, where the divisor vanishes, heights are at most the root of the product.
+        let behind = if lowest < 0.0 { -2.0 * lowest } else { 0.0 };
+        let bound = |product: f64| {
+            let by_root = product.sqrt() + behind;
+            let by_divisor = product / divisor;
+            if divisor > 0.0 && by_divisor < by_root { by_divisor } else { by_root }
+        };
+        [-bound(below) - rounding, bound(above) + rounding]
+    }
+}
+
+/// Returns the parts of the vectors along a direction, as x.
+pub(super) fn along(offsets: &[DVec3], direction: DVec3) -> Vec<DVec3> {
+    offsets.iter().map(|offset| DVec3::new(direction.dot(*offset), 0.0, 0.0)).collect()
+}
+
+/// Returns the least x; NaN bounds nothing.
+pub(super) fn lowest(offsets: &[DVec3]) -> f64 {
+    offsets.iter().map(|offset| offset.x).fold(f64::INFINITY, lower_min)
+}
+
 /// Returns the least and the largest of some bounds; NaN bounds nothing.
 fn extremes(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
     [values.clone().fold(f64::INFINITY, lower_min), values.fold(f64::NEG_INFINITY, upper_max)]
@@ -140,5 +182,29 @@ mod tests {
             let is_attained = |error: f64| (0.99 * rounding..1.01 * rounding).contains(&error);
             assert!(near != 1.0 || (is_attained(1.0 - low) && is_attained(high - 1.0)), "{low} {high}");
         }
+    }
+
+    /// A patch that is one point 3 across and 4 along the axis, 0.6 · 3 - 0.8 · 4 above a cone, of whose product with
+    /// 0.6 · 3 + 0.8 · 4 the bounds differ by the roundings of lemma C6.
+    #[test]
+    fn the_height_above_a_cone_is_between_its_bounds() {
+        let of = |x: f64| Distances::new([1, 1], &[x * DVec3::X; 4], &[1.0; 4], 5.0);
+        let [low, high] = of(3.0).range_from_cone(&of(4.0), 4.0, [0.6, 0.8]);
+        assert!(low <= -1.4 && high >= 0.0 && low > -1.4 - 1e-12, "{low} {high}");
+        let [low, high] = of(3.0).range_from_cone(&of(4.0), 4.0, [0.8, 0.6]);
+        let error = gamma(2.0 * 4.0 + 64.0) * 25.0 / 4.8 + gamma(64.0) * 5.0;
+        let is_attained = |found: f64| (0.99 * error..1.5 * error).contains(&found);
+        assert!(is_attained(-low) && is_attained(high), "{low:e} {high:e} for {error:e}");
+    }
+
+    /// Before the apex, by 0.5, heights are bounded by the way to it.
+    #[test]
+    fn heights_behind_the_apex_of_a_cone_are_bounded() {
+        let of = |x: f64| Distances::new([1, 1], &[x * DVec3::X; 4], &[1.0; 4], 5.0);
+        // On the other nappe: 0.8 · 3 + 0.6 · 4 above this one.
+        let [low, high] = of(3.0).range_from_cone(&of(-4.0), -4.0, [0.8, 0.6]);
+        assert!(low <= 4.8 && 4.8 <= high && high < 4.8 + 1e-6, "{low} {high}");
+        let none = of(3.0).range_from_cone(&of(f64::NAN), f64::NAN, [0.8, 0.6]);
+        assert!(none[0] == f64::NEG_INFINITY && none[1] == f64::INFINITY, "{none:?}");
     }
 }
