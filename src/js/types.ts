@@ -79,6 +79,7 @@ export type {
   AtThreshold,
   Difference,
   FaceCounts,
+  EdgeLengths,
   HausdorffScore,
   Placement,
   Requirement,
