@@ -21,7 +21,7 @@ use crate::rounding::gamma;
 use crate::sorting::ordered_by;
 use cell::Cell;
 use density::Density;
-pub(crate) use normal_cone::normal_cone;
+pub(crate) use normal_cone::{is_to_side, normal_cone};
 use serde::Serialize;
 use std::collections::BinaryHeap;
 use std::ops::Add;

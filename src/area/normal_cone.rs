@@ -6,6 +6,15 @@ use crate::param_box::ParamBox;
 use crate::rounding::gamma;
 use glam::DVec3;
 
+/// Returns whether the mean of the normals of a patch is to the side of a vector; `None` where that is not shown. O(degree³).
+pub(crate) fn is_to_side(patch: &Patch<'_>, side: DVec3) -> Option<bool> {
+    let series = Density::new(patch).series(ParamBox::UNIT);
+    let level = series.numerator.first()?.dot(side);
+    let rounding =
+        (series.rounding + gamma(SUM_ROUNDINGS) * series.numerator.first()?.length()) * side.length();
+    (level.abs() > rounding).then_some(level > 0.0)
+}
+
 /// The roundings of the sums over coefficients, relative to the sum of their lengths.
 const SUM_ROUNDINGS: f64 = 16.0;
 

@@ -21,19 +21,22 @@ pub(crate) struct FeatureEdges<'a> {
     angle: f64,
     /// The error of control points.
     error: f64,
+    /// The length up to which a part of an edge at a point without a normal is none.
+    least: f64,
 }
 
 impl<'a> FeatureEdges<'a> {
     /// Finds the edges that may be features, at which the faces turn by more than `angle` radians. `error` bounds the
-    /// errors of their control points. O(n log n).
+    /// errors of their control points; a part of an edge next to a point without a normal is none if it is at most `least`
+    /// long. O(n log n).
     pub(crate) fn new(
         faces: Faces<'a>,
         edges: Vec<JoinedArc>,
         transform: RigidTransform,
-        [angle, error]: [f64; 2],
+        [angle, error, least]: [f64; 3],
     ) -> Self {
-        let mut found =
-            Self { faces, edges, pieces: Vec::new(), tree: Bvh::new(&[]), transform, angle, error };
+        let (pieces, tree) = (Vec::new(), Bvh::new(&[]));
+        let mut found = Self { faces, edges, pieces, tree, transform, angle, error, least };
         let whole = |index: usize| {
             let curve = found.edges[index].one.curve.clone();
             found.piece((index as u32, curve, [0.0, 1.0], 0))
@@ -49,7 +52,13 @@ impl<'a> FeatureEdges<'a> {
         let edge = &self.edges[of.0 as usize];
         let part = ArcPart { curve: &of.1, range: of.2 };
         let sharpness = sharpness(self.faces, edge, &part, self.angle);
-        Piece::new(of, sharpness, &self.transform, self.error)
+        let piece = Piece::new(of, sharpness, &self.transform, self.error);
+        match sharpness {
+            Sharpness::NoNormal if piece.length.upper <= self.least => {
+                Piece { sharpness: Sharpness::Smooth, ..piece }
+            }
+            _ => piece,
+        }
     }
 
     /// Returns the whole edges.

@@ -31,7 +31,8 @@ impl Faces<'_> {
                     Axis::U => ParamBox::new(fixed, [low, high]),
                     Axis::V => ParamBox::new([low, high], fixed),
                 };
-                NormalCone::of_part(&patches.patch(index as usize), part)
+                let patch = patches.patch(index as usize);
+                NormalCone::of_sided_plane(&patch).or_else(|| NormalCone::of_part(&patch, part))
             }
             Self::Triangles(facets, error) => match facets.facet(arc.place.index) {
                 Facet::Triangle(corners) => NormalCone::of_triangle(corners, error),

@@ -59,12 +59,6 @@ impl Piece {
         Self { edge, curve, range, depth, sharpness, length, points, aabb, middle, radius, off, halves }
     }
 
-    pub(crate) fn debug(&self) -> String {
-        format!(
-            "edge {} range {:?} {:?} off {:e} r {:e} points {:?}",
-            self.edge, self.range, self.sharpness, self.off, self.radius, self.points
-        )
-    }
     /// Returns the length.
     pub(crate) fn length(&self) -> Interval {
         self.length

@@ -6,7 +6,6 @@ use crate::bvh::Aabb;
 use crate::normals::NormalCone;
 use crate::rounding::gamma;
 use crate::solid::{Arc, Curve, JoinedArc};
-use std::f64::consts::PI;
 
 /// The roundings of distances, relative to the largest length.
 const DISTANCE_ROUNDINGS: f64 = 64.0;
@@ -23,6 +22,8 @@ pub(crate) enum Sharpness {
     Smooth,
     /// Neither is shown.
     Open,
+    /// Neither is shown, as there may be a point without a normal.
+    NoNormal,
 }
 
 /// A part of an arc: the curve, and the fractions of its ends.
@@ -34,13 +35,13 @@ pub(super) struct ArcPart<'a> {
 /// Returns what is known of a part of an edge (lemma E1 of docs/score.md).
 pub(super) fn sharpness(faces: Faces<'_>, edge: &JoinedArc, part: &ArcPart<'_>, angle: f64) -> Sharpness {
     let Some(other) = &edge.other else { return Sharpness::Sharp };
-    let Some(cone) = faces.cone(&edge.one, part.range) else { return Sharpness::Open };
+    let Some(cone) = faces.cone(&edge.one, part.range) else { return Sharpness::NoNormal };
     let (aabb, middle, radius) = hull(part.curve);
     let length = aabb.farthest_from_origin();
     let (_, distance) = other.curve.closest(middle);
     let reach = (distance + radius) * (1.0 + gamma(DISTANCE_ROUNDINGS)) + gamma(DISTANCE_ROUNDINGS) * length;
     let near = Near { faces, other, aabb, radius, reach, cone, is_turned: edge.is_turned };
-    let [least, most] = near.turns(&other.curve, [0.0, 1.0], 0);
+    let Some([least, most]) = near.turns(&other.curve, [0.0, 1.0], 0) else { return Sharpness::NoNormal };
     if least > angle {
         Sharpness::Sharp
     } else if most <= angle {
@@ -63,26 +64,24 @@ struct Near<'a> {
 }
 
 impl Near<'_> {
-    /// Returns bounds on the angles between the normals of the part and those of the parts of the arc within reach.
-    fn turns(&self, curve: &Curve, range: [f64; 2], depth: u32) -> [f64; 2] {
+    /// Returns bounds on the angles between the normals of the part and those of the parts of the arc within reach; `None`
+    /// where there may be no normal.
+    fn turns(&self, curve: &Curve, range: [f64; 2], depth: u32) -> Option<[f64; 2]> {
         let (aabb, _, radius) = hull(curve);
         if distance_to_box(&self.aabb, &aabb) > self.reach {
-            return [f64::INFINITY, f64::NEG_INFINITY];
+            return Some([f64::INFINITY, f64::NEG_INFINITY]);
         }
         if radius > self.radius && depth < MAX_HALVINGS {
             let [low, high] = curve.split(0.5);
             let middle = 0.5 * (range[0] + range[1]);
             let [one, other] = [
-                self.turns(&low, [range[0], middle], depth + 1),
-                self.turns(&high, [middle, range[1]], depth + 1),
+                self.turns(&low, [range[0], middle], depth + 1)?,
+                self.turns(&high, [middle, range[1]], depth + 1)?,
             ];
             let least = if one[0] < other[0] { one[0] } else { other[0] };
             let most = if one[1] > other[1] { one[1] } else { other[1] };
-            return [least, most];
+            return Some([least, most]);
         }
-        match self.faces.cone(self.other, range) {
-            Some(other) => self.cone.turns(&other, self.is_turned),
-            None => [0.0, PI],
-        }
+        Some(self.cone.turns(&self.faces.cone(self.other, range)?, self.is_turned))
     }
 }

@@ -78,8 +78,8 @@ export type {
 export type {
   AtThreshold,
   Difference,
-  FaceCounts,
   EdgeLengths,
+  FaceCounts,
   HausdorffScore,
   Placement,
   Requirement,

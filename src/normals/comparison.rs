@@ -1,8 +1,9 @@
 //! Whether the points of a part of A have like counterparts in B.
 
-use super::target::{Node, gap_squared};
+use super::target::Node;
 use super::{NormalCone, NormalTarget, Shape};
 use crate::rounding::gamma;
+use glam::DVec3;
 
 /// The roundings of distances of points and of boxes, relative to the largest length, besides those that the caller
 /// states.
@@ -84,7 +85,7 @@ impl<'a> Likenesses<'a> {
             };
             all = match (self.target.root(place), self.target.triangle(place)) {
                 (Some(root), _) => self.node_is_alike(shape, root, reach, &mut is_alike),
-                (None, Some(triangle)) => is_beyond(shape, &triangle, reach) || is_alike(&triangle),
+                (None, Some(triangle)) => shape.is_beyond(&triangle, reach) || is_alike(&triangle),
                 (None, None) => false,
             };
             all &= visits < MAX_VISITS;
@@ -101,7 +102,7 @@ impl<'a> Likenesses<'a> {
         reach: f64,
         is_alike: &mut dyn FnMut(&Shape) -> bool,
     ) -> bool {
-        if is_beyond(shape, &node.shape, reach) || is_alike(&node.shape) {
+        if shape.is_beyond(&node.shape, reach) || is_alike(&node.shape) {
             return true;
         }
         if node.shape.radius <= HALVED_RATIO * shape.radius {
@@ -124,7 +125,7 @@ impl<'a> Likenesses<'a> {
                     let of = self.compared(shape, cone, &triangle, reach);
                     looked.is_open |= of != Likeness::Unlike;
                     of == Likeness::Alike
-                        && self.is_in_reach(shape, || self.target.distance_squared_of(place, shape.middle))
+                        && self.is_in_reach(shape, |point| self.target.distance_squared_of(place, point))
                 }
                 (None, None) => false,
             };
@@ -145,7 +146,11 @@ impl<'a> Likenesses<'a> {
             Likeness::Unlike => false,
             Likeness::Alike => {
                 looked.is_open = true;
-                self.is_in_reach(shape, || self.target.distance_squared(node, shape.middle))
+                // A point of it within reach of all of the part is within reach of its middle.
+                let reach = self.threshold * self.threshold;
+                let may_be = node.shape.aabb.min_distance_squared(shape.middle) <= reach;
+                let near = may_be.then(|| self.target.near_point(node, shape.middle)).flatten();
+                near.is_some_and(|near| self.is_in_reach(shape, |point| near.distance_squared(point)))
             }
             Likeness::Open => {
                 let is_large = node.shape.radius > HALVED_RATIO * shape.radius;
@@ -163,7 +168,7 @@ impl<'a> Likenesses<'a> {
 
     /// Compares the normals of two parts, and returns that they are unlike where they are out of reach of each other.
     fn compared(&self, shape: &Shape, cone: &NormalCone, other: &Shape, reach: f64) -> Likeness {
-        if is_beyond(shape, other, reach) {
+        if shape.is_beyond(other, reach) {
             return Likeness::Unlike;
         }
         let Some(of_other) = &other.cone else { return Likeness::Open };
@@ -177,14 +182,12 @@ impl<'a> Likenesses<'a> {
         }
     }
 
-    /// Returns whether all points of a part are within the threshold of a point at this squared distance of its middle.
-    fn is_in_reach(&self, shape: &Shape, distance_squared: impl FnOnce() -> f64) -> bool {
-        let left = self.threshold - self.slack - shape.radius;
-        left > 0.0 && distance_squared() <= left * left * (1.0 - gamma(DISTANCE_ROUNDINGS))
+    /// Returns whether all points of a part are within the threshold of a convex set, by the squared distance from it.
+    fn is_in_reach(&self, shape: &Shape, distance_squared: impl Fn(DVec3) -> f64) -> bool {
+        let left = self.threshold - self.slack;
+        let permitted = left * left * (1.0 - gamma(DISTANCE_ROUNDINGS));
+        left > 0.0
+            && distance_squared(shape.middle) <= permitted
+            && shape.largest(distance_squared) <= permitted
     }
-}
-
-/// Returns whether the boxes of two parts are farther from each other than `reach`.
-fn is_beyond(shape: &Shape, other: &Shape, reach: f64) -> bool {
-    gap_squared(&shape.aabb, &other.aabb) > reach * reach
 }

@@ -1,6 +1,6 @@
 //! Cones about normals, and the angles between them.
 
-use crate::area::normal_cone;
+use crate::area::{is_to_side, normal_cone};
 use crate::bezier::Patch;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
@@ -96,6 +96,13 @@ impl NormalCone {
 
 /// Angles between normals with their sides.
 impl NormalCone {
+    /// As [`Self::of_plane`], to the side of the patch's normals: a plane patch has them to one side, that of their mean.
+    pub(crate) fn of_sided_plane(patch: &Patch<'_>) -> Option<Self> {
+        let plane = Self::of_plane(patch)?;
+        let axis = if is_to_side(patch, plane.axis)? { plane.axis } else { -plane.axis };
+        Some(Self { axis, ..plane })
+    }
+
     /// Returns bounds on the angle, in radians from 0 to π, between every normal of this cone and every one of the other
     /// one, which is turned over if it is to the other side.
     pub(crate) fn turns(&self, other: &Self, is_turned: bool) -> [f64; 2] {

@@ -20,7 +20,7 @@ const NEWTON_STEPS: u32 = 6;
 /// A part of a patch of B.
 #[derive(Debug)]
 pub(crate) struct Node {
-    pub(super) patch: u32,
+    patch: u32,
     part: ParamBox,
     depth: u32,
     pub(super) shape: Shape,
@@ -96,7 +96,7 @@ impl<'a> NormalTarget<'a> {
     pub(super) fn triangle(&self, place: u32) -> Option<Shape> {
         let Self::Triangles { facets, error } = self else { return None };
         let Facet::Triangle(corners) = facets.facet(place) else { return None };
-        Some(Shape::of_points(corners.into_iter(), NormalCone::of_triangle(corners, *error)))
+        Some(Shape::of_points(corners.to_vec(), NormalCone::of_triangle(corners, *error)))
     }
 
     /// Returns a whole patch; `None` of a triangle.
@@ -117,19 +117,16 @@ impl<'a> NormalTarget<'a> {
         node.halves.get_or_init(halves).as_deref()
     }
 
-    /// Returns the squared distance of a point from some point of a part of a patch, a near one.
-    pub(super) fn distance_squared(&self, node: &Node, point: DVec3) -> f64 {
-        let Self::Patches { target, .. } = self else { return f64::INFINITY };
+    /// Returns some point of a part of a patch, one near to a point.
+    pub(super) fn near_point(&self, node: &Node, point: DVec3) -> Option<DVec3> {
+        let Self::Patches { target, .. } = self else { return None };
         let patch = target.patches.patch(node.patch as usize);
         let foot = newton(&patch, point, node.part.middle(), NEWTON_STEPS);
-        if node.part.contains(foot.parameters) {
-            return foot.distance_squared;
-        }
         let within = [0, 1].map(|axis| {
             let [low, high] = node.part[axis];
             foot.parameters[axis].clamp(low, high)
         });
-        patch.point(within).distance_squared(point)
+        Some(patch.point(within))
     }
 
     /// Returns the squared distance of a point from a triangle.
@@ -155,6 +152,6 @@ impl Node {
 }
 
 /// Returns the squared distance of two boxes, 0 where they meet.
-pub(super) fn gap_squared(one: &Aabb, other: &Aabb) -> f64 {
+fn gap_squared(one: &Aabb, other: &Aabb) -> f64 {
     (one.min - other.max).max(other.min - one.max).max(DVec3::ZERO).length_squared()
 }

@@ -110,7 +110,7 @@ impl Cover for Parts<'_> {
         match (self.part_of(part), source) {
             (PartOf::Triangle(place, corners), Source::Facets { facets, error }) => {
                 let cone = cone_of_triangle(facets, place, error).map(|cone| cone.moved(transform));
-                Shape::of_points(corners.into_iter(), cone)
+                Shape::of_points(corners.to_vec(), cone)
             }
             (PartOf::Patch(patch, range), Source::Patches { patches, .. }) => {
                 Shape::of_part(&patches.patch(patch as usize), range, Some(transform))

@@ -52,7 +52,10 @@ test("a deeper box has the distances of the formula", async () => {
   await assert.rejects(hd.score(deep, truth, { atLeast: { f2: 1 } }), code);
   await assert.rejects(hd.score(deep, truth, { threshold: 1 }), code);
   await assert.rejects(hd.score(deep, truth, { normalAngle: 91 }), withCode("OPTION_OUT_OF_RANGE"));
-  await assert.rejects(hd.score(deep, truth, { featureAngle: -1 }), withCode("OPTION_OUT_OF_RANGE"));
+  await assert.rejects(
+    hd.score(deep, truth, { featureAngle: -1 }),
+    withCode("OPTION_OUT_OF_RANGE"),
+  );
 });
 
 test("a worker scores, too", async () => {

@@ -46,7 +46,7 @@ pub(super) struct MatchedEdges {
 pub(super) fn feature_edges(
     model: &PreparedModel,
     transform: RigidTransform,
-    angle: f64,
+    [angle, least]: [f64; 2],
 ) -> Option<FeatureEdges<'_>> {
     if model.is_cloud() {
         return None;
@@ -67,7 +67,7 @@ pub(super) fn feature_edges(
         _ => [DVec3::NAN; 3],
     };
     let joined = joined_arcs(edges, &corners, &model.control_box(), model.gap());
-    Some(FeatureEdges::new(faces, joined, transform, [angle, error.after(0)]))
+    Some(FeatureEdges::new(faces, joined, transform, [angle, error.after(0), least]))
 }
 
 /// Returns the part of the feature edges of one model with counterparts among those of another one. For edges that count
@@ -121,7 +121,7 @@ impl<'a> Search<'a> {
         match piece.sharpness() {
             Sharpness::Smooth => None,
             // Whether it counts is not known.
-            Sharpness::Open => Some((piece, Likeness::Open)),
+            Sharpness::Open | Sharpness::NoNormal => Some((piece, Likeness::Open)),
             Sharpness::Sharp => Some((piece, self.counterparts.of(piece))),
         }
     }
@@ -146,22 +146,6 @@ impl<'a> Search<'a> {
             // Where nothing is known to be a feature yet, that it is none is looked for.
             let permitted = tolerance * length.lower;
             let is_over = is_over(self.started, self.asked.max_seconds) || self.counterparts.is_hopeless();
-            if std::env::var("NH_DEBUG").is_ok() {
-                let n = |l: Likeness, s: Sharpness| {
-                    pieces.iter().filter(|(p, k)| *k == l && p.sharpness() == s).count()
-                };
-                eprintln!(
-                    "{} part {part:?} length {length:?} alike {} unlike {} open/sharp {} open/open {}",
-                    pieces.len(),
-                    n(Likeness::Alike, Sharpness::Sharp),
-                    n(Likeness::Unlike, Sharpness::Sharp),
-                    n(Likeness::Open, Sharpness::Sharp),
-                    n(Likeness::Open, Sharpness::Open)
-                );
-                for (p, k) in pieces.iter().filter(|(_, k)| *k == Likeness::Open).take(4) {
-                    eprintln!("   {k:?} {}", p.debug());
-                }
-            }
             if is_narrow || is_over || !self.halve(&mut pieces, permitted, progress).await? {
                 return Ok((part, length, is_narrow));
             }

@@ -24,11 +24,13 @@ const EDGES_PART: [f64; 2] = [0.8, 0.05];
 
 /// The parts of a surface after which the part with like counterparts is left as it is known: some seconds. Where
 /// angles or distances are just what is permitted, parts are never decided.
-const NORMAL_CELLS: usize = 100_000;
+const NORMAL_CELLS: usize = 30_000;
 
-/// The part of the truth's diagonal up to which the length of all feature edges counts as none: pieces of edges next to
-/// poles, where no normal is known, are never quite gone.
+/// The part of the truth's diagonal up to which the length of all feature edges counts as none.
 const NO_EDGES: f64 = 1e-6;
+
+/// The part of the truth's diagonal up to which a part of an edge is none where a face has no normal, as at a pole.
+const POINT: f64 = 1e-7;
 
 /// The pieces of edges after which the part with counterparts is left as it is known.
 const EDGE_PIECES: usize = 100_000;
@@ -96,7 +98,7 @@ impl Pair<'_> {
         monitor: &mut dyn Monitor,
     ) -> Result<()> {
         let angle = self.options.feature_angle.to_radians();
-        let of = |model, transform| feature_edges(model, transform, angle);
+        let of = |model, transform| feature_edges(model, transform, [angle, POINT * self.diagonal]);
         let both = of(self.candidate, self.transform).zip(of(self.truth, RigidTransform::IDENTITY));
         let Some((candidate, truth)) = both else { return Ok(()) };
         let [start, length] = EDGES_PART;
