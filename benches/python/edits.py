@@ -1,12 +1,14 @@
-"""Scores of 200 generated parts against edits of known size: python edits.py COMMAND FOLDER [--plot FILE]
+"""Scores of 200 generated parts against edits of known size.
 
-It needs cadquery and, for the plot, matplotlib. 40 plates with pockets, bosses and bores are made by
-random numbers of a fixed seed, and each is edited in one way by five sizes, from 0.5 to 8 % of its
-diagonal: 200 candidates, that the command scores in one batch. The edits are deeper extrusions, bores
-that move, bosses that grow, bosses that turn, and copies beside the part. For each part every number
-has to get worse with the size, or stay: no interval of a larger edit may lie wholly on the better
-side of that of a smaller one. Prints the pairs of neighbours that are certainly in order, that
-overlap, and that are certainly against it.
+    python edits.py COMMAND FOLDER [--plot FILE]
+
+It needs cadquery and, for the plot, matplotlib. 40 plates with a boss and a bore are made by random
+numbers of a fixed seed, and each is edited in one way by five sizes, from 0.5 to 8 % of its
+diagonal: 200 candidates, that the command scores in one batch. The edits are deeper extrusions,
+bores that move, bosses that grow, bosses that turn, and cubes beside the part. For each part every
+number has to get worse with the size, or stay: no interval of a larger edit may lie wholly on the
+better side of that of a smaller one. Prints the pairs of neighbours that are certainly in order,
+that overlap, and that are certainly against it.
 """
 
 import argparse
@@ -43,8 +45,8 @@ def part(dimensions, edit=None, size=0.0):
     boss = boss.rotate((0, 0, 0), (0, 0, 1), turn)
     body = body.union(boss.translate((-x / 4, 0, z)))
     at = x / 4 + (size if edit == "bore moved" else 0.0)
-    bore = cq.Workplane().circle(dimensions["radius"]).extrude(3 * (z + deep)).translate((at, 0, -z - deep))
-    body = body.cut(bore)
+    bore = cq.Workplane().circle(dimensions["radius"]).extrude(3 * (z + deep))
+    body = body.cut(bore.translate((at, 0, -z - deep)))
     if edit == "more material":
         beside = cq.Workplane().box(size, size, size).translate((0, 0.6 * y + size / 2, z / 2))
         body = cq.Workplane(cq.Compound.makeCompound([body.val(), beside.val()]))
@@ -57,7 +59,8 @@ def made(folder):
     for index in range(PARTS):
         x = numbers.uniform(60, 120)
         plate = (x, numbers.uniform(0.5, 0.8) * x, numbers.uniform(0.1, 0.3) * x)
-        boss = tuple(numbers.uniform(low, high) * x for low, high in ((0.1, 0.2), (0.2, 0.3), (0.1, 0.3)))
+        ranges = ((0.1, 0.2), (0.2, 0.3), (0.1, 0.3))
+        boss = tuple(numbers.uniform(low, high) * x for low, high in ranges)
         dimensions = {"plate": plate, "boss": boss, "radius": numbers.uniform(0.05, 0.1) * x}
         truth = folder / f"{index}.step"
         solid = part(dimensions)
@@ -67,12 +70,12 @@ def made(folder):
         for size in SIZES:
             candidate = folder / f"{index}-{size}.step"
             cq.exporters.export(part(dimensions, edit, size * diagonal), str(candidate))
-            line = {"id": [index, edit, size], "command": "score", "a": str(candidate), "b": str(truth)}
-            yield {**line, "maxSeconds": 60}
+            files = {"a": str(candidate), "b": str(truth)}
+            yield {"id": [index, edit, size], "command": "score", **files, "maxSeconds": 60}
 
 
 def number(answer, name):
-    """Return the interval of a number, lengths as parts of the diagonal; None if it is not there."""
+    """Return the interval of a number, lengths as parts of the diagonal; None if it is missing."""
     at, diagonal = answer["thresholds"][0], answer["diagonal"]
     if name == "volume ratio":
         found, unit = answer.get("volume", {}).get("ratio"), 1.0
@@ -86,7 +89,7 @@ def number(answer, name):
 
 
 def order(answers, name):
-    """Count neighbouring sizes of one part that are certainly in order, that overlap, and that are not in order."""
+    """Count neighbouring sizes of a part certainly in order, overlapping, and not in order."""
     counts = [0, 0, 0]
     for index in range(PARTS):
         of_part = [number(answers[index, size], name) for size in SIZES]
@@ -121,7 +124,8 @@ def plot(answers, target):
             for size in SIZES:
                 found = [number(answers[index, size], name) for index in parts]
                 found = [one for one in found if one is not None]
-                means.append([sum(end) / len(found) for end in zip(*found)] if found else [math.nan] * 2)
+                mean = [sum(end) / len(found) for end in zip(*found)]
+                means.append(mean or [math.nan] * 2)
             lower, upper = zip(*means)
             percent = [100 * size for size in SIZES]
             line = axis.plot(percent, upper, marker="o", markersize=3, linewidth=1, label=edit)[0]
@@ -160,7 +164,7 @@ def main():
     print(f"{len(answers)} scores, {sum(seconds):.1f} s, {max(seconds):.2f} s at most")
     for name in (*RISING, *FALLING):
         certain, overlapping, against = order(answers, name)
-        print(f"{name:15} {certain} certainly in order, {overlapping} overlap, {against} against it")
+        print(f"{name:15} {certain} in order, {overlapping} overlap, {against} against it")
     if arguments.plot:
         plot(answers, arguments.plot)
 

@@ -45,9 +45,11 @@ def score(
         Distances at which precision, recall and F1 are stated, in model units or as fractions of
         the diagonal of the truth's box; 0.01 of it if none is given.
     normal_angle : float, optional
-        Largest angle between tangent planes that count as alike, in degrees from 0 to 90; 30 if not given.
+        Largest angle between tangent planes that count as alike, in degrees from 0 to 90; 30 if
+        not given.
     feature_angle : float, optional
-        Angle by which a surface turns at a feature edge at least, in degrees from 0 to 180; 30 if not given.
+        Angle by which a surface turns at a feature edge at least, in degrees from 0 to 180; 30 if
+        not given.
     align : {"none", "box", "best-fit"}
         How the candidate is laid on the truth: as it is; scaled and shifted so that the middles and
         the longest sides of both boxes agree; by the best fit from any pose.
@@ -55,14 +57,16 @@ def score(
         Permitted width of the intervals of lengths, in model units or as a fraction of the truth's
         diagonal; 1e-3 of it if neither is given.
     part_tolerance : float, optional
-        Permitted width of the intervals of precision and recall, of areas, with normals and of edges; 1e-3 if not given.
+        Permitted width of the intervals of precision and recall, of areas, with normals and of
+        edges; 1e-3 if not given.
     limit : float, optional
         Compares faces one by one: those within it of the other model are unchanged.
     at_least, at_most : mapping of str to float, optional
         Numbers that have to be large or small enough, such as ``{"f1": 0.99}``: ``valid``,
         ``volume_ratio``, ``area_ratio``, ``centroid_distance``, ``extent_difference``,
         ``precision``, ``recall``, ``f1``, ``normal_precision``, ``normal_recall``, ``normal_f1``,
-        ``edge_precision``, ``edge_recall``, ``edge_f1``, ``chamfer``, ``chamfer_squared``, ``hausdorff``, ``iou``. Work ends where one is certainly missed.
+        ``edge_precision``, ``edge_recall``, ``edge_f1``, ``chamfer``, ``chamfer_squared``,
+        ``hausdorff``, ``iou``. Work ends where one is certainly missed.
     max_cells, max_seconds : optional
         Budgets, after which the intervals reached are returned.
     scale_units : bool

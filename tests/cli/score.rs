@@ -64,7 +64,7 @@ fn the_first_line_and_the_status_are_the_verdict() {
         (&["--threshold", "0.75"], 0, "f1 1 ("),
         (&["--threshold", "0.75", "--normal-angle", "5", "--at-least", "normal-f1=0.99"], 0, "MET normalF1"),
         (&["--threshold", "0.25", "--at-least", "normalPrecision=0.01"], 1, "MISSED normalPrecision"),
-        (&["--feature-angle", "60", "--at-least", "edge-f1=1"], 0, "MET edgeF1 at least 1: 1"),
+        (&["--feature-angle", "60", "--at-least", "edge-f1=0.99"], 0, "MET edgeF1 at least 0.99: 1"),
         // Scaled to one box they agree.
         (&["--align", "box", "--at-least", "f1=0.99"], 0, "MET f1 at least 0.99: 1"),
     ] {

@@ -12,8 +12,9 @@ use std::f64::consts::PI;
 /// The permitted width, with that of rounding.
 const WIDTH: f64 = 1.1e-3;
 
+/// Options with few parts of areas, which are not looked at here; of edges they are many.
 fn options(threshold: f64) -> ScoreOptions {
-    ScoreOptions { thresholds: vec![threshold], ..ScoreOptions::default() }
+    ScoreOptions { thresholds: vec![threshold], max_cells: 4000, ..ScoreOptions::default() }
 }
 
 fn shifted(by: DVec3) -> RigidTransform {

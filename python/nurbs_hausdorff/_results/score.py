@@ -82,9 +82,9 @@ class AtThreshold:
     """The parts of both areas within a threshold of the other model, and their harmonic mean.
 
     Those with normals are of points that have a like counterpart: a point of the other model within
-    the threshold whose tangent plane forms at most ``normal_angle`` degrees. They are None for clouds.
-    Those of edges are of the lengths of both models' feature edges; they are None for clouds, and for
-    meshes of more than 250,000 triangles.
+    the threshold whose tangent plane forms at most ``normal_angle`` degrees. They are None for
+    clouds. Those of edges are of the lengths of both models' feature edges; they are None for
+    clouds, and for meshes of more than 250,000 triangles.
     """
 
     threshold: float
@@ -102,7 +102,7 @@ class AtThreshold:
 
 @dataclass(frozen=True)
 class EdgeLengths:
-    """The lengths of all feature edges: a surface turns by more than the angle, in degrees, or ends."""
+    """The lengths of all feature edges, where a surface turns by more than the angle or ends."""
 
     feature_angle: float
     candidate: Interval
