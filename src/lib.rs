@@ -100,6 +100,7 @@ mod engine;
 mod error;
 mod facets;
 mod facts;
+mod features;
 mod flatness;
 mod gpu;
 mod hierarchy;
@@ -108,6 +109,7 @@ mod limits;
 #[cfg(feature = "mesh")]
 mod mesh_files;
 mod model;
+mod normals;
 mod one_line;
 mod overlap;
 mod param_box;
@@ -161,18 +163,18 @@ pub use brep::FileKind;
 pub use brep::inflated;
 pub use bvh::Aabb;
 pub use engine::{
-    AtThreshold, Backend, BestFit, BestFitOptions, Beyond, Body, BodyInfo, BodyKind, BodyPair,
+    AtAngle, AtThreshold, Backend, BestFit, BestFitOptions, Beyond, Body, BodyInfo, BodyKind, BodyPair,
     CertifiedOptions, CertifiedStatistics, CheckOptions, CheckResult, CheckRules, CheckedBody,
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation,
     Counts, Details, DeviationField, DiffOptions, DiffResult, Difference, DistanceOptions, DistanceResult,
-    Engine, FaceCounts, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitNorm, FitPose,
-    FitStart, FreeEdge, GapOptions, GapsResult, Grid, GridOptions, HausdorffScore, HierarchyOptions,
-    IterationOptions, LeftOut, Measure, Method, MethodName, ModelInfo, NamedModel, NamedOptions, NamesOfPair,
-    Overlap, OverlapOptions, OverlapResult, OverlapUnknown, OverlapVolumes, PairState, PartDifference,
-    PartFaces, PartMotion, PartState, Percentile, Placement, Precision, PreparedModel, RequiredDistance,
-    Requirement, Rule, Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, SelfOverlap, Shell,
-    SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics, StatisticsOptions, SurfaceScore,
-    UnkeptRule, VolumesUnknown, Witness, Zone, ZoneOptions, checked_bodies,
+    EdgeLengths, EdgesAt, Engine, FaceCounts, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions,
+    FitNorm, FitPose, FitStart, FreeEdge, GapOptions, GapsResult, Grid, GridOptions, HausdorffScore,
+    HierarchyOptions, IterationOptions, LeftOut, Measure, Method, MethodName, ModelInfo, NamedModel,
+    NamedOptions, NamesOfPair, Overlap, OverlapOptions, OverlapResult, OverlapUnknown, OverlapVolumes,
+    PairState, PartDifference, PartFaces, PartMotion, PartState, Percentile, Placement, Precision,
+    PreparedModel, RequiredDistance, Requirement, Rule, Score, ScoreAlignment, ScoreNumber, ScoreOptions,
+    ScoredModel, SelfOverlap, Shell, SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics,
+    StatisticsOptions, SurfaceScore, UnkeptRule, VolumesUnknown, Witness, Zone, ZoneOptions, checked_bodies,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

@@ -11,7 +11,7 @@ os.environ.setdefault("RAYON_NUM_THREADS", "1")
 
 import nurbs_hausdorff as nh
 
-COMMANDS = {"distance": nh.distance, "diff": nh.diff, "clearance": nh.clearance}
+COMMANDS = {"distance": nh.distance, "diff": nh.diff, "clearance": nh.clearance, "score": nh.score}
 
 #: Models that each process keeps prepared.
 KEPT = 128
@@ -32,13 +32,24 @@ def answer(line: str) -> str:
     try:
         request = json.loads(line)
         key = request.get("id")
-        return json.dumps({"id": key, **dataclasses.asdict(compared(request))})
+        return json.dumps({"id": key, **camel(dataclasses.asdict(compared(request)))})
     except nh.NurbsHausdorffError as error:
         code, message = error.code, error.message
     except (AttributeError, KeyError, TypeError, ValueError) as error:
         # No JSON, no object, a key that is missing, an unknown command or option.
         code, message = "OPTION_INVALID", f"the line is no pair: {type(error).__name__}: {error}"
     return json.dumps({"id": key, "error": {"code": code, "message": message}})
+
+
+def camel(value):
+    """Return the value with its keys as the command writes them, so that `summary` reads scores."""
+    if isinstance(value, dict):
+        return {
+            re.sub("_([a-z0-9])", lambda found: found[1].upper(), key): camel(item)
+            for key, item in value.items()
+            if item is not None
+        }
+    return [camel(item) for item in value] if isinstance(value, (list, tuple)) else value
 
 
 def compared(request: dict):

@@ -19,6 +19,9 @@ sys.path.insert(0, str(HERE))
 PAIRS = 1000
 FATAL = 333
 
+#: The first of the pairs that are scored, every hundredth from it on.
+SCORED = 53
+
 needs = {
     name: pytest.mark.skipif(importlib.util.find_spec(name) is None, reason=f"there is no {name}")
     for name in ("ray", "pyspark")
@@ -60,6 +63,8 @@ def lines(tmp_path):
         for index in range(PAIRS)
     ]
     text[7]["b"] = "missing.step"
+    for line in text[SCORED::100]:
+        line |= {"command": "score", "thresholds": [4.0]}
     path.write_text("".join(json.dumps(line) + "\n" for line in text))
     return path
 
@@ -70,6 +75,11 @@ def check(answers):
     for answer in answers:
         if answer["id"] == 7:
             assert answer["error"]["code"] == "FILE_UNREADABLE"
+        elif answer["id"] % 100 == SCORED:
+            # Squares at the distance 3, and their borders.
+            (at,) = answer["thresholds"]
+            for found, expected in ((answer["chamfer"], 6), (at["normalF1"], 1), (at["edgeF1"], 1)):
+                assert found["lower"] <= expected <= found["upper"]
         else:
             assert answer["lower"] <= answer["id"] % 10 <= answer["upper"]
 
@@ -197,6 +207,28 @@ def test_lines_have_the_options_of_the_command(tmp_path):
     assert found["lower"] <= 1 <= found["upper"]
     found = json.loads(pairs.answer(json.dumps({**line, "command": "diff", "limit": 3})))
     assert found["state"] == "unchanged"
+
+
+@pytest.mark.skipif("NURBS_HAUSDORFF" not in os.environ, reason="there is no native command")
+def test_scores_are_summarized_by_the_command(tmp_path):
+    import pairs
+
+    for height in range(3):
+        (tmp_path / f"{height}.json").write_text(square(height))
+    answers = tmp_path / "answers.jsonl"
+    lines = [
+        {"id": height, "command": "score", "thresholds": [1.5], "atMost": {"chamfer": 9}}
+        | {"a": str(tmp_path / f"{height}.json"), "b": str(tmp_path / "0.json")}
+        for height in range(3)
+    ]
+    answers.write_text("".join(pairs.answer(json.dumps(line)) + "\n" for line in lines))
+    command = [os.environ["NURBS_HAUSDORFF"], "summary", str(answers), "--format", "json"]
+    summary = json.loads(subprocess.run(command, capture_output=True, check=True).stdout)
+    assert summary["pairs"] == 3 and summary["errors"] == 0
+    means = {of["number"]: of["mean"] for of in summary["numbers"]}
+    # Squares at the distances 0, 1 and 2, of which two are near with their borders.
+    for number, mean in (("normalPrecision", 2 / 3), ("edgeRecall", 2 / 3), ("chamfer", 2)):
+        assert means[number]["lower"] <= mean <= means[number]["upper"], number
 
 
 def test_what_is_wrong_with_a_line_is_its_error(tmp_path):

@@ -29,8 +29,8 @@ from ._results.field import Field, FieldPart, Statistics
 from ._results.grid import SignedDistances
 from ._results.overlap import OverlapResult, OverlapVolumes
 from ._results.score import (
-    AtThreshold, Difference, FaceCounts, HausdorffScore, Placement, Requirement, Score, ScoredModel,
-    SurfaceScore,
+    AtThreshold, Difference, EdgeLengths, FaceCounts, HausdorffScore, Placement, Requirement, Score,
+    ScoredModel, SurfaceScore,
 )  # fmt: skip
 from ._results.statistics import Beyond, CertifiedStatistics
 from ._score import score
@@ -43,12 +43,12 @@ __version__ = _version("nurbs-hausdorff")
 __all__ = [
     "AtThreshold", "BestFit", "Beyond", "Body", "BodyPair", "CertifiedStatistics", "CheckResult",
     "CheckedBody", "ClearanceResult", "ClosestPoints", "DiffResult", "Difference", "DistanceResult",
-    "FaceCounts", "FaceDifference", "FaceGap", "Facts", "Field", "FieldPart", "FitPose", "FreeEdge",
-    "GapsResult", "HausdorffScore", "Interval", "LeftOut", "Mesh", "MeshReport", "Model",
-    "NurbsHausdorffError", "Overlap", "OverlapResult", "OverlapVolumes", "PartDifference",
-    "PartFaces", "PartMotion", "Placement", "ReadReport", "Remark", "Requirement", "Score",
-    "ScoredModel", "SelfOverlap", "Shell", "SignedDistances", "Solid", "Statistics", "SurfacePoint",
-    "SurfaceScore", "Transform", "UnkeptRule", "Witness", "Zone", "best_fit", "check", "clearance",
-    "closest_points", "diff", "distance", "field", "gaps", "model", "overlap", "read", "score",
-    "signed_distances", "statistics", "testing",
+    "EdgeLengths", "FaceCounts", "FaceDifference", "FaceGap", "Facts", "Field", "FieldPart",
+    "FitPose", "FreeEdge", "GapsResult", "HausdorffScore", "Interval", "LeftOut", "Mesh",
+    "MeshReport", "Model", "NurbsHausdorffError", "Overlap", "OverlapResult", "OverlapVolumes",
+    "PartDifference", "PartFaces", "PartMotion", "Placement", "ReadReport", "Remark", "Requirement",
+    "Score", "ScoredModel", "SelfOverlap", "Shell", "SignedDistances", "Solid", "Statistics",
+    "SurfacePoint", "SurfaceScore", "Transform", "UnkeptRule", "Witness", "Zone", "best_fit",
+    "check", "clearance", "closest_points", "diff", "distance", "field", "gaps", "model", "overlap",
+    "read", "score", "signed_distances", "statistics", "testing",
 ]  # fmt: skip

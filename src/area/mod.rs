@@ -11,6 +11,7 @@ mod collapsed;
 pub(crate) mod density;
 mod ellipse;
 pub(crate) mod gauss;
+mod normal_cone;
 mod planar;
 
 use crate::axis::Axis;
@@ -20,6 +21,7 @@ use crate::rounding::gamma;
 use crate::sorting::ordered_by;
 use cell::Cell;
 use density::Density;
+pub(crate) use normal_cone::{is_to_side, normal_cone};
 use serde::Serialize;
 use std::collections::BinaryHeap;
 use std::ops::Add;

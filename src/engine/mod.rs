@@ -60,8 +60,8 @@ pub use result::{
     Lemma, Lemmas, PatchCounts, Processor, Seconds, Stop, WithGaps, Witness,
 };
 pub use score::{
-    AtThreshold, Difference, FaceCounts, HausdorffScore, Placement, Requirement, Score, ScoreAlignment,
-    ScoreNumber, ScoreOptions, ScoredModel, SurfaceScore,
+    AtAngle, AtThreshold, Difference, EdgeLengths, EdgesAt, FaceCounts, HausdorffScore, Placement,
+    Requirement, Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, SurfaceScore,
 };
 pub use signs::Signs;
 pub use solid::{FreeEdge, Shell, Solid};

@@ -24,7 +24,8 @@ pub(crate) use samples::FacetSamples;
 #[cfg(feature = "internals")]
 pub use search::{Audit, audit_facet_searches};
 pub(crate) use search::{
-    Certified, Domain, End, FacetSearch, Measured, Parts, Source, Spread, Start, Weighted, WeightedPart,
+    Certified, Domain, End, FacetSearch, Measured, PartOf, Parts, Source, Spread, Start, Weighted,
+    WeightedPart,
 };
 use target::NONE;
 pub(crate) use target::{FacetFoot, FacetTarget};

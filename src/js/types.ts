@@ -78,6 +78,7 @@ export type {
 export type {
   AtThreshold,
   Difference,
+  EdgeLengths,
   FaceCounts,
   HausdorffScore,
   Placement,

@@ -11,36 +11,36 @@ const MAX_STEPS: usize = 16;
 
 /// A rational Bézier curve: `center + (x, y, z) / w` with the Bernstein sum of the controls.
 #[derive(Debug, Clone)]
-pub(super) struct Curve {
-    pub(super) center: DVec3,
-    pub(super) controls: Vec<DVec4>,
+pub(crate) struct Curve {
+    pub(crate) center: DVec3,
+    pub(crate) controls: Vec<DVec4>,
 }
 
 impl Curve {
     /// Returns the point at `t` in [0, 1].
-    pub(super) fn point(&self, t: f64) -> DVec3 {
+    pub(crate) fn point(&self, t: f64) -> DVec3 {
         let sum = casteljau(&self.controls, t, |_, _| {});
         self.center + sum.xyz() / sum.w
     }
 
     /// Returns the control points.
-    pub(super) fn points(&self) -> impl Iterator<Item = DVec3> + '_ {
+    pub(crate) fn points(&self) -> impl Iterator<Item = DVec3> + '_ {
         self.controls.iter().map(|control| self.center + control.xyz() / control.w)
     }
 
     /// Returns the length of the control polygon, an upper bound on that of the curve, as cutting corners
     /// makes no polygon longer.
-    pub(super) fn polygon(&self) -> f64 {
+    pub(crate) fn polygon(&self) -> f64 {
         self.points().zip(self.points().skip(1)).map(|(a, b)| a.distance(b)).sum()
     }
 
     /// Returns the two ends.
-    pub(super) fn ends(&self) -> [DVec3; 2] {
+    pub(crate) fn ends(&self) -> [DVec3; 2] {
         [self.point(0.0), self.point(1.0)]
     }
 
     /// Returns the parts on both sides of `t`, which join in one control.
-    pub(super) fn split(&self, t: f64) -> [Self; 2] {
+    pub(crate) fn split(&self, t: f64) -> [Self; 2] {
         let [low, high] = split(&self.controls, t);
         [Self { center: self.center, controls: low }, Self { center: self.center, controls: high }]
     }
@@ -53,7 +53,7 @@ impl Curve {
 
     /// Returns the parameter of a point near `target`, and their distance: an estimate of the
     /// closest one. Of a closed curve, points before its end are as good as those after its start.
-    pub(super) fn closest(&self, target: DVec3) -> (f64, f64) {
+    pub(crate) fn closest(&self, target: DVec3) -> (f64, f64) {
         let parts = PARTS_PER_DEGREE * (self.controls.len() - 1).max(1);
         let at = |k: usize| k as f64 / parts as f64;
         let distances: Vec<f64> = (0..=parts).map(|k| self.point(at(k)).distance(target)).collect();

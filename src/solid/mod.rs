@@ -15,8 +15,9 @@ mod side;
 mod strips;
 mod winding;
 
+pub(crate) use curve::Curve;
 pub(crate) use enclosing::{Enclosing, Relation};
-pub(crate) use joining::{Boundary, Edges, Joined};
+pub(crate) use joining::{Arc, Boundary, EdgePlace, Edges, Joined, JoinedArc, joined_arcs};
 pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;
 pub(crate) use strips::Ruled;

@@ -36,6 +36,16 @@ fn the_json_has_every_number() {
     holds(&found["thresholds"][0]["f1"], 0.0);
     holds(&found["thresholds"][1]["f1"], 1.0);
     holds(&found["candidate"]["valid"], 1.0);
+    holds(&found["thresholds"][0]["normalPrecision"], 0.0);
+    holds(&found["thresholds"][1]["normalRecall"], 1.0);
+    holds(&found["thresholds"][1]["normalF1"], 1.0);
+    assert_eq!(found["thresholds"][1]["normalAngle"], 30.0);
+    // Neither has a feature edge.
+    for number in ["edgePrecision", "edgeRecall", "edgeF1"] {
+        holds(&found["thresholds"][0][number], 1.0);
+    }
+    holds(&found["edgeLength"]["candidate"], 0.0);
+    assert_eq!(found["edgeLength"]["featureAngle"], 30.0);
     assert_eq!(found["placement"]["align"], "none");
     assert_eq!(found["placement"]["scale"], 1.0);
     assert_eq!(found["files"]["a"]["sha256"].as_str().unwrap().len(), 64);
@@ -52,6 +62,9 @@ fn the_first_line_and_the_status_are_the_verdict() {
         // Of balls about one middle the distance is 0, which no interval is wholly below.
         (&["--at-most", "centroid-distance=0"], 3, "UNDECIDED centroidDistance at most 0: "),
         (&["--threshold", "0.75"], 0, "f1 1 ("),
+        (&["--threshold", "0.75", "--normal-angle", "5", "--at-least", "normal-f1=0.99"], 0, "MET normalF1"),
+        (&["--threshold", "0.25", "--at-least", "normalPrecision=0.01"], 1, "MISSED normalPrecision"),
+        (&["--feature-angle", "60", "--at-least", "edge-f1=0.99"], 0, "MET edgeF1 at least 0.99: 1"),
         // Scaled to one box they agree.
         (&["--align", "box", "--at-least", "f1=0.99"], 0, "MET f1 at least 0.99: 1"),
     ] {

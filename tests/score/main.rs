@@ -13,7 +13,9 @@ mod plate;
 mod step;
 
 mod alignments;
+mod edges;
 mod monotone;
+mod normals;
 mod requirements;
 mod tricks;
 

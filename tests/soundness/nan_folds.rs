@@ -8,7 +8,7 @@
 use std::path::{Path, PathBuf};
 
 /// The folders of code that forms bounds.
-const FOLDERS: [&str; 12] = [
+const FOLDERS: [&str; 14] = [
     "src/alignment/largest",
     "src/bezier",
     "src/certified",
@@ -16,8 +16,10 @@ const FOLDERS: [&str; 12] = [
     "src/closest",
     "src/facets",
     "src/facts",
+    "src/features",
     "src/hierarchy",
     "src/iteration",
+    "src/normals",
     "src/overlap",
     "src/solid",
     "src/symmetry",
@@ -57,6 +59,8 @@ const ALLOWED: &[(&str, &str, &str)] = &[
     ("certified/search", "upper.min(bounds::with_", "the smaller of two upper bounds: NaN is no bound"),
     ("certified/search/incumbent.rs", "self.pruned_upper_bound", "bounds of nodes"),
     ("closest", "leg[", "chooses the axis to halve"),
+    ("features/piece.rs", "one.min - other.max", "vectors, of finite coordinates; 0 is the lower bound"),
+    ("normals/target.rs", "one.min - other.max", "vectors, of finite coordinates; 0 is the lower bound"),
     ("facets/facet.rs", "bound = bound.max", "the larger of two lower bounds: NaN is no bound"),
     ("facets/facet.rs", "fraction.min(1.0)", "a weight; any is valid"),
     ("facets/search", "levels", "integers"),

@@ -79,12 +79,34 @@ class SurfaceScore:
 
 @dataclass(frozen=True)
 class AtThreshold:
-    """The parts of both areas within a threshold of the other model, and their harmonic mean."""
+    """The parts of both areas within a threshold of the other model, and their harmonic mean.
+
+    Those with normals are of points that have a like counterpart: a point of the other model within
+    the threshold whose tangent plane forms at most ``normal_angle`` degrees. They are None for
+    clouds. Those of edges are of the lengths of both models' feature edges; they are None for
+    clouds, and for meshes of more than 250,000 triangles.
+    """
 
     threshold: float
     precision: Interval
     recall: Interval
     f1: Interval
+    normal_angle: float | None = None
+    normal_precision: Interval | None = None
+    normal_recall: Interval | None = None
+    normal_f1: Interval | None = None
+    edge_precision: Interval | None = None
+    edge_recall: Interval | None = None
+    edge_f1: Interval | None = None
+
+
+@dataclass(frozen=True)
+class EdgeLengths:
+    """The lengths of all feature edges, where a surface turns by more than the angle or ends."""
+
+    feature_angle: float
+    candidate: Interval
+    truth: Interval
 
 
 @dataclass(frozen=True)
@@ -145,6 +167,7 @@ class Score:
     reverse: SurfaceScore | None = None
     chamfer: Interval | None = None
     chamfer_squared: Interval | None = None
+    edge_length: EdgeLengths | None = None
     hausdorff: HausdorffScore | None = None
     iou: Interval | None = None
     faces: FaceCounts | None = None
@@ -153,6 +176,8 @@ class Score:
     def _repr_html_(self) -> str:
         named = [("chamfer", self.chamfer), ("chamfer squared", self.chamfer_squared)]
         named += [(f"f1 at {at.threshold!r}", at.f1) for at in self.thresholds]
+        named += [(f"normal f1 at {at.threshold!r}", at.normal_f1) for at in self.thresholds]
+        named += [(f"edge f1 at {at.threshold!r}", at.edge_f1) for at in self.thresholds]
         if self.hausdorff is not None:
             named.append(("hausdorff", self.hausdorff.distance))
         if self.volume is not None:
@@ -179,7 +204,8 @@ def score_result(data: dict[str, Any]) -> Score:
     for name in ("volume", "area"):
         if name in made:
             made[name] = Difference(**_bounded(made[name]))
-    for name, kind in (("forward", SurfaceScore), ("reverse", SurfaceScore), ("hausdorff", HausdorffScore)):
+    kinds = {"forward": SurfaceScore, "reverse": SurfaceScore, "hausdorff": HausdorffScore}
+    for name, kind in {**kinds, "edge_length": EdgeLengths}.items():
         if name in made:
             made[name] = kind(**_bounded(made[name]))
     for name in ("centroid_distance", "chamfer", "chamfer_squared", "iou"):
@@ -194,7 +220,8 @@ def score_result(data: dict[str, Any]) -> Score:
     made["extent_differences"] = tuple(Interval(**one) for one in data["extent_differences"])
     # The names in snake case part a letter and a digit.
     made["thresholds"] = tuple(
-        AtThreshold(f1=Interval(**at.pop("f_1")), **_bounded(at)) for at in data["thresholds"]
+        AtThreshold(**{name.replace("f_1", "f1"): value for name, value in _bounded(at).items()})
+        for at in data["thresholds"]
     )
     made["requirements"] = tuple(Requirement(**_bounded(one)) for one in data["requirements"])
     return Score(**made)

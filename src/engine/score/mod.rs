@@ -3,6 +3,7 @@
 //! It composes what the engine has: statistics in both directions, the Hausdorff distance, facts, bodies and
 //! `diff`. Nothing is sampled, so that there is no seed.
 
+mod matched;
 mod numbers;
 mod options;
 mod parts;
@@ -15,4 +16,7 @@ pub use numbers::ScoreNumber;
 pub use options::{ScoreAlignment, ScoreOptions};
 pub use placement::Placement;
 pub use requirements::Requirement;
-pub use result::{AtThreshold, Difference, FaceCounts, HausdorffScore, Score, ScoredModel, SurfaceScore};
+pub use result::{
+    AtAngle, AtThreshold, Difference, EdgeLengths, EdgesAt, FaceCounts, HausdorffScore, Score, ScoredModel,
+    SurfaceScore,
+};

@@ -27,6 +27,19 @@ pub enum ScoreNumber {
     Recall,
     /// Their harmonic mean.
     F1,
+    /// The part of the candidate's area with a like counterpart: a point of the truth within the smallest threshold
+    /// whose tangent plane forms at most the permitted angle.
+    NormalPrecision,
+    /// The part of the truth's area with a like counterpart in the candidate.
+    NormalRecall,
+    /// Their harmonic mean.
+    NormalF1,
+    /// The part of the length of the candidate's feature edges within the smallest threshold of the truth's.
+    EdgePrecision,
+    /// The part of the length of the truth's feature edges within the smallest threshold of the candidate's.
+    EdgeRecall,
+    /// Their harmonic mean.
+    EdgeF1,
     /// The sum of the mean distances of both directions.
     Chamfer,
     /// The sum of the mean squared distances of both directions.
@@ -39,7 +52,7 @@ pub enum ScoreNumber {
 
 impl ScoreNumber {
     /// All numbers, in the order of the work.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 18] = [
         Self::Valid,
         Self::VolumeRatio,
         Self::AreaRatio,
@@ -48,6 +61,12 @@ impl ScoreNumber {
         Self::Precision,
         Self::Recall,
         Self::F1,
+        Self::NormalPrecision,
+        Self::NormalRecall,
+        Self::NormalF1,
+        Self::EdgePrecision,
+        Self::EdgeRecall,
+        Self::EdgeF1,
         Self::Chamfer,
         Self::ChamferSquared,
         Self::Hausdorff,
@@ -66,6 +85,12 @@ impl ScoreNumber {
             Self::Precision => "precision",
             Self::Recall => "recall",
             Self::F1 => "f1",
+            Self::NormalPrecision => "normalPrecision",
+            Self::NormalRecall => "normalRecall",
+            Self::NormalF1 => "normalF1",
+            Self::EdgePrecision => "edgePrecision",
+            Self::EdgeRecall => "edgeRecall",
+            Self::EdgeF1 => "edgeF1",
             Self::Chamfer => "chamfer",
             Self::ChamferSquared => "chamferSquared",
             Self::Hausdorff => "hausdorff",
@@ -85,6 +110,12 @@ impl ScoreNumber {
                 | Self::Precision
                 | Self::Recall
                 | Self::F1
+                | Self::NormalPrecision
+                | Self::NormalRecall
+                | Self::NormalF1
+                | Self::EdgePrecision
+                | Self::EdgeRecall
+                | Self::EdgeF1
                 | Self::Iou
         )
     }
@@ -132,10 +163,17 @@ impl Known {
         }
     }
 
-    /// Derives F1 from precision and recall.
+    /// Derives each F1 from its precision and recall, and bounds those with normals by those without.
     pub(super) fn derive(&mut self) {
-        let f1 = f1(self.of(ScoreNumber::Precision), self.of(ScoreNumber::Recall));
-        self.narrow(ScoreNumber::F1, Some(f1));
+        let [precision, recall] = [ScoreNumber::Precision, ScoreNumber::Recall].map(|number| self.of(number));
+        self.narrow(ScoreNumber::F1, Some(f1(precision, recall)));
+        let at_most = |number: Interval| Some(Interval { lower: 0.0, upper: number.upper });
+        self.narrow(ScoreNumber::NormalPrecision, at_most(precision));
+        self.narrow(ScoreNumber::NormalRecall, at_most(recall));
+        let of_normals = f1(self.of(ScoreNumber::NormalPrecision), self.of(ScoreNumber::NormalRecall));
+        self.narrow(ScoreNumber::NormalF1, Some(of_normals));
+        let of_edges = f1(self.of(ScoreNumber::EdgePrecision), self.of(ScoreNumber::EdgeRecall));
+        self.narrow(ScoreNumber::EdgeF1, Some(of_edges));
     }
 }
 
@@ -150,5 +188,8 @@ pub(super) fn f1(precision: Interval, recall: Interval) -> Interval {
         }
     };
     let (low, high) = (at(precision.lower, recall.lower), at(precision.upper, recall.upper));
-    Interval { lower: low.lower, upper: high.upper }.within(Interval { lower: 0.0, upper: 1.0 })
+    // It is at most twice the smaller one, which holds where products underflow, too.
+    let smaller = if recall.upper < precision.upper { recall.upper } else { precision.upper };
+    let most = if 2.0 * smaller < 1.0 { 2.0 * smaller } else { 1.0 };
+    Interval { lower: low.lower, upper: high.upper }.within(Interval { lower: 0.0, upper: most })
 }

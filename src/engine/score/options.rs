@@ -20,6 +20,18 @@ const DEFAULT_MAX_CELLS: usize = 300_000;
 /// The threshold unless the options name one, as a fraction of the truth's diagonal: that of CADGenBench.
 pub(super) const DEFAULT_RELATIVE_THRESHOLD: f64 = 0.01;
 
+/// The default of [`ScoreOptions::normal_angle`]: that of CADGenBench.
+const DEFAULT_NORMAL_ANGLE: f64 = 30.0;
+
+/// The largest angle between two planes, in degrees.
+pub(super) const RIGHT_ANGLE: f64 = 90.0;
+
+/// The default of [`ScoreOptions::feature_angle`]: that of CADGenBench.
+const DEFAULT_FEATURE_ANGLE: f64 = 30.0;
+
+/// The largest angle by which a surface turns at an edge, in degrees: there it is folded.
+const FOLDED: f64 = 180.0;
+
 /// How the candidate is laid on the truth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -42,13 +54,17 @@ pub struct ScoreOptions {
     pub thresholds: Vec<f64>,
     /// The same as fractions of the diagonal of the truth's box; 0.01 if neither names any.
     pub relative_thresholds: Vec<f64>,
+    /// The largest angle between tangent planes that count as alike, in degrees, from 0 to 90.
+    pub normal_angle: f64,
+    /// The angle by which a surface turns at a feature edge at least, in degrees, from 0 to 180.
+    pub feature_angle: f64,
     /// How the candidate is laid on the truth.
     pub align: ScoreAlignment,
     /// The width of the intervals of lengths, in model units, positive.
     pub tolerance: Option<f64>,
     /// The same as a fraction of the truth's diagonal; 1e-3 if neither is given. Both at once are an error.
     pub relative_tolerance: Option<f64>,
-    /// The width of the intervals of precision and recall, positive.
+    /// The width of the intervals of precision and recall, of areas, with normals and of edges, positive.
     pub part_tolerance: f64,
     /// The distance up to which a face counts as unchanged, in model units, positive: with it, faces are
     /// compared one by one.
@@ -75,6 +91,8 @@ impl Default for ScoreOptions {
         Self {
             thresholds: Vec::new(),
             relative_thresholds: Vec::new(),
+            normal_angle: DEFAULT_NORMAL_ANGLE,
+            feature_angle: DEFAULT_FEATURE_ANGLE,
             align: ScoreAlignment::None,
             tolerance: None,
             relative_tolerance: None,
@@ -103,6 +121,12 @@ impl ScoreOptions {
         }
         for &threshold in &self.relative_thresholds {
             at_least_zero("relative thresholds", threshold)?;
+        }
+        if !(0.0..=RIGHT_ANGLE).contains(&self.normal_angle) {
+            return Err(Error::out_of_range("normal angle", self.normal_angle, "0 to 90 degrees"));
+        }
+        if !(0.0..=FOLDED).contains(&self.feature_angle) {
+            return Err(Error::out_of_range("feature angle", self.feature_angle, "0 to 180 degrees"));
         }
         positive("part tolerance", self.part_tolerance)?;
         self.limit.map_or(Ok(()), |limit| positive("limit", limit))?;

@@ -1,6 +1,6 @@
 //! Facts of both models, compared.
 
-use super::result::{AtThreshold, Difference, FaceCounts, ScoredModel, SurfaceScore};
+use super::result::{AtAngle, AtThreshold, Difference, EdgesAt, FaceCounts, ScoredModel, SurfaceScore};
 use crate::engine::statistics::Sums;
 use crate::engine::{Beyond, Body, BodyKind, Counts, DiffResult, FaceDifference, FaceState, PreparedModel};
 use crate::facts::{Interval, Orientation};
@@ -114,9 +114,25 @@ impl SurfaceScore {
 pub(super) fn at_thresholds(forward: &[Beyond], reverse: &[Beyond]) -> Vec<AtThreshold> {
     let at = |(one, other): (&Beyond, &Beyond)| {
         let (precision, recall) = (within(one), within(other));
-        AtThreshold { threshold: one.limit, precision, recall, f1: super::numbers::f1(precision, recall) }
+        let f1 = super::numbers::f1(precision, recall);
+        AtThreshold { threshold: one.limit, precision, recall, f1, normals: None, edges: None }
     };
     forward.iter().zip(reverse).map(at).collect()
+}
+
+impl AtAngle {
+    /// Combines the parts with like counterparts of both directions.
+    pub(super) fn new(normal_angle: f64, [normal_precision, normal_recall]: [Interval; 2]) -> Self {
+        let normal_f1 = super::numbers::f1(normal_precision, normal_recall);
+        Self { normal_angle, normal_precision, normal_recall, normal_f1 }
+    }
+}
+
+impl EdgesAt {
+    /// Combines the parts of feature edges of both directions.
+    pub(super) fn new([edge_precision, edge_recall]: [Interval; 2]) -> Self {
+        Self { edge_precision, edge_recall, edge_f1: super::numbers::f1(edge_precision, edge_recall) }
+    }
 }
 
 impl FaceCounts {

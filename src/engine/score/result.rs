@@ -51,6 +51,9 @@ pub struct Score {
     pub chamfer_squared: Option<Interval>,
     /// Precision, recall and F1 at each threshold, ascending.
     pub thresholds: Vec<AtThreshold>,
+    /// The lengths of the feature edges.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub edge_length: Option<EdgeLengths>,
     /// The Hausdorff distance.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hausdorff: Option<HausdorffScore>,
@@ -145,6 +148,56 @@ pub struct AtThreshold {
     pub recall: Interval,
     /// Their harmonic mean.
     pub f1: Interval,
+    /// The same of the parts of the areas with like counterparts; none of clouds, which have no normals.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub normals: Option<AtAngle>,
+    /// The same of the lengths of feature edges; none of clouds, and of meshes of more than 250,000 triangles.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub edges: Option<EdgesAt>,
+}
+
+/// The parts of the feature edges within a threshold of each other.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct EdgesAt {
+    /// The part of the length of the candidate's feature edges within the threshold of the truth's.
+    pub edge_precision: Interval,
+    /// The part of the length of the truth's feature edges within the threshold of the candidate's.
+    pub edge_recall: Interval,
+    /// Their harmonic mean.
+    #[serde(rename = "edgeF1")]
+    pub edge_f1: Interval,
+}
+
+/// The lengths of all feature edges.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct EdgeLengths {
+    /// The angle by which a surface turns at a feature edge at least, in degrees.
+    pub feature_angle: f64,
+    /// That of the candidate.
+    pub candidate: Interval,
+    /// That of the truth.
+    pub truth: Interval,
+}
+
+/// The parts of the surfaces with like counterparts: points of the other surface within a threshold whose tangent
+/// planes form at most an angle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+#[non_exhaustive]
+pub struct AtAngle {
+    /// The largest angle, in degrees.
+    pub normal_angle: f64,
+    /// The part of the candidate's area with a like counterpart in the truth.
+    pub normal_precision: Interval,
+    /// The part of the truth's area with a like counterpart in the candidate.
+    pub normal_recall: Interval,
+    /// Their harmonic mean.
+    #[serde(rename = "normalF1")]
+    pub normal_f1: Interval,
 }
 
 /// The Hausdorff distance of candidate and truth.

@@ -22,8 +22,8 @@ use web_time::Instant;
 /// The shares of the progress: the fit, and where each further computation starts with its length.
 pub(super) const FIT_PART: f64 = 0.2;
 const FORWARD_PART: [f64; 2] = [0.2, 0.3];
-const REVERSE_PART: [f64; 2] = [0.5, 0.3];
-const HAUSDORFF_PART: [f64; 2] = [0.8, 0.1];
+const REVERSE_PART: [f64; 2] = [0.5, 0.2];
+const HAUSDORFF_PART: [f64; 2] = [0.85, 0.05];
 const OVERLAP_PART: [f64; 2] = [0.9, 0.05];
 const FACES_PART: [f64; 2] = [0.95, 0.05];
 
@@ -69,7 +69,8 @@ impl Engine {
         let pair = Pair::new(self, [candidate, truth], placement.transform, options, started);
         let mut found = pair.begun(placement);
         let mut known = pair.known_of(&found);
-        let mut steps = [Step::Surfaces, Step::Hausdorff, Step::Overlap, Step::Faces];
+        let mut steps =
+            [Step::Surfaces, Step::Normals, Step::Edges, Step::Hausdorff, Step::Overlap, Step::Faces];
         steps.sort_by_key(|step| !step.is_required(options));
         for step in steps {
             if is_missed(options, &known) {
@@ -96,6 +97,10 @@ impl Engine {
 #[derive(Clone, Copy)]
 enum Step {
     Surfaces,
+    /// After that of the surfaces, which has the thresholds.
+    Normals,
+    /// As normals.
+    Edges,
     Hausdorff,
     Overlap,
     Faces,
@@ -109,9 +114,19 @@ impl Step {
                 ScoreNumber::Precision,
                 ScoreNumber::Recall,
                 ScoreNumber::F1,
+                ScoreNumber::NormalPrecision,
+                ScoreNumber::NormalRecall,
+                ScoreNumber::NormalF1,
+                ScoreNumber::EdgePrecision,
+                ScoreNumber::EdgeRecall,
+                ScoreNumber::EdgeF1,
                 ScoreNumber::Chamfer,
                 ScoreNumber::ChamferSquared,
             ],
+            Self::Normals => {
+                &[ScoreNumber::NormalPrecision, ScoreNumber::NormalRecall, ScoreNumber::NormalF1]
+            }
+            Self::Edges => &[ScoreNumber::EdgePrecision, ScoreNumber::EdgeRecall, ScoreNumber::EdgeF1],
             Self::Hausdorff => &[ScoreNumber::Hausdorff],
             Self::Overlap => &[ScoreNumber::Iou],
             Self::Faces => &[],
@@ -121,16 +136,16 @@ impl Step {
 }
 
 /// The models to be compared.
-struct Pair<'a> {
+pub(super) struct Pair<'a> {
     engine: &'a Engine,
-    candidate: &'a PreparedModel,
-    truth: &'a PreparedModel,
+    pub(super) candidate: &'a PreparedModel,
+    pub(super) truth: &'a PreparedModel,
     /// Moves the candidate.
-    transform: RigidTransform,
-    options: &'a ScoreOptions,
+    pub(super) transform: RigidTransform,
+    pub(super) options: &'a ScoreOptions,
     started: Instant,
     /// The diagonal of the truth's box.
-    diagonal: f64,
+    pub(super) diagonal: f64,
     tolerance: f64,
     /// The thresholds, ascending.
     limits: Vec<f64>,
@@ -174,6 +189,7 @@ impl<'a> Pair<'a> {
             chamfer: None,
             chamfer_squared: None,
             thresholds: Vec::new(),
+            edge_length: None,
             hausdorff: None,
             iou: None,
             faces: None,
@@ -207,6 +223,8 @@ impl<'a> Pair<'a> {
     ) -> Result<()> {
         match step {
             Step::Surfaces => self.surfaces(found, known, monitor).await,
+            Step::Normals => self.normals(found, known, monitor).await,
+            Step::Edges => self.edges(found, known, monitor).await,
             Step::Hausdorff => self.hausdorff(found, known, monitor).await,
             Step::Overlap => self.overlap(found, known, monitor).await,
             Step::Faces => self.faces(found, monitor).await,
@@ -339,7 +357,7 @@ impl<'a> Pair<'a> {
     }
 
     /// Returns the seconds that are left of the budget.
-    fn seconds_left(&self) -> Option<f64> {
+    pub(super) fn seconds_left(&self) -> Option<f64> {
         seconds_left(self.started, self.options.max_seconds)
     }
 }

@@ -30,7 +30,7 @@ fn chosen<T: Weighted>(parts: &[T], extent: Audit) -> Vec<usize> {
 
 /// Looks at a share of the parts or at all, and returns in words what refutes their bounds, if anything does.
 /// O(closest point) a part that is looked at.
-pub(super) fn audit<C: Cover>(
+pub(in crate::engine) fn audit<C: Cover>(
     cover: &C,
     parts: &[C::Part],
     extent: Audit,

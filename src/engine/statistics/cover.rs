@@ -3,9 +3,11 @@
 use crate::area::{Area, area_of_part};
 use crate::axis::Axis;
 use crate::certified::{Cell, CellSpread, Density, Lemma, Pair, SpreadRefutation, SpreadStart, Spreads};
-use crate::facets::{FacetTarget, Parts, Spread, Start, Weighted, WeightedPart};
+use crate::facets::{Facet, FacetTarget, PartOf, Parts, Source, Spread, Start, Weighted, WeightedPart};
+use crate::normals::{NormalCone, Shape};
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
+use crate::solid::longer_axis;
 use std::ops::Range;
 
 /// Half of the width of a cell that float64 does not usefully halve further.
@@ -19,7 +21,7 @@ const CORNERS_OF_CELL: usize = 5;
 const PART_ROUNDINGS: f64 = 8.0;
 
 /// A model in parts, which are halved.
-pub(super) trait Cover: Sync {
+pub(in crate::engine) trait Cover: Sync {
     type Part: Weighted + Copy + Send + Sync;
 
     /// The number of parts at first.
@@ -38,6 +40,12 @@ pub(super) trait Cover: Sync {
     /// Returns the halves of a part; `None` for a part that float64 does not halve.
     fn halves(&self, part: &Self::Part) -> Option<[Self::Part; 2]>;
 
+    /// Returns the halves of a part along its longer side; `None` for a part that float64 does not halve.
+    fn halves_of_longer(&self, part: &Self::Part) -> Option<[Self::Part; 2]>;
+
+    /// Returns where a part is, moved, and a cone about its normals.
+    fn shape(&self, part: &Self::Part) -> Shape;
+
     /// The lemma that the bounds rest on.
     fn lemma(&self) -> Lemma;
 
@@ -50,6 +58,14 @@ pub(super) trait Cover: Sync {
 
     /// Bounds parts from now on without that lemma, by the triangle inequality.
     fn strike(&mut self);
+}
+
+/// Returns the cone about the normal of a triangle, not moved.
+fn cone_of_triangle(facets: &FacetTarget, place: u32, error: f64) -> Option<NormalCone> {
+    match facets.facet(place) {
+        Facet::Triangle(corners) => NormalCone::of_triangle(corners, error),
+        Facet::Point(_) => None,
+    }
 }
 
 impl Cover for Parts<'_> {
@@ -85,6 +101,25 @@ impl Cover for Parts<'_> {
         Self::halves(self, part)
     }
 
+    fn halves_of_longer(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
+        Self::halves_of_longer(self, part)
+    }
+
+    fn shape(&self, part: &WeightedPart) -> Shape {
+        let (source, transform) = self.source();
+        match (self.part_of(part), source) {
+            (PartOf::Triangle(place, corners), Source::Facets { facets, error }) => {
+                let cone = cone_of_triangle(facets, place, error).map(|cone| cone.moved(transform));
+                Shape::of_points(corners.to_vec(), cone)
+            }
+            (PartOf::Patch(patch, range), Source::Patches { patches, .. }) => {
+                Shape::of_part(&patches.patch(patch as usize), range, Some(transform))
+            }
+            // No part is of the other kind.
+            _ => Shape::UNKNOWN,
+        }
+    }
+
     fn lemma(&self) -> Lemma {
         Lemma::SpreadToFacets
     }
@@ -103,16 +138,16 @@ impl Cover for Parts<'_> {
 }
 
 /// Cells of patches or of triangles, measured to patches.
-pub(super) struct Cells<'a> {
+pub(in crate::engine) struct Cells<'a> {
     pair: Pair<'a>,
     spreads: Spreads<'a>,
-    /// The triangles, if the patches of A are those.
-    triangles: Option<&'a FacetTarget>,
+    /// The triangles with the error of their corners, if the patches of A are those.
+    triangles: Option<(&'a FacetTarget, f64)>,
 }
 
 /// A cell with its bounds.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct WeightedCell {
+pub(in crate::engine) struct WeightedCell {
     cell: Cell,
     weight: Area,
     spread: Spread,
@@ -132,7 +167,11 @@ impl Weighted for WeightedCell {
 
 impl<'a> Cells<'a> {
     /// Cells within `sufficient` of B are not halved.
-    pub(super) fn new(pair: Pair<'a>, triangles: Option<&'a FacetTarget>, sufficient: f64) -> Self {
+    pub(in crate::engine) fn new(
+        pair: Pair<'a>,
+        triangles: Option<(&'a FacetTarget, f64)>,
+        sufficient: f64,
+    ) -> Self {
         let density = if triangles.is_some() { Density::OfTriangle } else { Density::OfPatch };
         Self { pair, spreads: Spreads::new(pair, density, sufficient), triangles }
     }
@@ -146,7 +185,7 @@ impl<'a> Cells<'a> {
     fn area(&self, cell: &Cell) -> Area {
         let [s, t] = cell.ranges();
         let patch = self.pair.patch_of_a(cell.patch);
-        let Some(triangles) = self.triangles else { return area_of_part(&patch, ParamBox::new(s, t)) };
+        let Some((triangles, _)) = self.triangles else { return area_of_part(&patch, ParamBox::new(s, t)) };
         // At s the triangle is as wide as s.
         let part = (s[1] * s[1] - s[0] * s[0]) * (t[1] - t[0]);
         let Area { lower, upper } = triangles.area(patch.surface as u32);
@@ -204,6 +243,27 @@ impl Cover for Cells<'_> {
         }
         let mut halves = part.cell.halves(is_halved).map(|cell| self.bounded(cell, &part.start));
         Some([halves.next()?, halves.next()?])
+    }
+
+    fn halves_of_longer(&self, part: &WeightedCell) -> Option<[WeightedCell; 2]> {
+        let patch = self.pair.patch_of_a(part.cell.patch);
+        let [s, t] = part.cell.ranges();
+        let axis = longer_axis(patch.degree, &patch.restricted(s, t));
+        self.halves(&WeightedCell { axis, ..*part })
+    }
+
+    fn shape(&self, part: &WeightedCell) -> Shape {
+        let patch = self.pair.patch_of_a(part.cell.patch);
+        let [s, t] = part.cell.ranges();
+        let (range, transform) = (ParamBox::new(s, t), Some(&self.pair.transform));
+        match self.triangles {
+            // A triangle has no normal at the side that is a corner, and one plane.
+            Some((triangles, error)) => {
+                let cone = cone_of_triangle(triangles, patch.surface as u32, error);
+                Shape::with_cone(&patch, range, transform, cone)
+            }
+            None => Shape::of_part(&patch, range, transform),
+        }
     }
 
     fn lemma(&self) -> Lemma {

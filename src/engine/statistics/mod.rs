@@ -11,7 +11,9 @@ use crate::error::{Error, Result};
 use crate::facts::Interval;
 use crate::model::RigidTransform;
 use crate::tolerance::{PermittedWidth, positive};
-pub(in crate::engine) use search::Asked;
+pub(in crate::engine) use audited::audit;
+pub(in crate::engine) use cover::{Cells, Cover};
+pub(in crate::engine) use search::{Asked, bounded};
 use serde::{Deserialize, Serialize};
 pub(in crate::engine) use sums::Sums;
 

@@ -103,7 +103,7 @@ impl Engine {
         let (prepare, found) = if over == Measure::Area && b.facets().is_none() {
             let (from, to) = (a.certified_target(), b.certified_target());
             let pair = Pair { a: from.operand(a), b: to.operand(b), transform: options.transform };
-            let triangles = a.facets().map(|facets| &facets.target);
+            let triangles = a.facets().map(|facets| (&facets.target, facets.error));
             let mut cover = Cells::new(pair, triangles, search.sufficient());
             (prepare(), search.audited(&mut cover, &mut progress).await?)
         } else {
@@ -369,7 +369,7 @@ impl Search<'_> {
 }
 
 /// Returns the bounds of all points, facets or patches.
-async fn bounded<T: Send>(
+pub(in crate::engine) async fn bounded<T: Send>(
     count: usize,
     at_once: usize,
     progress: &mut Progress<'_>,

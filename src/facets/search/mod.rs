@@ -27,7 +27,7 @@ mod step_tests;
 pub use audit::{Audit, audit_facet_searches};
 pub(crate) use node::Domain;
 pub(crate) use source::{Certified, Measured, Source, Start};
-pub(crate) use spread::{Parts, Spread, Weighted, WeightedPart};
+pub(crate) use spread::{PartOf, Parts, Spread, Weighted, WeightedPart};
 
 use super::Facet;
 use super::rounding::{cut_rounding, facet_rounding};

@@ -12,6 +12,7 @@ use crate::area::{Area, area_of_part};
 use crate::bezier::PatchSet;
 use crate::facets::Facet;
 use crate::model::RigidTransform;
+use crate::param_box::ParamBox;
 use crate::rounding::{UNIT_ROUNDOFF, gamma, lower_min, upper_max, upper_min};
 use glam::DVec3;
 
@@ -67,8 +68,18 @@ pub(crate) struct WeightedPart {
 
 #[derive(Debug, Clone, Copy)]
 enum WeightedRegion {
-    Triangle([DVec3; 3], u32),
+    /// The corners, moved, the number of cuts above it, and the place of the whole triangle.
+    Triangle([DVec3; 3], u32, u32),
     Cell(PatchCell),
+}
+
+/// What a part is a part of.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum PartOf {
+    /// Of the triangle at a place: the corners of the part, moved.
+    Triangle(u32, [DVec3; 3]),
+    /// Of a patch, over a range of its parameters.
+    Patch(u32, ParamBox),
 }
 
 /// The parts of A, bounded before B.
@@ -170,7 +181,7 @@ impl<'a> Parts<'a> {
             Source::Facets { facets, .. } => {
                 let Facet::Triangle(corners) = facets.facet(place) else { return None };
                 let moved = corners.map(|corner| self.transform.apply(corner));
-                (WeightedRegion::Triangle(moved, 0), facets.area(place))
+                (WeightedRegion::Triangle(moved, 0, place), facets.area(place))
             }
             Source::Patches { patches, .. } => {
                 let cell = PatchCell::whole(place);
@@ -192,7 +203,7 @@ impl<'a> Parts<'a> {
             Source::Facets { facets, .. } => {
                 let corner = |weights| self.transform.apply(facets.facet(place).point(weights));
                 let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(corner);
-                (WeightedRegion::Triangle(corners, 0), facets.area(place))
+                (WeightedRegion::Triangle(corners, 0, place), facets.area(place))
             }
             Source::Patches { patches, .. } => {
                 let cell = PatchCell::whole(place);
@@ -211,18 +222,29 @@ impl<'a> Parts<'a> {
 
     /// Returns the halves of a part; `None` for a part that float64 does not halve.
     pub(crate) fn halves(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
+        self.halves_along(part, true)
+    }
+
+    /// The same, of a cell of a patch along its longer side.
+    pub(crate) fn halves_of_longer(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
+        self.halves_along(part, false)
+    }
+
+    /// Halves a part; a cell where its distance from the nearest facet's plane varies most, if that is asked for.
+    fn halves_along(&self, part: &WeightedPart, by_distance: bool) -> Option<[WeightedPart; 2]> {
         let Measured::Facets { facets: b, .. } = self.b else { return None };
         let bounded = |region, weight| self.bounded(region, weight, part.start);
         let [one, other] = match (part.region, self.a) {
-            (WeightedRegion::Triangle(corners, level), _) if level < MAX_LEVELS => {
+            (WeightedRegion::Triangle(corners, level, place), _) if level < MAX_LEVELS => {
                 let half = Area { lower: 0.5 * part.weight.lower, upper: 0.5 * part.weight.upper };
                 let halves = TrianglePart::new(corners, part.start).halves(b);
-                halves.map(|of| bounded(WeightedRegion::Triangle(of.corners, level + 1), half))
+                halves.map(|of| bounded(WeightedRegion::Triangle(of.corners, level + 1, place), half))
             }
             (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => {
                 let net = cell.net(patches, &self.transform);
                 let Spread { lower, upper, .. } = part.spread;
-                let varied = net.varied_axis(&b.facet(part.start), VARIED_PART * (upper - lower));
+                let varied = || net.varied_axis(&b.facet(part.start), VARIED_PART * (upper - lower));
+                let varied = by_distance.then(varied).flatten();
                 let axis = varied.unwrap_or_else(|| net.halved_axis(true));
                 if cell.range.lengths()[axis as usize] < MIN_LENGTH {
                     return None;
@@ -235,6 +257,19 @@ impl<'a> Parts<'a> {
             _ => return None,
         };
         Some([one?, other?])
+    }
+
+    /// Returns what a part is a part of.
+    pub(crate) fn part_of(&self, part: &WeightedPart) -> PartOf {
+        match part.region {
+            WeightedRegion::Triangle(corners, _, place) => PartOf::Triangle(place, corners),
+            WeightedRegion::Cell(cell) => PartOf::Patch(cell.patch, cell.range),
+        }
+    }
+
+    /// Returns model A and its motion.
+    pub(crate) fn source(&self) -> (Source<'a>, &RigidTransform) {
+        (self.a, &self.transform)
     }
 
     /// Bounds parts from now on by the triangle inequality alone.
@@ -274,7 +309,7 @@ impl<'a> Parts<'a> {
                 let at = [s0 + along_s * (s1 - s0), t0 + along_t * (t1 - t0)];
                 self.transform.apply(patches.patch(cell.patch as usize).point(at))
             }
-            (WeightedRegion::Triangle(corners, _), _) => Facet::Triangle(corners).point(weights),
+            (WeightedRegion::Triangle(corners, ..), _) => Facet::Triangle(corners).point(weights),
             (WeightedRegion::Cell(_), _) => DVec3::NAN,
         }
     }
@@ -313,7 +348,7 @@ impl<'a> Parts<'a> {
             TriangleBounds { b, corners: &corners, allowance: self.rounding, sufficient }.spread(start)
         };
         let (spread, start) = match (region, self.a) {
-            (WeightedRegion::Triangle(corners, _), _) => spread(corners, start, self.sufficient),
+            (WeightedRegion::Triangle(corners, ..), _) => spread(corners, start, self.sufficient),
             (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => {
                 let net = cell.net(patches, &self.transform);
                 let of_corners = self.is_struck;

@@ -13,6 +13,12 @@ export type ScoreNumber =
   | "precision"
   | "recall"
   | "f1"
+  | "normalPrecision"
+  | "normalRecall"
+  | "normalF1"
+  | "edgePrecision"
+  | "edgeRecall"
+  | "edgeF1"
   | "chamfer"
   | "chamferSquared"
   | "hausdorff"
@@ -24,6 +30,10 @@ export interface ScoreOptions {
   thresholds?: number[];
   /** The same as fractions of the diagonal of the truth's box; 0.01 if neither names any. */
   relativeThresholds?: number[];
+  /** The largest angle between tangent planes that count as alike, in degrees from 0 to 90; 30 if not given. */
+  normalAngle?: number;
+  /** The angle by which a surface turns at a feature edge at least, in degrees from 0 to 180; 30 if not given. */
+  featureAngle?: number;
   /**
    * How the candidate is laid on the truth: as it is (default); scaled and shifted so that the middles
    * and the longest sides of both boxes agree; or by the best fit from any pose.
@@ -33,7 +43,7 @@ export interface ScoreOptions {
   tolerance?: number;
   /** The same as a fraction of the truth's diagonal; 1e-3 if neither is given. Both at once are an error. */
   relativeTolerance?: number;
-  /** The permitted width of the intervals of precision and recall; 1e-3 if not given. */
+  /** The permitted width of the intervals of precision and recall, of areas, with normals and of edges; 1e-3 if not given. */
   partTolerance?: number;
   /** Compares faces one by one: those within this distance of the other model are unchanged. */
   limit?: number;
@@ -108,6 +118,29 @@ export interface AtThreshold {
   precision: Interval;
   recall: Interval;
   f1: Interval;
+  /** The largest angle between tangent planes that count as alike, in degrees. */
+  normalAngle?: number;
+  /**
+   * The parts of both areas with a like counterpart, a point of the other model within the threshold whose tangent
+   * plane forms at most that angle, and their harmonic mean; none of clouds.
+   */
+  normalPrecision?: Interval;
+  normalRecall?: Interval;
+  normalF1?: Interval;
+  /**
+   * The parts of the lengths of both models' feature edges within the threshold of the other one's, and their harmonic
+   * mean; none of clouds, and of meshes of more than 250,000 triangles.
+   */
+  edgePrecision?: Interval;
+  edgeRecall?: Interval;
+  edgeF1?: Interval;
+}
+
+/** The lengths of all feature edges, at which a surface turns by more than the angle, in degrees, or ends. */
+export interface EdgeLengths {
+  featureAngle: number;
+  candidate: Interval;
+  truth: Interval;
 }
 
 /** The Hausdorff distance to the truth, back, and the larger of both. */
@@ -163,6 +196,7 @@ export interface Score {
   /** The sum of both mean squared distances. */
   chamferSquared?: Interval;
   thresholds: AtThreshold[];
+  edgeLength?: EdgeLengths;
   hausdorff?: HausdorffScore;
   /** The volume of the intersection over that of the union, if both models close. It has a budget of its own. */
   iou?: Interval;

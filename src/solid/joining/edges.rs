@@ -1,15 +1,39 @@
 //! The edges at which the patches of a model's surfaces, or the triangles of a mesh, end.
 
+use crate::axis::Axis;
 use crate::bezier::{BezierModel, Patch};
 use crate::solid::curve::Curve;
 use crate::sorting::sort_by_number;
 use glam::DVec3;
 use std::collections::HashMap;
 
+/// A side of a patch, or of a triangle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct EdgePlace {
+    /// The patch of the model, or the place of the triangle.
+    pub(crate) index: u32,
+    /// The parameter that is constant along a patch's side.
+    pub(crate) axis: Axis,
+    /// Its value, 0 or 1; of a triangle the number of the corner where the side begins.
+    pub(crate) end: u8,
+}
+
+/// Two equal edges of triangles.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct EqualEdges {
+    /// The triangles.
+    pub(super) surfaces: [u32; 2],
+    /// Whether both run the same way round their surfaces.
+    pub(super) runs_alike: bool,
+    /// The side of the first triangle.
+    pub(super) side: u8,
+}
+
 /// The edge of a patch at which its surface ends.
 #[derive(Debug, Clone)]
 pub(super) struct Edge {
     pub(super) surface: usize,
+    pub(super) place: EdgePlace,
     pub(super) curve: Curve,
     /// Whether the curve runs about the surface's normal as the fingers of the right hand do.
     pub(super) forward: bool,
@@ -20,9 +44,8 @@ pub(super) struct Edge {
 pub(crate) struct Edges {
     /// The number of surfaces.
     pub(super) surfaces: usize,
-    /// The surfaces of two equal edges, which cancel (docs/solids.md, section 1), and whether both run
-    /// the same way round their surfaces.
-    pub(super) equal: Vec<([u32; 2], bool)>,
+    /// Equal edges, which cancel (docs/solids.md, section 1).
+    pub(super) equal: Vec<EqualEdges>,
     /// The other edges.
     pub(super) single: Vec<Edge>,
 }
@@ -56,7 +79,8 @@ impl Edges {
                 match open.remove(&key) {
                     Some((place, other)) => {
                         let runs_alike = bits(other[0]) == first;
-                        edges.equal.push(([(place / 3) as u32, triangle as u32], runs_alike));
+                        let surfaces = [(place / 3) as u32, triangle as u32];
+                        edges.equal.push(EqualEdges { surfaces, runs_alike, side: (place % 3) as u8 });
                     }
                     None => _ = open.insert(key, (3 * triangle + side, ends)),
                 }
@@ -68,7 +92,9 @@ impl Edges {
         let edge = |(place, ends): (usize, [DVec3; 2])| {
             let controls = ends.map(|end| end.extend(1.0)).to_vec();
             let curve = Curve { center: DVec3::ZERO, controls };
-            Edge { surface: place / 3, curve, forward: true }
+            let index = (place / 3) as u32;
+            let place = EdgePlace { index, axis: Axis::U, end: (place % 3) as u8 };
+            Edge { surface: index as usize, place, curve, forward: true }
         };
         edges.single = single.into_iter().map(edge).collect();
         edges
@@ -113,7 +139,9 @@ fn edges(model: &BezierModel) -> Vec<Edge> {
                     if is_end || usize::from(of_axis[line]) > patch.degree[axis] {
                         // At t = 0 along s, at s = 1 along t, and back at the other two.
                         let forward = (axis == 1) == (end == 0);
-                        edges.push(Edge { surface, curve: edge(&patch, axis, end), forward });
+                        let (index, side) = ((grid.first + index) as u32, Axis::BOTH[axis]);
+                        let place = EdgePlace { index, axis: side, end: end as u8 };
+                        edges.push(Edge { surface, place, curve: edge(&patch, axis, end), forward });
                     }
                 }
             }
@@ -193,7 +221,7 @@ mod tests {
             let edges = Edges::of_triangles(triangles.into_iter().enumerate());
             assert_eq!([edges.equal.len(), edges.single.len()], [12, 0]);
             assert!(
-                edges.equal.iter().all(|&([a, b], _)| is_of_first(a) == is_of_first(b)),
+                edges.equal.iter().all(|edge| is_of_first(edge.surfaces[0]) == is_of_first(edge.surfaces[1])),
                 "{:?}",
                 edges.equal
             );

@@ -2,7 +2,7 @@
 
 use super::clusters::Clusters;
 use super::cracks::Cracks;
-use super::edges::{Edge, Edges};
+use super::edges::{Edge, EdgePlace, Edges};
 use super::orientation::{Joined, Orientations};
 use crate::bezier::PointError;
 use crate::bvh::{Aabb, Bvh};
@@ -24,7 +24,7 @@ const RELATIVE_RADIUS: f64 = 1e-4;
 
 /// The distance, relative to the diagonal, up to which partners are as near, so that places in the file
 /// decide: bodies that stand flush differ by rounding alone, faces beside each other in a body by more.
-const RELATIVE_TIE: f64 = 1e-9;
+pub(super) const RELATIVE_TIE: f64 = 1e-9;
 
 /// The roundings of a coordinate along a ray, relative to the largest length of a control point
 /// (lemma S3 of docs/solids.md).
@@ -55,18 +55,22 @@ pub(crate) struct FreeEdge {
 }
 
 /// A part of an edge between two groups of ends.
-struct EdgePart {
-    surface: usize,
-    curve: Curve,
+pub(super) struct EdgePart {
+    pub(super) surface: usize,
+    pub(super) place: EdgePlace,
+    /// The parameters of its start and its end on that side.
+    pub(super) range: [f64; 2],
+    pub(super) curve: Curve,
     ends: [u32; 2],
-    forward: bool,
+    pub(super) forward: bool,
 }
 
 impl EdgePart {
     /// Returns the same part from its other end.
     fn reversed(self) -> Self {
-        let Self { surface, curve, ends: [start, end], forward } = self;
-        Self { surface, curve: curve.reversed(), ends: [end, start], forward: !forward }
+        let Self { surface, place, range: [from, to], curve, ends: [start, end], forward } = self;
+        let (curve, forward) = (curve.reversed(), !forward);
+        Self { surface, place, range: [to, from], curve, ends: [end, start], forward }
     }
 }
 
@@ -81,21 +85,30 @@ impl Boundary {
         gap: f64,
         max_degree: usize,
     ) -> Self {
-        let reach = gap.max(RELATIVE_REACH * control_box.diagonal()).max(f64::MIN_POSITIVE);
+        let reach = reach_of(control_box, gap);
         let mut orientations = Orientations::separate(edges.surfaces);
-        edges.equal.iter().for_each(|&([a, b], runs_alike)| orientations.join(a, b, runs_alike));
+        edges.equal.iter().for_each(|edge| {
+            orientations.join(edge.surfaces[0], edge.surfaces[1], edge.runs_alike);
+        });
         let mut joints = Joints::new(edges.single, reach, RELATIVE_TIE * control_box.diagonal());
         let arcs = joints.arcs();
-        let (mut covering, mut free) = (Covering::default(), Vec::new());
+        let (mut covering, mut alone) = (Covering::default(), Vec::new());
         let (radius, width) =
             (RELATIVE_RADIUS * control_box.diagonal(), RELATIVE_TIE * control_box.diagonal());
         let limits = StripLimits { radius: reach.max(radius), width };
         let mut cracks = Cracks::default();
-        for [a, b] in joints.pair(arcs, &mut free, &mut orientations) {
+        for [a, b] in joints.pair(arcs, &mut alone, &mut orientations) {
             let before = [covering.area, covering.length];
             covering.add_pair([a.curve, b.curve], limits, 0);
             cracks.strips.push((a.surface, [covering.area - before[0], covering.length - before[1]]));
         }
+        let free: Vec<FreeEdge> = alone
+            .iter()
+            .map(|part| FreeEdge {
+                surface: part.surface,
+                points: [0.0, 0.5, 1.0].map(|t| part.curve.point(t)),
+            })
+            .collect();
         for Corner { points, surfaces } in joints.corners() {
             cracks.add_corner(&points, surfaces);
             covering.add_corner(points);
@@ -162,8 +175,13 @@ impl Boundary {
     }
 }
 
+/// Returns the distance up to which edges are joined.
+pub(super) fn reach_of(control_box: &Aabb, gap: f64) -> f64 {
+    gap.max(RELATIVE_REACH * control_box.diagonal()).max(f64::MIN_POSITIVE)
+}
+
 /// Edges with the groups of their ends.
-struct Joints {
+pub(super) struct Joints {
     edges: Vec<Edge>,
     reach: f64,
     /// The difference of distances that does not tell partners apart.
@@ -188,7 +206,7 @@ impl Corner {
 }
 
 impl Joints {
-    fn new(edges: Vec<Edge>, reach: f64, tie: f64) -> Self {
+    pub(super) fn new(edges: Vec<Edge>, reach: f64, tie: f64) -> Self {
         let points: Vec<DVec3> = edges.iter().flat_map(|edge| edge.curve.ends()).collect();
         let mut clusters = Clusters::new(&points, reach);
         let mut members: BTreeMap<u32, Corner> = BTreeMap::new();
@@ -201,11 +219,13 @@ impl Joints {
 
     /// Returns the edges divided where an end of another edge lies on them, without those that are
     /// points: their control points join the group of their ends.
-    fn arcs(&mut self) -> Vec<EdgePart> {
+    pub(super) fn arcs(&mut self) -> Vec<EdgePart> {
         let cuts = self.cuts();
         let edges = std::mem::take(&mut self.edges);
         let mut arcs = Vec::with_capacity(edges.len());
-        for (index, (Edge { surface, curve, forward }, mut cuts)) in edges.into_iter().zip(cuts).enumerate() {
+        for (index, (Edge { surface, place, curve, forward }, mut cuts)) in
+            edges.into_iter().zip(cuts).enumerate()
+        {
             let ends = [0, 1].map(|end| self.clusters.of((2 * index + end) as u32));
             let extent = curve.points().fold(Aabb::EMPTY, Aabb::with).diagonal();
             if ends[0] == ends[1] && extent <= 2.0 * self.reach {
@@ -218,10 +238,12 @@ impl Joints {
                 let [low, high] = rest.split((t - start) / (1.0 - start));
                 let [_, end] = low.ends();
                 self.members.entry(cluster).or_default().extend(std::iter::once(end), surface);
-                arcs.push(EdgePart { surface, curve: low, ends: [from, cluster], forward });
+                let (range, ends) = ([start, t], [from, cluster]);
+                arcs.push(EdgePart { surface, place, range, curve: low, ends, forward });
                 (rest, start, from) = (high, t, cluster);
             }
-            arcs.push(EdgePart { surface, curve: rest, ends: [from, ends[1]], forward });
+            let (range, ends) = ([start, 1.0], [from, ends[1]]);
+            arcs.push(EdgePart { surface, place, range, curve: rest, ends, forward });
         }
         arcs
     }
@@ -249,10 +271,10 @@ impl Joints {
     }
 
     /// Returns the arcs in pairs that run side by side in one direction; the others are free.
-    fn pair(
+    pub(super) fn pair(
         &self,
         arcs: Vec<EdgePart>,
-        free: &mut Vec<FreeEdge>,
+        free: &mut Vec<EdgePart>,
         orientations: &mut Orientations,
     ) -> Vec<[EdgePart; 2]> {
         let mut groups: HashMap<[u32; 2], Vec<EdgePart>> = HashMap::new();
@@ -283,10 +305,7 @@ impl Joints {
                         orientations.join(a.surface as u32, b.surface as u32, a.forward == b.forward);
                         pairs.push(pair);
                     }
-                    None => {
-                        let points = [0.0, 0.5, 1.0].map(|t| arc.curve.point(t));
-                        free.push(FreeEdge { surface: arc.surface, points });
-                    }
+                    None => free.push(arc),
                 }
             }
         }
@@ -342,11 +361,13 @@ fn in_one_direction([a, b]: [EdgePart; 2]) -> [EdgePart; 2] {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
+    use crate::axis::Axis;
     use crate::rounding::UNIT_ROUNDOFF;
 
     fn edge(surface: usize, points: &[[f64; 3]]) -> Edge {
         let controls = points.iter().map(|&point| DVec3::from_array(point).extend(1.0)).collect();
-        Edge { surface, curve: Curve { center: DVec3::ZERO, controls }, forward: true }
+        let place = EdgePlace { index: surface as u32, axis: Axis::U, end: 0 };
+        Edge { surface, place, curve: Curve { center: DVec3::ZERO, controls }, forward: true }
     }
 
     fn boundary(single: Vec<Edge>, gap: f64) -> Boundary {

@@ -1,11 +1,13 @@
 //! The edges of faces, joined in pairs: what closes, and which way it turns.
 
+mod arcs;
 mod clusters;
 mod cracks;
 mod edges;
 mod joints;
 mod orientation;
 
-pub(crate) use edges::Edges;
+pub(crate) use arcs::{Arc, JoinedArc, joined_arcs};
+pub(crate) use edges::{EdgePlace, Edges};
 pub(crate) use joints::Boundary;
 pub(crate) use orientation::{Joined, ShellState};

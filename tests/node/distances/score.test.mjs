@@ -29,6 +29,14 @@ function check(found) {
   holds(found.hausdorff.distance, h);
   holds(found.volume.ratio, 8 / 9);
   holds(found.candidate.valid, 1);
+  const [at] = found.thresholds;
+  holds(at.normalPrecision, 1 - (6 + 10 * (h - 0.2)) / (52 + 10 * h));
+  // The rim of the old end is near sides alone.
+  holds(at.normalRecall, 1 - 6 / 52);
+  holds(at.edgePrecision, 1 - (10 + 4 * (h - 0.2)) / 38);
+  holds(at.edgeRecall, 1 - (10 - 8 * 0.2) / 36);
+  holds(found.edgeLength.candidate, 38);
+  assert.ok(at.normalAngle === 30 && at.normalF1.lower < at.f1.upper && at.edgeF1.upper < 1);
   assert.equal(found.met, true);
   assert.deepEqual(found.placement.rotation, [0, 0, 0, 1]);
 }
@@ -43,6 +51,11 @@ test("a deeper box has the distances of the formula", async () => {
   const code = withCode("OPTION_INVALID");
   await assert.rejects(hd.score(deep, truth, { atLeast: { f2: 1 } }), code);
   await assert.rejects(hd.score(deep, truth, { threshold: 1 }), code);
+  await assert.rejects(hd.score(deep, truth, { normalAngle: 91 }), withCode("OPTION_OUT_OF_RANGE"));
+  await assert.rejects(
+    hd.score(deep, truth, { featureAngle: -1 }),
+    withCode("OPTION_OUT_OF_RANGE"),
+  );
 });
 
 test("a worker scores, too", async () => {

@@ -30,6 +30,12 @@ pub(crate) struct ScoreArguments {
     /// The same as a fraction of the diagonal of the truth's box; 0.01 if neither is given.
     #[arg(long, value_name = "FRACTION")]
     relative_threshold: Vec<f64>,
+    /// The largest angle between tangent planes that count as alike, in degrees.
+    #[arg(long, value_name = "DEGREES", default_value_t = 30.0)]
+    normal_angle: f64,
+    /// The angle by which a surface turns at a feature edge at least, in degrees.
+    #[arg(long, value_name = "DEGREES", default_value_t = 30.0)]
+    feature_angle: f64,
     /// How the candidate is laid on the truth: as it is, by the middle and the longest side of the boxes, or by the best fit.
     #[arg(long, value_enum, default_value_t = AlignName::None)]
     align: AlignName,
@@ -48,7 +54,7 @@ pub(crate) struct ScoreArguments {
     /// The same as a fraction of the diagonal of the truth's box; 1e-3 if neither is given.
     #[arg(long, value_name = "FRACTION")]
     relative_tolerance: Option<f64>,
-    /// Permitted width of the intervals of precision and recall.
+    /// Permitted width of the intervals of precision and recall, of areas, with normals and of edges.
     #[arg(long, hide_short_help = true, value_name = "PART", default_value_t = 1e-3)]
     part_tolerance: f64,
     /// Seconds after which the intervals reached are the result.
@@ -77,6 +83,8 @@ impl ScoreArguments {
         Ok(ScoreOptions {
             thresholds: self.threshold.clone(),
             relative_thresholds: self.relative_threshold.clone(),
+            normal_angle: self.normal_angle,
+            feature_angle: self.feature_angle,
             align: self.align.into(),
             tolerance: self.tolerance,
             relative_tolerance: self.relative_tolerance,

@@ -102,6 +102,17 @@ fn lines(out: &mut String, score: &Score) -> Result {
         line(&format!("precision {within}"), Some(&at.precision))?;
         line(&format!("recall {within}"), Some(&at.recall))?;
         line(&format!("f1 {within}"), Some(&at.f1))?;
+        if let Some(normals) = at.normals {
+            let like = format!("{within}, {}°", number(normals.normal_angle));
+            line(&format!("normal precision {like}"), Some(&normals.normal_precision))?;
+            line(&format!("normal recall {like}"), Some(&normals.normal_recall))?;
+            line(&format!("normal f1 {like}"), Some(&normals.normal_f1))?;
+        }
+        if let Some(edges) = at.edges {
+            line(&format!("edge precision {within}"), Some(&edges.edge_precision))?;
+            line(&format!("edge recall {within}"), Some(&edges.edge_recall))?;
+            line(&format!("edge f1 {within}"), Some(&edges.edge_f1))?;
+        }
     }
     line("hausdorff", score.hausdorff.as_ref().map(|of| &of.distance))?;
     line("iou", score.iou.as_ref())?;

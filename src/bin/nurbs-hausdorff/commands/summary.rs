@@ -47,6 +47,18 @@ struct AtThreshold {
     precision: Ends,
     recall: Ends,
     f1: Ends,
+    #[serde(rename = "normalPrecision")]
+    normal_precision: Option<Ends>,
+    #[serde(rename = "normalRecall")]
+    normal_recall: Option<Ends>,
+    #[serde(rename = "normalF1")]
+    normal_f1: Option<Ends>,
+    #[serde(rename = "edgePrecision")]
+    edge_precision: Option<Ends>,
+    #[serde(rename = "edgeRecall")]
+    edge_recall: Option<Ends>,
+    #[serde(rename = "edgeF1")]
+    edge_f1: Option<Ends>,
 }
 
 #[derive(Deserialize)]
@@ -80,6 +92,12 @@ impl Answer {
             ScoreNumber::Precision => at?.precision,
             ScoreNumber::Recall => at?.recall,
             ScoreNumber::F1 => at?.f1,
+            ScoreNumber::NormalPrecision => at?.normal_precision?,
+            ScoreNumber::NormalRecall => at?.normal_recall?,
+            ScoreNumber::NormalF1 => at?.normal_f1?,
+            ScoreNumber::EdgePrecision => at?.edge_precision?,
+            ScoreNumber::EdgeRecall => at?.edge_recall?,
+            ScoreNumber::EdgeF1 => at?.edge_f1?,
             ScoreNumber::Chamfer => self.chamfer?,
             ScoreNumber::ChamferSquared => self.chamfer_squared?,
             ScoreNumber::Hausdorff => self.hausdorff.as_ref()?.distance,

@@ -1,0 +1,184 @@
+//! The part of a model's area that has like counterparts in another one: near, and with a like tangent plane.
+
+use super::shares::{Shares, largest_open};
+use crate::area::Area;
+use crate::certified::{Audit, AuditReport, Pair};
+use crate::engine::PreparedModel;
+use crate::engine::section::is_over;
+use crate::engine::statistics::{Cells, Cover, audit, bounded};
+use crate::error::{Error, Result};
+use crate::facets::{Parts, PreparedFacets, Source, Weighted};
+use crate::facts::Interval;
+use crate::model::RigidTransform;
+use crate::normals::{Likeness, Likenesses, NormalTarget};
+use crate::progress::{Monitor, Progress};
+use crate::threads::parallel::map_ranges;
+use std::ops::Range;
+use web_time::Instant;
+
+/// The part of the threshold within which distances are not looked at more closely.
+const SUFFICIENT_PART: f64 = 0.125;
+
+/// The number of parts between two checkpoints, where there is a limit of time.
+const PARTS_AT_ONCE: usize = 256;
+
+/// What is asked of both directions.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct AskedNormals {
+    /// The largest distance of a counterpart.
+    pub(super) threshold: f64,
+    /// The largest angle between the tangent planes, in radians.
+    pub(super) angle: f64,
+    /// The width of the interval.
+    pub(super) part_tolerance: f64,
+    /// The parts after which the interval reached is returned.
+    pub(super) max_cells: usize,
+    /// Seconds after which it is.
+    pub(super) max_seconds: Option<f64>,
+}
+
+/// Returns the part of the area of a model, moved, that has like counterparts in another one, and whether its
+/// interval is as narrow as asked for; `None` for a cloud, which has no normals.
+///
+/// # Errors
+/// [`Error::EmptyModel`]; [`Error::Cancelled`].
+pub(super) async fn alike_part(
+    [from, to]: [&PreparedModel; 2],
+    transform: RigidTransform,
+    asked: AskedNormals,
+    monitor: &mut dyn Monitor,
+) -> Result<Option<(Interval, bool)>> {
+    if from.is_cloud() || to.is_cloud() {
+        return Ok(None);
+    }
+    let mut progress = Progress::new(monitor, false);
+    let started = Instant::now();
+    let sufficient = SUFFICIENT_PART * asked.threshold;
+    let boxes = [from, to].map(PreparedModel::bounding_box);
+    let length =
+        boxes[0].diagonal() + transform.apply(boxes[0].center()).length() + boxes[1].farthest_from_origin();
+    let flat = to.facets().is_none().then(|| to.certified_target());
+    let target = match (to.facets(), &flat) {
+        (Some(PreparedFacets { target, error, .. }), _) => {
+            NormalTarget::Triangles { facets: target, error: *error }
+        }
+        (None, Some(flat)) => NormalTarget::of_patches(&flat.target),
+        (None, None) => return Err(Error::EmptyModel),
+    };
+    let search = |rounding: f64| {
+        let question = [asked.threshold, asked.angle];
+        Search { likenesses: Likenesses::new(&target, question, [rounding, length]), asked, started }
+    };
+    let found = if let Some(flat) = &flat {
+        let own = from.certified_target();
+        let pair = Pair { a: own.operand(from), b: flat.operand(to), transform };
+        let triangles = from.facets().map(|facets| (&facets.target, facets.error));
+        let mut cells = Cells::new(pair, triangles, sufficient);
+        search(cells.rounding()).audited(&mut cells, &mut progress).await?
+    } else {
+        let measured = to.measured(None).ok_or(Error::EmptyModel)?;
+        let source = match from.facets() {
+            Some(PreparedFacets { target, error, .. }) => Source::Facets { facets: target, error: *error },
+            None => from.patches_as_source(&from.bezier().patches),
+        };
+        let mut parts = Parts::new(source, measured, transform, sufficient);
+        search(parts.rounding()).audited(&mut parts, &mut progress).await?
+    };
+    Ok(Some(found))
+}
+
+struct Search<'a> {
+    likenesses: Likenesses<'a>,
+    asked: AskedNormals,
+    started: Instant,
+}
+
+/// A part with what is known of it.
+type Compared<P> = (P, Likeness);
+
+impl Search<'_> {
+    fn is_late(&self) -> bool {
+        is_over(self.started, self.asked.max_seconds)
+    }
+
+    fn compared<C: Cover>(&self, cover: &C, part: C::Part) -> Compared<C::Part> {
+        let spread = part.spread();
+        let likeness = self.likenesses.of(&cover.shape(&part), [spread.lower, spread.upper]);
+        (part, likeness)
+    }
+
+    /// Returns the part and whether it is narrow; where a bound of a distance is refuted, that without its lemma.
+    async fn audited<C: Cover>(
+        &self,
+        cover: &mut C,
+        progress: &mut Progress<'_>,
+    ) -> Result<(Interval, bool)> {
+        let (parts, found) = self.run(cover, progress).await?;
+        if audit(cover, &parts, Audit::default(), &mut AuditReport::default()).is_none() {
+            return Ok(found);
+        }
+        cover.strike();
+        Ok(self.run(cover, progress).await?.1)
+    }
+
+    /// Halves parts that are open until the interval is narrow or a budget is spent; returns the parts, too.
+    async fn run<C: Cover>(
+        &self,
+        cover: &C,
+        progress: &mut Progress<'_>,
+    ) -> Result<(Vec<C::Part>, (Interval, bool))> {
+        let first = |range: Range<usize>| {
+            let parts = cover.first(range, &|| self.is_late())?;
+            Some(parts.into_iter().map(|part| self.compared(cover, part)).collect())
+        };
+        let mut parts: Vec<Compared<C::Part>> = bounded(cover.len(), PARTS_AT_ONCE, progress, first).await?;
+        loop {
+            let areas = parts.iter().map(|(part, likeness)| {
+                let Area { lower, upper } = part.weight();
+                (Interval { lower, upper }, *likeness)
+            });
+            let part = Shares::of(areas).part();
+            let is_narrow = part.upper - part.lower <= self.asked.part_tolerance;
+            if is_narrow || self.likenesses.is_hopeless() || !self.halve(cover, &mut parts, progress).await? {
+                return Ok((parts.into_iter().map(|(part, _)| part).collect(), (part, is_narrow)));
+            }
+        }
+    }
+
+    /// Halves the largest open parts, and returns whether there were any and the budgets permit it.
+    async fn halve<C: Cover>(
+        &self,
+        cover: &C,
+        parts: &mut Vec<Compared<C::Part>>,
+        progress: &mut Progress<'_>,
+    ) -> Result<bool> {
+        let mut count = 0;
+        let total: f64 = parts.iter().map(|(part, _)| part.weight().upper).sum();
+        let open = |(part, likeness): &Compared<C::Part>| match likeness {
+            Likeness::Open => part.weight().upper,
+            Likeness::Alike | Likeness::Unlike => 0.0,
+        };
+        let room = self.asked.max_cells.saturating_sub(parts.len());
+        let chosen = largest_open(parts.iter().map(open), self.asked.part_tolerance * total, room);
+        for page in chosen.chunks(PARTS_AT_ONCE) {
+            if self.is_late() {
+                break;
+            }
+            let found = map_ranges(page.len(), |range: Range<usize>| {
+                let halves = |&index: &usize| {
+                    let halves = cover.halves_of_longer(&parts[index].0)?;
+                    Some(halves.map(|half| self.compared(cover, half)))
+                };
+                page[range].iter().map(halves).collect::<Vec<_>>()
+            });
+            for (&index, halves) in page.iter().zip(found.into_iter().flatten()) {
+                let Some([one, other]) = halves else { continue };
+                parts[index] = one;
+                parts.push(other);
+                count += 1;
+            }
+            progress.checkpoint((parts.len() as f64 / self.asked.max_cells as f64).min(1.0)).await?;
+        }
+        Ok(count > 0)
+    }
+}

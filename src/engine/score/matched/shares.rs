@@ -1,0 +1,96 @@
+//! The share of pieces with a property, of which some are undecided, and the choice of those that are halved.
+
+use crate::facts::Interval;
+use crate::normals::Likeness;
+use crate::sorting::sort_by_number;
+
+/// The part of the permitted width that pieces which are not halved may have.
+const KEPT_PART: f64 = 0.75;
+
+/// Sizes of the pieces that are alike, that are not, and of the others.
+pub(super) struct Shares {
+    pub(super) alike: Interval,
+    pub(super) unlike: Interval,
+    pub(super) open: Interval,
+}
+
+impl Shares {
+    /// Sums the sizes of pieces.
+    pub(super) fn of(pieces: impl Iterator<Item = (Interval, Likeness)>) -> Self {
+        let zero = Interval::exactly(0.0);
+        pieces.fold(Self { alike: zero, unlike: zero, open: zero }, |sums, (size, likeness)| match likeness {
+            Likeness::Alike => Self { alike: sums.alike + size, ..sums },
+            Likeness::Unlike => Self { unlike: sums.unlike + size, ..sums },
+            Likeness::Open => Self { open: sums.open + size, ..sums },
+        })
+    }
+
+    /// Returns the share of those that are alike; it rises with the size of pieces that are, and falls with that of
+    /// the others. The open ones may be alike, may not be, or may not count at all.
+    pub(super) fn part(&self) -> Interval {
+        let share = |of: f64, rest: [f64; 2]| {
+            let of = Interval::exactly(of).not_negative();
+            if rest == [0.0; 2] && of.lower > 0.0 {
+                return Interval::exactly(1.0);
+            }
+            of.over(of + Interval::exactly(rest[0]) + Interval::exactly(rest[1]))
+        };
+        let least = share(self.alike.lower, [self.unlike.upper, self.open.upper]);
+        let others = share(self.unlike.lower, [self.alike.upper, self.open.upper]);
+        // 1 less 1 is 0 without a rounding.
+        let upper = if others.lower < 1.0 { (Interval::exactly(1.0) - others).upper } else { 0.0 };
+        Interval { lower: least.lower, upper }.within(Interval { lower: 0.0, upper: 1.0 })
+    }
+}
+
+/// Returns the pieces of the largest open sizes, at most `room`: the others have less than the `permitted` size together.
+pub(super) fn largest_open(open: impl Iterator<Item = f64>, permitted: f64, room: usize) -> Vec<usize> {
+    let mut open: Vec<(f64, usize)> = open.zip(0..).filter(|(size, _)| *size > 0.0).collect();
+    sort_by_number(&mut open, |one| -one.0);
+    let mut left: f64 = open.iter().map(|(size, _)| size).sum();
+    let kept = KEPT_PART * permitted;
+    let needed = open.into_iter().take_while(|(size, _)| {
+        let is_needed = left > kept;
+        left -= size;
+        is_needed
+    });
+    needed.map(|(_, index)| index).take(room).collect()
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    fn part(sizes: &[([f64; 2], Likeness)]) -> [f64; 2] {
+        let sizes = sizes.iter().map(|&([lower, upper], likeness)| (Interval { lower, upper }, likeness));
+        let Interval { lower, upper } = Shares::of(sizes).part();
+        [lower, upper]
+    }
+
+    /// Ends are attained where sizes are at the ends of their intervals.
+    #[test]
+    fn shares_are_between_the_least_and_the_largest() {
+        let near = |found: [f64; 2], expected: [f64; 2]| {
+            assert!(found[0] <= expected[0] && expected[0] - found[0] < 1e-14, "{found:?} {expected:?}");
+            assert!(found[1] >= expected[1] && found[1] - expected[1] < 1e-14, "{found:?} {expected:?}");
+        };
+        let all =
+            [([2.0, 3.0], Likeness::Alike), ([1.0, 2.0], Likeness::Unlike), ([4.0, 5.0], Likeness::Open)];
+        near(part(&all), [2.0 / 9.0, 1.0 - 1.0 / 9.0]);
+        near(part(&all[..2]), [0.5, 0.75]);
+        near(part(&all[2..]), [0.0, 1.0]);
+        // Of one kind only, all is known, however little is known of the sizes.
+        assert_eq!(part(&all[..1]), [1.0, 1.0]);
+        assert_eq!(part(&all[1..2]), [0.0, 0.0]);
+        assert_eq!(part(&[]), [0.0, 1.0]);
+    }
+
+    #[test]
+    fn the_largest_open_pieces_are_halved_until_little_is_left() {
+        let chosen = |permitted, room| largest_open([0.0, 1.0, 3.0, 1.0].into_iter(), permitted, room);
+        assert_eq!(chosen(1e-3, 9), [2, 1, 3]);
+        assert_eq!(chosen(2.0 / KEPT_PART, 9), [2]);
+        assert_eq!(chosen(1e-3, 1), [2]);
+        assert!(chosen(5.0 / KEPT_PART, 9).is_empty());
+    }
+}

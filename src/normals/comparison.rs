@@ -1,0 +1,193 @@
+//! Whether the points of a part of A have like counterparts in B.
+
+use super::target::Node;
+use super::{NormalCone, NormalTarget, Shape};
+use crate::rounding::gamma;
+use glam::DVec3;
+
+/// The roundings of distances of points and of boxes, relative to the largest length, besides those that the caller
+/// states.
+const DISTANCE_ROUNDINGS: f64 = 64.0;
+
+/// A part of B is halved while it is larger than this part of A's.
+const HALVED_RATIO: f64 = 0.5;
+
+/// The parts of B that are looked at for a part of A before it is left undecided.
+const MAX_VISITS: usize = 2048;
+
+/// What is known of the points of a part of A.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Likeness {
+    /// All have a like counterpart.
+    Alike,
+    /// None has one.
+    Unlike,
+    /// Neither is shown.
+    Open,
+}
+
+/// The question whether points have like counterparts in B.
+pub(crate) struct Likenesses<'a> {
+    target: &'a NormalTarget<'a>,
+    /// The largest distance of a counterpart.
+    threshold: f64,
+    /// The largest angle, in radians.
+    angle: f64,
+    /// What rounding adds to distances.
+    slack: f64,
+}
+
+/// What looking at B found so far.
+struct Looked {
+    visits: usize,
+    /// Whether a part in reach may be alike.
+    is_open: bool,
+}
+
+impl<'a> Likenesses<'a> {
+    /// `error` bounds the errors of points of A, moved, and of B together, `length` their distances from the origin.
+    pub(crate) fn new(
+        target: &'a NormalTarget<'a>,
+        [threshold, angle]: [f64; 2],
+        [error, length]: [f64; 2],
+    ) -> Self {
+        Self { target, threshold, angle, slack: error + gamma(DISTANCE_ROUNDINGS) * length }
+    }
+
+    /// Whether no distance can be shown to be within the threshold, for rounding.
+    pub(crate) fn is_hopeless(&self) -> bool {
+        !(self.threshold > self.slack)
+    }
+
+    /// Returns what is known of a part of A whose points have these bounds on their distances from B, rounding
+    /// included (lemmas N3 and N4 of docs/score.md).
+    pub(crate) fn of(&self, shape: &Shape, [lower, upper]: [f64; 2]) -> Likeness {
+        if lower > self.threshold {
+            return Likeness::Unlike;
+        }
+        let Some(cone) = &shape.cone else { return Likeness::Open };
+        if upper < self.threshold && self.all_are_alike(shape, cone, upper) {
+            return Likeness::Alike;
+        }
+        self.by_one_part(shape, cone)
+    }
+
+    /// Returns whether all parts of B within a distance of a part of A are certainly alike.
+    fn all_are_alike(&self, shape: &Shape, cone: &NormalCone, within: f64) -> bool {
+        let reach = within + self.slack;
+        let mut all = true;
+        let mut visits = 0;
+        self.target.near(&shape.aabb, reach, &mut |place| {
+            let mut is_alike = |other: &Shape| {
+                visits += 1;
+                let [_, most] = other.cone.map_or([0.0, f64::INFINITY], |other| cone.angles(&other));
+                most <= self.angle
+            };
+            all = match (self.target.root(place), self.target.triangle(place)) {
+                (Some(root), _) => self.node_is_alike(shape, root, reach, &mut is_alike),
+                (None, Some(triangle)) => shape.is_beyond(&triangle, reach) || is_alike(&triangle),
+                (None, None) => false,
+            };
+            all &= visits < MAX_VISITS;
+            all
+        });
+        all
+    }
+
+    /// Returns whether the parts of a patch within reach are alike, halved while they are large.
+    fn node_is_alike(
+        &self,
+        shape: &Shape,
+        node: &Node,
+        reach: f64,
+        is_alike: &mut dyn FnMut(&Shape) -> bool,
+    ) -> bool {
+        if shape.is_beyond(&node.shape, reach) || is_alike(&node.shape) {
+            return true;
+        }
+        if node.shape.radius <= HALVED_RATIO * shape.radius {
+            return false;
+        }
+        let Some(halves) = self.target.halves(node) else { return false };
+        halves.iter().all(|half| self.node_is_alike(shape, half, reach, is_alike))
+    }
+
+    /// Looks for one part of B that is alike and whose one point is near to all points of a part of A; or shows that
+    /// none in reach is alike.
+    fn by_one_part(&self, shape: &Shape, cone: &NormalCone) -> Likeness {
+        let reach = self.threshold + self.slack;
+        let (mut looked, mut found) = (Looked { visits: 0, is_open: false }, false);
+        self.target.near(&shape.aabb, reach, &mut |place| {
+            found = match (self.target.root(place), self.target.triangle(place)) {
+                (Some(root), _) => self.node_is_near(shape, cone, root, &mut looked),
+                (None, Some(triangle)) => {
+                    looked.visits += 1;
+                    let of = self.compared(shape, cone, &triangle, reach);
+                    looked.is_open |= of != Likeness::Unlike;
+                    of == Likeness::Alike
+                        && self.is_in_reach(shape, |point| self.target.distance_squared_of(place, point))
+                }
+                (None, None) => false,
+            };
+            looked.is_open |= looked.visits >= MAX_VISITS;
+            !found && looked.visits < MAX_VISITS
+        });
+        match (found, looked.is_open) {
+            (true, _) => Likeness::Alike,
+            (false, true) => Likeness::Open,
+            (false, false) => Likeness::Unlike,
+        }
+    }
+
+    /// As [`Self::by_one_part`], of the parts of one patch.
+    fn node_is_near(&self, shape: &Shape, cone: &NormalCone, node: &Node, looked: &mut Looked) -> bool {
+        looked.visits += 1;
+        match self.compared(shape, cone, &node.shape, self.threshold + self.slack) {
+            Likeness::Unlike => false,
+            Likeness::Alike => {
+                looked.is_open = true;
+                // A point of it within reach of all of the part is within reach of its middle.
+                let reach = self.threshold * self.threshold;
+                let may_be = node.shape.aabb.min_distance_squared(shape.middle) <= reach;
+                let near = may_be.then(|| self.target.near_point(node, shape.middle)).flatten();
+                near.is_some_and(|near| self.is_in_reach(shape, |point| near.distance_squared(point)))
+            }
+            Likeness::Open => {
+                let is_large = node.shape.radius > HALVED_RATIO * shape.radius;
+                if is_large
+                    && looked.visits < MAX_VISITS
+                    && let Some(halves) = self.target.halves(node)
+                {
+                    return halves.iter().any(|half| self.node_is_near(shape, cone, half, looked));
+                }
+                looked.is_open = true;
+                false
+            }
+        }
+    }
+
+    /// Compares the normals of two parts, and returns that they are unlike where they are out of reach of each other.
+    fn compared(&self, shape: &Shape, cone: &NormalCone, other: &Shape, reach: f64) -> Likeness {
+        if shape.is_beyond(other, reach) {
+            return Likeness::Unlike;
+        }
+        let Some(of_other) = &other.cone else { return Likeness::Open };
+        let [least, most] = cone.angles(of_other);
+        if most <= self.angle {
+            Likeness::Alike
+        } else if least > self.angle {
+            Likeness::Unlike
+        } else {
+            Likeness::Open
+        }
+    }
+
+    /// Returns whether all points of a part are within the threshold of a convex set, by the squared distance from it.
+    fn is_in_reach(&self, shape: &Shape, distance_squared: impl Fn(DVec3) -> f64) -> bool {
+        let left = self.threshold - self.slack;
+        let permitted = left * left * (1.0 - gamma(DISTANCE_ROUNDINGS));
+        left > 0.0
+            && distance_squared(shape.middle) <= permitted
+            && shape.largest(distance_squared) <= permitted
+    }
+}

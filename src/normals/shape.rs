@@ -1,0 +1,88 @@
+//! Where a part of a model is, and the cone of its normals.
+
+use super::NormalCone;
+use crate::bezier::Patch;
+use crate::bvh::Aabb;
+use crate::model::RigidTransform;
+use crate::param_box::ParamBox;
+use crate::rounding::upper_max;
+use glam::{DVec3, Vec4Swizzles};
+
+/// A part of a model: a box and a ball that contain it, up to the rounding of its control points, and its normals.
+#[derive(Debug, Clone)]
+pub(crate) struct Shape {
+    /// Points whose convex hull contains the part.
+    pub(crate) points: Vec<DVec3>,
+    /// Contains the part.
+    pub(crate) aabb: Aabb,
+    /// The middle of the box.
+    pub(crate) middle: DVec3,
+    /// No point of the part is farther from the middle.
+    pub(crate) radius: f64,
+    /// Contains all normals; `None` where that is not shown.
+    pub(crate) cone: Option<NormalCone>,
+}
+
+impl Shape {
+    /// A part of which nothing is known.
+    pub(crate) const UNKNOWN: Self = Self {
+        points: Vec::new(),
+        aabb: Aabb::EMPTY,
+        middle: DVec3::ZERO,
+        radius: f64::INFINITY,
+        cone: None,
+    };
+
+    /// Returns the shape of points whose convex hull contains a part.
+    pub(crate) fn of_points(points: Vec<DVec3>, cone: Option<NormalCone>) -> Self {
+        let aabb = points.iter().copied().fold(Aabb::EMPTY, Aabb::with);
+        let middle = aabb.center();
+        let radius = points.iter().map(|point| point.distance(middle)).fold(0.0, upper_max);
+        Self { points, aabb, middle, radius, cone }
+    }
+
+    /// Returns the largest value of a convex function over the part, or more: it is at one of the points.
+    pub(crate) fn largest(&self, convex: impl Fn(DVec3) -> f64) -> f64 {
+        self.points.iter().map(|&point| convex(point)).fold(0.0, upper_max)
+    }
+
+    /// Returns whether two parts are certainly farther from each other than `reach`: their boxes, or their extents along
+    /// the line between their middles.
+    pub(crate) fn is_beyond(&self, other: &Self, reach: f64) -> bool {
+        let gap = (self.aabb.min - other.aabb.max).max(other.aabb.min - self.aabb.max).max(DVec3::ZERO);
+        if gap.length_squared() > reach * reach {
+            return true;
+        }
+        let Some(along) = (other.middle - self.middle).try_normalize() else { return false };
+        let level = |point: &DVec3| (*point - self.middle).dot(along);
+        let own = self.points.iter().map(level).fold(f64::NEG_INFINITY, upper_max);
+        let of_other = other.points.iter().map(|point| -level(point)).fold(f64::NEG_INFINITY, upper_max);
+        -of_other - own > reach
+    }
+
+    /// Returns the shape of a part of a patch, moved by a transform if there is one. O(p q (p + q) + degree³).
+    pub(crate) fn of_part(patch: &Patch<'_>, part: ParamBox, transform: Option<&RigidTransform>) -> Self {
+        let cone = NormalCone::of_plane(patch).or_else(|| NormalCone::of_part(patch, part));
+        Self::with_cone(patch, part, transform, cone)
+    }
+
+    /// Returns the shape of a part of a patch whose normals before the transform are known.
+    pub(crate) fn with_cone(
+        patch: &Patch<'_>,
+        part: ParamBox,
+        transform: Option<&RigidTransform>,
+        cone: Option<NormalCone>,
+    ) -> Self {
+        let [s, t] = part.intervals();
+        let controls = patch.restricted(s, t);
+        let points: Vec<DVec3> = controls
+            .iter()
+            .map(|control| {
+                let point = patch.center + control.xyz() / control.w;
+                transform.map_or(point, |transform| transform.apply(point))
+            })
+            .collect();
+        let cone = cone.map(|cone| transform.map_or(cone, |transform| cone.moved(transform)));
+        Self::of_points(points, cone)
+    }
+}

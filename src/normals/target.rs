@@ -1,0 +1,157 @@
+//! Model B in parts with boxes and cones, halved when they are first needed.
+
+use super::{NormalCone, Shape};
+use crate::axis::Axis;
+use crate::bezier::Patch;
+use crate::bvh::Aabb;
+use crate::closest::{Target, newton};
+use crate::facets::{Facet, FacetTarget};
+use crate::param_box::ParamBox;
+use crate::solid::longer_axis;
+use glam::DVec3;
+use std::sync::OnceLock;
+
+/// The number of times that a patch is halved at most.
+const MAX_DEPTH: u32 = 40;
+
+/// The steps towards the closest point of a patch: where they do not suffice a part counts as farther.
+const NEWTON_STEPS: u32 = 6;
+
+/// A part of a patch of B.
+#[derive(Debug)]
+pub(crate) struct Node {
+    patch: u32,
+    part: ParamBox,
+    depth: u32,
+    pub(super) shape: Shape,
+    halves: OnceLock<Option<Box<[Node; 2]>>>,
+}
+
+/// Model B.
+pub(crate) enum NormalTarget<'a> {
+    /// Patches with their tree.
+    Patches {
+        /// The patches.
+        target: &'a Target,
+        /// What is known of each, from its first use on.
+        roots: Vec<OnceLock<Box<Node>>>,
+    },
+    /// Triangles, whose corners are off by at most `error`.
+    Triangles {
+        /// The triangles with their tree.
+        facets: &'a FacetTarget,
+        /// The distance of the corners from the exact ones.
+        error: f64,
+    },
+}
+
+impl<'a> NormalTarget<'a> {
+    /// Makes the target of patches; nothing is computed yet.
+    pub(crate) fn of_patches(target: &'a Target) -> Self {
+        let roots = (0..target.patches.len()).map(|_| OnceLock::new()).collect();
+        Self::Patches { target, roots }
+    }
+
+    /// Calls `visit` with the patches or triangles whose boxes are within `reach` of a box, those in nearer boxes of
+    /// the tree first, until it returns false. O(parts of the tree in reach).
+    pub(super) fn near(&self, aabb: &Aabb, reach: f64, visit: &mut dyn FnMut(u32) -> bool) {
+        let reach_squared = reach * reach;
+        let is_far = |other: &Aabb| gap_squared(aabb, other) > reach_squared;
+        let ordered = |children: [u32; 2], of: &dyn Fn(u32) -> Aabb| {
+            let [one, other] = children.map(|child| gap_squared(aabb, &of(child)));
+            // The nearer one is taken first from the end.
+            if one <= other { [children[1], children[0]] } else { children }
+        };
+        let mut stack = vec![0_u32];
+        while let Some(index) = stack.pop() {
+            match self {
+                Self::Patches { target, .. } => {
+                    let nodes = target.tree.nodes();
+                    let Some(node) = nodes.get(index as usize).filter(|node| !is_far(&node.aabb)) else {
+                        continue;
+                    };
+                    if !node.is_leaf() {
+                        let children = [index + 1, node.right_child];
+                        stack.extend(ordered(children, &|child| nodes[child as usize].aabb));
+                    } else if !visit(target.tree.primitive(node)) {
+                        return;
+                    }
+                }
+                Self::Triangles { facets, .. } => {
+                    let nodes = facets.tree.nodes();
+                    let Some(node) = nodes.get(index as usize).filter(|node| !is_far(&node.aabb)) else {
+                        continue;
+                    };
+                    if let Some(children) = node.children(index) {
+                        stack.extend(ordered(children, &|child| nodes[child as usize].aabb));
+                    } else if !node.range().all(|place| visit(place as u32)) {
+                        return;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Returns the shape of a triangle; `None` of a patch.
+    pub(super) fn triangle(&self, place: u32) -> Option<Shape> {
+        let Self::Triangles { facets, error } = self else { return None };
+        let Facet::Triangle(corners) = facets.facet(place) else { return None };
+        Some(Shape::of_points(corners.to_vec(), NormalCone::of_triangle(corners, *error)))
+    }
+
+    /// Returns a whole patch; `None` of a triangle.
+    pub(super) fn root(&self, patch: u32) -> Option<&Node> {
+        let Self::Patches { target, roots } = self else { return None };
+        let root = || Box::new(Node::new(&target.patches.patch(patch as usize), patch, ParamBox::UNIT, 0));
+        Some(roots.get(patch as usize)?.get_or_init(root))
+    }
+
+    /// Returns the halves of a part of a patch; `None` of one that is halved no further.
+    pub(super) fn halves<'n>(&self, node: &'n Node) -> Option<&'n [Node; 2]> {
+        let Self::Patches { target, .. } = self else { return None };
+        let halves = || {
+            let patch = target.patches.patch(node.patch as usize);
+            let halves = node.part.halves(node.axis(&patch)?);
+            Some(Box::new(halves.map(|part| Node::new(&patch, node.patch, part, node.depth + 1))))
+        };
+        node.halves.get_or_init(halves).as_deref()
+    }
+
+    /// Returns some point of a part of a patch, one near to a point.
+    pub(super) fn near_point(&self, node: &Node, point: DVec3) -> Option<DVec3> {
+        let Self::Patches { target, .. } = self else { return None };
+        let patch = target.patches.patch(node.patch as usize);
+        let foot = newton(&patch, point, node.part.middle(), NEWTON_STEPS);
+        let within = [0, 1].map(|axis| {
+            let [low, high] = node.part[axis];
+            foot.parameters[axis].clamp(low, high)
+        });
+        Some(patch.point(within))
+    }
+
+    /// Returns the squared distance of a point from a triangle.
+    pub(super) fn distance_squared_of(&self, place: u32, point: DVec3) -> f64 {
+        match self {
+            Self::Triangles { facets, .. } => facets.distance_squared(place, point),
+            Self::Patches { .. } => f64::INFINITY,
+        }
+    }
+}
+
+impl Node {
+    fn new(patch: &Patch<'_>, index: u32, part: ParamBox, depth: u32) -> Self {
+        let shape = Shape::of_part(patch, part, None);
+        Self { patch: index, part, depth, shape, halves: OnceLock::new() }
+    }
+
+    /// Returns the axis along which the part is longer; `None` for one that is halved no further.
+    fn axis(&self, patch: &Patch<'_>) -> Option<Axis> {
+        let [s, t] = self.part.intervals();
+        (self.depth < MAX_DEPTH).then(|| longer_axis(patch.degree, &patch.restricted(s, t)))
+    }
+}
+
+/// Returns the squared distance of two boxes, 0 where they meet.
+fn gap_squared(one: &Aabb, other: &Aabb) -> f64 {
+    (one.min - other.max).max(other.min - one.max).max(DVec3::ZERO).length_squared()
+}
