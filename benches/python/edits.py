@@ -3,7 +3,7 @@
     python edits.py COMMAND FOLDER [--plot FILE]
 
 It needs cadquery and, for the plot, matplotlib. 40 plates with a boss and a bore are made by random
-numbers of a fixed seed, and each is edited in one way by five sizes, from 0.5 to 8 % of its
+numbers of a fixed seed, and each is edited in one way by five sizes, from 0.6 to 10 % of its
 diagonal: 200 candidates, that the command scores in one batch. The edits are deeper extrusions,
 bores that move, bosses that grow, bosses that turn, and cubes beside the part. For each part every
 number has to get worse with the size, or stay: no interval of a larger edit may lie wholly on the
@@ -23,8 +23,9 @@ import cadquery as cq
 
 SEED = 20261127
 PARTS = 40
-#: Sizes of edits, as parts of the truth's diagonal.
-SIZES = (0.005, 0.01, 0.02, 0.04, 0.08)
+#: Sizes of edits, as parts of the diagonal: none, nor its half, is the threshold of 0.01 itself, at
+#: which faces are undecided.
+SIZES = (0.006, 0.012, 0.025, 0.05, 0.1)
 EDITS = ("deeper", "bore moved", "boss larger", "boss turned", "more material")
 #: Numbers that rise with the quality, and those that fall.
 RISING = ("f1", "normalF1", "edgeF1", "iou", "volume ratio")
