@@ -1,18 +1,19 @@
 //! A cone about the normals of a part of a patch: lemma N1 of docs/score.md.
 
 use super::density::Density;
+use super::planar::Planar;
 use crate::bezier::Patch;
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
 use glam::DVec3;
 
-/// Returns whether the mean of the normals of a patch is to the side of a vector; `None` where that is not shown. O(degree³).
+/// Returns whether the normals of a plane patch are to the side of a vector; `None` where that is not shown, as where it
+/// folds over itself: against their mean they are at most the part of it that areas of planes neglect (lemma A4 of
+/// docs/area.md). O(degree³).
 pub(crate) fn is_to_side(patch: &Patch<'_>, side: DVec3) -> Option<bool> {
-    let series = Density::new(patch).series(ParamBox::UNIT);
-    let level = series.numerator.first()?.dot(side);
-    let rounding =
-        (series.rounding + gamma(SUM_ROUNDINGS) * series.numerator.first()?.length()) * side.length();
-    (level.abs() > rounding).then_some(level > 0.0)
+    let plane = Planar::of(&Density::new(patch).series(ParamBox::UNIT))?;
+    let along = plane.direction.dot(side);
+    (along != 0.0).then_some(along > 0.0)
 }
 
 /// The roundings of the sums over coefficients, relative to the sum of their lengths.

@@ -7,7 +7,7 @@ use crate::bvh::Aabb;
 use crate::closest::{Target, newton};
 use crate::facets::{Facet, FacetTarget};
 use crate::param_box::ParamBox;
-use crate::solid::longer_axis;
+use crate::solid::longer_axis_of_controls;
 use glam::DVec3;
 use std::sync::OnceLock;
 
@@ -147,7 +147,7 @@ impl Node {
     /// Returns the axis along which the part is longer; `None` for one that is halved no further.
     fn axis(&self, patch: &Patch<'_>) -> Option<Axis> {
         let [s, t] = self.part.intervals();
-        (self.depth < MAX_DEPTH).then(|| longer_axis(patch.degree, &patch.restricted(s, t)))
+        (self.depth < MAX_DEPTH).then(|| longer_axis_of_controls(patch.degree, &patch.restricted(s, t)))
     }
 }
 

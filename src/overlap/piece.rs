@@ -11,7 +11,7 @@ use crate::facts::{Moments, of_patch};
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
 use crate::rounding::{gamma, upper_max};
-use crate::solid::{Ruled, longer_axis};
+use crate::solid::{Ruled, longer_axis_of_controls};
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::sync::OnceLock;
 
@@ -249,10 +249,7 @@ impl Whole {
 
     /// Returns the axis along which a piece is halved.
     pub(super) fn axis(&self, piece: &Piece) -> Axis {
-        longer_axis(self.degree, |index| {
-            let control = piece.controls[index];
-            control.xyz() / control.w
-        })
+        longer_axis_of_controls(self.degree, &piece.controls)
     }
 
     /// Returns the degrees.

@@ -21,4 +21,4 @@ pub(crate) use joining::{Arc, Boundary, EdgePlace, Edges, Joined, JoinedArc, joi
 pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;
 pub(crate) use strips::Ruled;
-pub(crate) use winding::longer_axis;
+pub(crate) use winding::longer_axis_of_controls;

@@ -105,13 +105,18 @@ fn normal([_, q]: [usize; 2], points: &[DVec3]) -> DVec3 {
 
 /// Returns the axis along which the longest polygon of control points, by their indices, is longer. Corners alone
 /// would not tell: those of a patch that closes in u coincide along u.
-pub(crate) fn longer_axis([p, q]: [usize; 2], point: impl Fn(usize) -> DVec3) -> Axis {
+fn longer_axis([p, q]: [usize; 2], point: impl Fn(usize) -> DVec3) -> Axis {
     let columns = q + 1;
     let step = |from: usize, to: usize| point(from).distance(point(to));
     let along_u = |j: usize| (0..p).map(|i| step(i * columns + j, (i + 1) * columns + j)).sum::<f64>();
     let along_v = |i: usize| (0..q).map(|j| step(i * columns + j, i * columns + j + 1)).sum::<f64>();
     let [u, v] = [(0..=q).map(along_u).fold(0.0, upper_max), (0..=p).map(along_v).fold(0.0, upper_max)];
     if u >= v { Axis::U } else { Axis::V }
+}
+
+/// As [`longer_axis`], of homogeneous control points.
+pub(crate) fn longer_axis_of_controls(degree: [usize; 2], controls: &[DVec4]) -> Axis {
+    longer_axis(degree, |index| local(&controls[index]))
 }
 
 /// Returns how often a patch's boundary, anticlockwise in its parameters, winds about the axis, from x to y.

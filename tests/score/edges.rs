@@ -232,6 +232,9 @@ fn part(from: &[(DVec3, f64)], to: &[(DVec3, f64)], threshold: f64) -> f64 {
     from.iter().filter(is_near).map(|(_, length)| length).sum::<f64>() / total
 }
 
+/// A model with the straight edges and the rims, by radius and height, that it has.
+type Known<'a> = (Model, &'a [[DVec3; 2]], &'a [(f64, f64)]);
+
 /// The intervals against samples of the edges of boxes, cylinders and cones in random poses.
 #[test]
 fn intervals_hold_what_dense_samples_of_edges_find() {
@@ -242,7 +245,7 @@ fn intervals_hold_what_dense_samples_of_edges_find() {
         .flat_map(|k| [1, 2, 4].into_iter().filter(move |bit| k & bit == 0).map(move |bit| [k, k | bit]))
         .map(|ends| ends.map(corner))
         .collect();
-    let shapes: [(Model, &[[DVec3; 2]], &[(f64, f64)]); 3] = [
+    let shapes: [Known<'_>; 3] = [
         (models::box_of_faces(min, max), &of_box, &[]),
         (cylinder(0.8, 1.6).unwrap(), &[], &[(0.8, -0.8), (0.8, 0.8)]),
         (cone(0.9, 1.5).unwrap(), &[], &[(0.9, -0.75)]),

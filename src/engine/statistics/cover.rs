@@ -7,7 +7,7 @@ use crate::facets::{Facet, FacetTarget, PartOf, Parts, Source, Spread, Start, We
 use crate::normals::{NormalCone, Shape};
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
-use crate::solid::longer_axis;
+use crate::solid::longer_axis_of_controls;
 use std::ops::Range;
 
 /// Half of the width of a cell that float64 does not usefully halve further.
@@ -248,7 +248,7 @@ impl Cover for Cells<'_> {
     fn halves_of_longer(&self, part: &WeightedCell) -> Option<[WeightedCell; 2]> {
         let patch = self.pair.patch_of_a(part.cell.patch);
         let [s, t] = part.cell.ranges();
-        let axis = longer_axis(patch.degree, &patch.restricted(s, t));
+        let axis = longer_axis_of_controls(patch.degree, &patch.restricted(s, t));
         self.halves(&WeightedCell { axis, ..*part })
     }
 
