@@ -49,7 +49,7 @@ function quickSteps(only) {
     .map(({ quick, needs: _, ...step }) => ({ ...step, ...quick }));
 }
 
-async function runStep(step, results) {
+async function runStep(step, results, chosen) {
   say(`\n=== ${step.name}: ${step.what}`);
   const failedNeeds = (step.needs ?? []).filter((name) => !results.get(name).ok);
   const start = performance.now();
@@ -59,7 +59,7 @@ async function runStep(step, results) {
   try {
     if (failedNeeds.length > 0)
       throw new Failure(`not run, because it needs ${failedNeeds.join(", ")}`);
-    output = (await step.run()) ?? "";
+    output = (await step.run(chosen)) ?? "";
     if (step.tests && count(output).passed === 0) {
       throw Object.assign(new Failure("no test was run"), { output });
     }
@@ -83,13 +83,14 @@ async function runStep(step, results) {
  * those that it needs. As these stand before it in the plan, the first step that has not ended can always run.
  */
 async function runAll(plan) {
+  const chosen = new Set(plan.map(({ name }) => name));
   const results = new Map();
   const ended = new Map();
   const last = {};
   const after = async (earlier, step) => {
     await Promise.all(earlier);
     if (step.beside) say(`\n=== ${step.name} begins beside, and is shown when it ends`);
-    const work = () => runStep(step, results);
+    const work = () => runStep(step, results, chosen);
     results.set(step.name, await (step.beside ? heldBack(work) : work()));
   };
   for (const step of plan) {

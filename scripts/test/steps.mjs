@@ -1,8 +1,10 @@
 // The steps of `npm test`, in order: each after those that it needs, and only if they passed. Those with
 // `beside` run one after another beside the others, which compile or use all cores: two run at a time. The
-// modules and the command come first, as most steps beside need them. A step with `tests` fails if it ran
-// none. A step with `quick` is one of `npm test -- --quick`, where `quick` replaces what it does; `release`
-// replaces it in `npm test -- --release`, which tests what is published.
+// modules and the command come before the lints of Rust, as most steps beside need them: the page's tests
+// begin early, and both rows end at nearly the same time. A step with `tests` fails if it ran
+// none. `run` is given the names of the chosen steps. A step with `quick` is one of `npm test -- --quick`,
+// where `quick` replaces what it does; `release` replaces it in `npm test -- --release`, which tests what is
+// published.
 import { existsSync, readdirSync } from "node:fs";
 import { buildApi } from "../build/api.mjs";
 import { buildCommand } from "../build/command.mjs";
@@ -19,6 +21,9 @@ import { testEngines } from "./engines.mjs";
 import { installPackages, testPython } from "./python.mjs";
 
 const denyWarnings = ["--", "-D", "warnings"];
+
+/** All tests of Rust but those of its documentation. */
+const rustTests = ["--lib", "--bins", "--tests"];
 
 const cargo = (args, env = {}) => must("cargo", args, { env: environment(env) });
 
@@ -69,23 +74,16 @@ export const steps = [
     run: () => nodeTests("scripts/test", {}),
   },
   {
-    name: "clippy",
-    what: "Rust lints, native: with the feature `internals`, and as users build it",
-    run: async () => {
-      await cargo(["clippy", "--release", "--locked", "--all-targets", ...denyWarnings]);
-      await cargo(["clippy", "--release", "--locked", "--lib", "--bins", ...denyWarnings]);
+    name: "python",
+    what: "the Python package's wheel, its types and tests",
+    needs: ["python-packages"],
+    // Compiled in a folder of its own, while others compile in theirs.
+    beside: true,
+    run: () => testPython(),
+    release: {
+      what: "the Python package's wheel as it is published, its types and tests",
+      run: () => testPython({}),
     },
-    quick: {
-      what: "Rust lints, native",
-      run: () => cargo(["clippy", "--release", "--locked", "--all-targets", ...denyWarnings]),
-    },
-  },
-  {
-    name: "clippy-wasm",
-    // Building the published modules refuses warnings of each with its own features.
-    what: "Rust lints, wasm32",
-    run: () =>
-      cargo(["clippy", "--release", "--locked", ...wasm32, "--lib", "--tests", ...denyWarnings]),
   },
   {
     name: "wasm",
@@ -132,9 +130,14 @@ export const steps = [
   {
     name: "command",
     what: "the native command and the example that tests of other steps run",
-    // Compiled as the tests of Rust are, which compile neither again.
-    run: async () => {
-      await buildCommand();
+    // Where the tests of Rust are chosen too they are compiled here: the crate with its own tests and without
+    // them at a time, as each by itself leaves one core idle for half of the time.
+    run: async (chosen) => {
+      if (chosen.has("rust")) {
+        await cargo(["test", "--release", "--locked", "--no-run", ...rustTests]);
+      } else {
+        await buildCommand();
+      }
       await cargo(["build", "--release", "--locked", "--example", "experiments"]);
     },
   },
@@ -164,6 +167,25 @@ export const steps = [
       }),
   },
   {
+    name: "clippy",
+    what: "Rust lints, native: with the feature `internals`, and as users build it",
+    run: async () => {
+      await cargo(["clippy", "--release", "--locked", "--all-targets", ...denyWarnings]);
+      await cargo(["clippy", "--release", "--locked", "--lib", "--bins", ...denyWarnings]);
+    },
+    quick: {
+      what: "Rust lints, native",
+      run: () => cargo(["clippy", "--release", "--locked", "--all-targets", ...denyWarnings]),
+    },
+  },
+  {
+    name: "clippy-wasm",
+    // Building the published modules refuses warnings of each with its own features.
+    what: "Rust lints, wasm32",
+    run: () =>
+      cargo(["clippy", "--release", "--locked", ...wasm32, "--lib", "--tests", ...denyWarnings]),
+  },
+  {
     name: "doc",
     what: "Rust documentation",
     run: () =>
@@ -176,19 +198,9 @@ export const steps = [
     // Clippy compiles the other examples and the benchmarks.
     run: async () => {
       const test = ["test", "--release", "--locked", "--no-fail-fast"];
-      const outputs = [await cargo([...test, "--lib", "--bins", "--tests"], vulkan())];
+      const outputs = [await cargo([...test, ...rustTests], vulkan())];
       outputs.push(await cargo([...test, "--doc"], vulkan()));
       return outputs.join("\n");
-    },
-  },
-  {
-    name: "python",
-    what: "the Python package's wheel, its types and tests",
-    needs: ["python-packages"],
-    run: () => testPython(),
-    release: {
-      what: "the Python package's wheel as it is published, its types and tests",
-      run: () => testPython({}),
     },
   },
   {
