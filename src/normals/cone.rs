@@ -134,6 +134,24 @@ mod tests {
         }
     }
 
+    /// Lemma N2, attained: lines of cones about axes at 0.5 form angles from 0.5 less both half-angles to 0.5 and both;
+    /// with a side and turned over those to π.
+    #[test]
+    fn angles_between_cones_are_those_of_their_extreme_lines() {
+        let cone =
+            |turn: f64, angle: f64| NormalCone { axis: DVec3::new(turn.sin(), 0.0, turn.cos()), angle };
+        let (one, other) = (cone(0.0, 0.125), cone(0.5, 0.25));
+        let about = |[low, high]: [f64; 2], [least, most]: [f64; 2]| {
+            assert!(low <= least && least < low + 1e-12, "{low} {least}");
+            assert!(most <= high && high < most + 1e-12, "{high} {most}");
+        };
+        let pi = std::f64::consts::PI;
+        about(one.angles(&other), [0.125, 0.875]);
+        about(other.angles(&one), [0.125, 0.875]);
+        about(one.turns(&other, false), [0.125, 0.875]);
+        about(one.turns(&other, true), [pi - 0.875, pi - 0.125]);
+    }
+
     /// Over a turn of a cylinder by 2 β the lines are within β of the middle one, and none is a bound nearer than the
     /// farthest.
     #[test]

@@ -58,3 +58,39 @@ impl Cone {
         other.cos * across + other.sin * along + reach * angle
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    const REACH: f64 = 2.0;
+
+    fn cone(angle: f64, tilt: f64) -> Cone {
+        Cone { axis: DVec3::new(tilt.sin(), 0.0, tilt.cos()), cos: angle.cos(), sin: angle.sin() }
+    }
+
+    /// The height of a point above a cone with its apex at the origin.
+    fn height(cone: &Cone, point: DVec3) -> f64 {
+        let up = cone.axis.dot(point);
+        cone.cos * (point - up * cone.axis).length() - cone.sin * up
+    }
+
+    /// Lemma C6 (b), attained by a point for another angle; for another axis no point in reach is beyond it: the one on
+    /// the axis is by the way across, and one across the axis by the way along, each nearly all of the bound where the
+    /// cosine or the sine is the larger one.
+    #[test]
+    fn no_height_above_another_cone_is_larger_by_more_than_the_shift() {
+        let (one, other) = (cone(0.5, 0.0), cone(0.375, 0.0));
+        let [cos, sin] = [other.cos - one.cos, other.sin - one.sin];
+        let point = REACH / cos.hypot(sin) * DVec3::new(cos, 0.0, -sin);
+        let more = height(&other, point) - height(&one, point);
+        let shift = one.shift(&other, DVec3::ZERO, REACH);
+        assert!(more <= shift + 1e-15 && shift < more + 1e-12, "{more} {shift}");
+        for (angle, point) in [(0.25, REACH * DVec3::Z), (1.25, -REACH * DVec3::X)] {
+            let (one, other) = (cone(angle, 0.0), cone(angle, 1e-3));
+            let more = height(&other, point) - height(&one, point);
+            let shift = one.shift(&other, DVec3::ZERO, REACH);
+            assert!(more <= shift && shift < 1.5 * more, "{angle}: {more} {shift}");
+        }
+    }
+}
