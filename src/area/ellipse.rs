@@ -152,7 +152,7 @@ fn kept_counts(sizes: &[f64], counts: [usize; 2]) -> [usize; 2] {
     })
 }
 
-/// Returns the sum of so many powers of a radius, from 1 on.
+/// Returns 1 + ρ + … + ρ^(count − 1) for the radius ρ.
 fn powers(count: usize, radius: f64) -> f64 {
     (0..count).fold(0.0, |sum, _| sum * radius + 1.0)
 }

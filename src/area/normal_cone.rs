@@ -20,12 +20,13 @@ pub(crate) fn is_to_side(patch: &Patch<'_>, side: DVec3) -> Option<bool> {
 const SUM_ROUNDINGS: f64 = 16.0;
 
 /// Returns a unit vector and an upper bound on the tangent of its angle with the normal `S_s × S_t` at each point
-/// of a part of [0, 1]², which is nowhere 0; `None` where that is not shown, as at a pole. O(degree³).
+/// of a part of [0, 1]², which is nowhere 0; `None` where that is not shown, as at a pole, and where a normal refutes it. O(degree³).
 ///
 /// With the Chebyshev coefficients c_kl of the normal's numerator, whose T_k T_l are at most 1, and the direction n
 /// of c_00: along n it is at least `|c_00| - Σ |c_kl · n|`, and across n at most `Σ |c_kl - (c_kl · n) n|`.
 pub(crate) fn normal_cone(patch: &Patch<'_>, part: ParamBox) -> Option<(DVec3, f64)> {
-    let series = Density::new(patch).series(part);
+    let density = Density::new(patch);
+    let series = density.series(part);
     let (&first, others) = series.numerator.split_first()?;
     let axis = first.try_normalize()?;
     let (mut along, mut across, mut sizes) = (0.0, 0.0, first.length());
@@ -42,5 +43,48 @@ pub(crate) fn normal_cone(patch: &Patch<'_>, part: ParamBox) -> Option<(DVec3, f
         return None;
     }
     let tangent = (across + rounding) / least * (1.0 + gamma(SUM_ROUNDINGS));
-    tangent.is_finite().then_some((axis, tangent))
+    (tangent.is_finite() && !is_refuted(&density, part, (axis, tangent))).then_some((axis, tangent))
+}
+
+/// The audit of a cone: returns whether the normal's numerator at a corner of the part, in the middle of a side or in
+/// its own middle, is certainly outside. It uses no series. O(degree²).
+fn is_refuted(density: &Density<'_>, part: ParamBox, (axis, tangent): (DVec3, f64)) -> bool {
+    let [in_s, in_t] = [0, 1].map(|of| {
+        let [start, end] = part[of];
+        [start, 0.5 * (start + end), end]
+    });
+    let is_outside = |numerator: DVec3| {
+        let along = numerator.dot(axis);
+        let across = numerator.reject_from_normalized(axis).length();
+        let rounding = density.rounding + gamma(SUM_ROUNDINGS) * numerator.length();
+        // Not "more than", so that NaN refutes.
+        !(across <= tangent * along + (1.0 + tangent) * rounding)
+    };
+    density.values([&in_s, &in_t]).into_iter().any(|(numerator, _)| is_outside(numerator))
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use glam::DVec4;
+
+    /// The normals of a quarter of a cylinder turn by 45 degrees from the middle one to either side.
+    #[test]
+    fn an_audit_refutes_cones_that_are_too_narrow_or_elsewhere() {
+        let weight = std::f64::consts::FRAC_1_SQRT_2;
+        let arc = [(1.0, 0.0, 1.0), (1.0, 1.0, weight), (0.0, 1.0, 1.0)];
+        let controls: Vec<DVec4> = arc
+            .iter()
+            .flat_map(|&(x, y, w)| [0.0, 3.0].map(|z| DVec4::new(w * x, w * y, w * z, w)))
+            .collect();
+        let mut patch = Patch::whole([2, 1], DVec3::ZERO, &controls);
+        patch.rational = true;
+        let density = Density::new(&patch);
+        let refuted = |x: f64, y: f64, tangent: f64| {
+            is_refuted(&density, ParamBox::UNIT, (DVec3::new(x, y, 0.0).normalize(), tangent))
+        };
+        assert!(!refuted(1.0, 1.0, 1.0) && refuted(1.0, 1.0, 1.0 - 1e-9), "the tangent of 45 degrees is 1");
+        assert!(refuted(-1.0, -1.0, 1.0), "to the other side");
+        assert!(refuted(1.0, 0.9, 1.0) && refuted(1.0, 1.0, f64::NAN));
+    }
 }

@@ -86,6 +86,12 @@ impl Aabb {
         (self.min - point).max(point - self.max).max(DVec3::ZERO).length_squared()
     }
 
+    /// Returns the shortest way between the boxes along each axis, 0 where they overlap.
+    #[must_use]
+    pub fn gap(&self, other: &Self) -> DVec3 {
+        (self.min - other.max).max(other.min - self.max).max(DVec3::ZERO)
+    }
+
     /// Returns the largest distance between a point of this box, after an affine map, and
     /// one of `other`: that of a corner, as a convex function attains its maximum over a
     /// box at a corner.

@@ -10,7 +10,7 @@ use crate::threads::parallel::map;
 /// The number of times that an edge is halved at most.
 const MAX_DEPTH: u32 = 40;
 
-/// The edges of a model, moved, of which none is certainly smooth.
+/// The edges of a model, moved, without those that are certainly smooth.
 pub(crate) struct FeatureEdges<'a> {
     faces: Faces<'a>,
     edges: Vec<JoinedArc>,
@@ -21,7 +21,7 @@ pub(crate) struct FeatureEdges<'a> {
     angle: f64,
     /// The error of control points.
     error: f64,
-    /// The length up to which a part of an edge at a point without a normal is none.
+    /// The largest length of a part of an edge that is left out because a face may have no normal there.
     least: f64,
 }
 
@@ -43,7 +43,7 @@ impl<'a> FeatureEdges<'a> {
         };
         let pieces = map(found.edges.len(), whole);
         found.pieces = pieces.into_iter().filter(|piece| piece.sharpness != Sharpness::Smooth).collect();
-        let boxes: Vec<Aabb> = found.pieces.iter().map(|piece| piece.aabb).collect();
+        let boxes: Vec<Aabb> = found.pieces.iter().map(|piece| piece.hull.aabb).collect();
         found.tree = Bvh::new(&boxes);
         found
     }

@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 use crate::bezier::PatchSet;
-use crate::facets::{Facet, FacetTarget};
+use crate::facets::FacetTarget;
 use crate::normals::NormalCone;
 use crate::param_box::ParamBox;
 use crate::solid::{Arc, EdgePlace};
@@ -34,10 +34,7 @@ impl Faces<'_> {
                 let patch = patches.patch(index as usize);
                 NormalCone::of_sided_plane(&patch).or_else(|| NormalCone::of_part(&patch, part))
             }
-            Self::Triangles(facets, error) => match facets.facet(arc.place.index) {
-                Facet::Triangle(corners) => NormalCone::of_triangle(corners, error),
-                Facet::Point(_) => None,
-            },
+            Self::Triangles(facets, error) => NormalCone::of_facet(facets, arc.place.index, error),
         }
     }
 }

@@ -1,9 +1,9 @@
 //! A part of an edge.
 
 use super::Sharpness;
-use crate::bvh::Aabb;
 use crate::facts::Interval;
 use crate::model::RigidTransform;
+use crate::normals::Hull;
 use crate::rounding::{gamma, upper_max};
 use crate::solid::Curve;
 use glam::DVec3;
@@ -27,10 +27,7 @@ pub(crate) struct Piece {
     pub(super) length: Interval,
     /// The control points, moved.
     pub(super) points: Vec<DVec3>,
-    pub(super) aabb: Aabb,
-    pub(super) middle: DVec3,
-    /// No point is farther from the middle.
-    pub(super) radius: f64,
+    pub(super) hull: Hull,
     /// No control point is farther from the segment between its ends.
     pub(super) off: f64,
     pub(super) halves: OnceLock<Option<Box<[Piece; 2]>>>,
@@ -52,11 +49,10 @@ impl Piece {
         let lower = if chord > 0.0 { chord } else { 0.0 };
         let length = Interval { lower, upper: curve.polygon() * (1.0 + rounding) + 2.0 * count * error };
         let points: Vec<DVec3> = curve.points().map(|point| transform.apply(point)).collect();
-        let (aabb, middle, radius) = hull_of(&points);
-        let chord = [points.first(), points.last()].map(|end| end.copied().unwrap_or(middle));
-        let off = points.iter().map(|&point| distance_to_segment(point, chord)).fold(0.0, upper_max);
+        let hull = Hull::of(&points);
+        let off = farthest_from(&points, chord_of(&points));
         let halves = OnceLock::new();
-        Self { edge, curve, range, depth, sharpness, length, points, aabb, middle, radius, off, halves }
+        Self { edge, curve, range, depth, sharpness, length, points, hull, off, halves }
     }
 
     /// Returns the length.
@@ -71,44 +67,30 @@ impl Piece {
 
     /// Returns an upper bound on the distance of all points of another piece from this one (lemma E3), without rounding.
     pub(super) fn largest_distance_of(&self, other: &Self) -> f64 {
-        let chord = self.chord();
-        let farthest =
-            other.points.iter().map(|&point| distance_to_segment(point, chord)).fold(0.0, upper_max);
-        farthest + self.off
+        farthest_from(&other.points, chord_of(&self.points)) + self.off
     }
 
     /// Returns a lower bound on the distance of both pieces, without rounding.
     pub(super) fn least_distance_of(&self, other: &Self) -> f64 {
-        distance_to_segment(other.middle, self.chord()) - self.off - other.radius
-    }
-
-    fn chord(&self) -> [DVec3; 2] {
-        [self.points.first(), self.points.last()].map(|end| end.copied().unwrap_or(self.middle))
+        distance_to_segment(other.hull.middle, chord_of(&self.points)) - self.off - other.hull.radius
     }
 }
 
+/// Returns the ends of the segment between the first and the last of a curve's control points, of which there are some.
+fn chord_of(points: &[DVec3]) -> [DVec3; 2] {
+    [points.first(), points.last()].map(|end| end.copied().unwrap_or(DVec3::NAN))
+}
+
+/// Returns the largest distance of points from a segment.
+fn farthest_from(points: &[DVec3], chord: [DVec3; 2]) -> f64 {
+    points.iter().map(|&point| distance_to_segment(point, chord)).fold(0.0, upper_max)
+}
+
 /// Returns the distance of a point from the segment between two.
-pub(super) fn distance_to_segment(point: DVec3, [start, end]: [DVec3; 2]) -> f64 {
+fn distance_to_segment(point: DVec3, [start, end]: [DVec3; 2]) -> f64 {
     let along = end - start;
     let fraction = (point - start).dot(along) / along.length_squared();
     // Of a segment without length any fraction is as good.
     let fraction = if fraction.is_finite() { fraction.clamp(0.0, 1.0) } else { 0.0 };
     (start + along * fraction).distance(point)
-}
-
-/// Returns a box and a ball about a curve: the box, its middle and the radius.
-pub(super) fn hull(curve: &Curve) -> (Aabb, DVec3, f64) {
-    hull_of(&curve.points().collect::<Vec<_>>())
-}
-
-fn hull_of(points: &[DVec3]) -> (Aabb, DVec3, f64) {
-    let aabb = points.iter().copied().fold(Aabb::EMPTY, Aabb::with);
-    let middle = aabb.center();
-    let radius = points.iter().map(|point| point.distance(middle)).fold(0.0, upper_max);
-    (aabb, middle, radius)
-}
-
-/// Returns the distance of two boxes, 0 where they meet.
-pub(super) fn distance_to_box(one: &Aabb, other: &Aabb) -> f64 {
-    (one.min - other.max).max(other.min - one.max).max(DVec3::ZERO).length()
 }

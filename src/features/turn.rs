@@ -1,14 +1,10 @@
 //! The angle by which a surface turns at an edge.
 
 use super::Faces;
-use super::piece::{distance_to_box, hull};
 use crate::bvh::Aabb;
-use crate::normals::NormalCone;
+use crate::normals::{DISTANCE_ROUNDINGS, Hull, NormalCone};
 use crate::rounding::gamma;
 use crate::solid::{Arc, Curve, JoinedArc};
-
-/// The roundings of distances, relative to the largest length.
-const DISTANCE_ROUNDINGS: f64 = 64.0;
 
 /// The number of times that the arc of the other face is halved at most.
 const MAX_HALVINGS: u32 = 48;
@@ -36,7 +32,7 @@ pub(super) struct ArcPart<'a> {
 pub(super) fn sharpness(faces: Faces<'_>, edge: &JoinedArc, part: &ArcPart<'_>, angle: f64) -> Sharpness {
     let Some(other) = &edge.other else { return Sharpness::Sharp };
     let Some(cone) = faces.cone(&edge.one, part.range) else { return Sharpness::NoNormal };
-    let (aabb, middle, radius) = hull(part.curve);
+    let Hull { aabb, middle, radius } = hull(part.curve);
     let length = aabb.farthest_from_origin();
     let (_, distance) = other.curve.closest(middle);
     let reach = (distance + radius) * (1.0 + gamma(DISTANCE_ROUNDINGS)) + gamma(DISTANCE_ROUNDINGS) * length;
@@ -67,8 +63,8 @@ impl Near<'_> {
     /// Returns bounds on the angles between the normals of the part and those of the parts of the arc within reach; `None`
     /// where there may be no normal.
     fn turns(&self, curve: &Curve, range: [f64; 2], depth: u32) -> Option<[f64; 2]> {
-        let (aabb, _, radius) = hull(curve);
-        if distance_to_box(&self.aabb, &aabb) > self.reach {
+        let Hull { aabb, radius, .. } = hull(curve);
+        if self.aabb.gap(&aabb).length() > self.reach {
             return Some([f64::INFINITY, f64::NEG_INFINITY]);
         }
         if radius > self.radius && depth < MAX_HALVINGS {
@@ -84,4 +80,9 @@ impl Near<'_> {
         }
         Some(self.cone.turns(&self.faces.cone(self.other, range)?, self.is_turned))
     }
+}
+
+/// Returns a box and a ball about a curve.
+fn hull(curve: &Curve) -> Hull {
+    Hull::of(&curve.points().collect::<Vec<_>>())
 }

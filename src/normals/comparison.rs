@@ -1,13 +1,9 @@
 //! Whether the points of a part of A have like counterparts in B.
 
 use super::target::Node;
-use super::{NormalCone, NormalTarget, Shape};
+use super::{DISTANCE_ROUNDINGS, Looked, NormalCone, NormalTarget, Reach, Shape};
 use crate::rounding::gamma;
 use glam::DVec3;
-
-/// The roundings of distances of points and of boxes, relative to the largest length, besides those that the caller
-/// states.
-const DISTANCE_ROUNDINGS: f64 = 64.0;
 
 /// A part of B is halved while it is larger than this part of A's.
 const HALVED_RATIO: f64 = 0.5;
@@ -29,44 +25,29 @@ pub(crate) enum Likeness {
 /// The question whether points have like counterparts in B.
 pub(crate) struct Likenesses<'a> {
     target: &'a NormalTarget<'a>,
-    /// The largest distance of a counterpart.
-    threshold: f64,
+    reach: Reach,
     /// The largest angle, in radians.
     angle: f64,
-    /// What rounding adds to distances.
-    slack: f64,
-}
-
-/// What looking at B found so far.
-struct Looked {
-    visits: usize,
-    /// Whether a part in reach may be alike.
-    is_open: bool,
 }
 
 impl<'a> Likenesses<'a> {
-    /// `error` bounds the errors of points of A, moved, and of B together, `length` their distances from the origin.
-    pub(crate) fn new(
-        target: &'a NormalTarget<'a>,
-        [threshold, angle]: [f64; 2],
-        [error, length]: [f64; 2],
-    ) -> Self {
-        Self { target, threshold, angle, slack: error + gamma(DISTANCE_ROUNDINGS) * length }
+    pub(crate) fn new(target: &'a NormalTarget<'a>, reach: Reach, angle: f64) -> Self {
+        Self { target, reach, angle }
     }
 
-    /// Whether no distance can be shown to be within the threshold, for rounding.
-    pub(crate) fn is_hopeless(&self) -> bool {
-        !(self.threshold > self.slack)
+    /// The largest distance of a counterpart.
+    pub(crate) fn reach(&self) -> &Reach {
+        &self.reach
     }
 
     /// Returns what is known of a part of A whose points have these bounds on their distances from B, rounding
     /// included (lemmas N3 and N4 of docs/score.md).
     pub(crate) fn of(&self, shape: &Shape, [lower, upper]: [f64; 2]) -> Likeness {
-        if lower > self.threshold {
+        if lower > self.reach.threshold() {
             return Likeness::Unlike;
         }
         let Some(cone) = &shape.cone else { return Likeness::Open };
-        if upper < self.threshold && self.all_are_alike(shape, cone, upper) {
+        if upper < self.reach.threshold() && self.all_are_alike(shape, cone, upper) {
             return Likeness::Alike;
         }
         self.by_one_part(shape, cone)
@@ -74,7 +55,7 @@ impl<'a> Likenesses<'a> {
 
     /// Returns whether all parts of B within a distance of a part of A are certainly alike.
     fn all_are_alike(&self, shape: &Shape, cone: &NormalCone, within: f64) -> bool {
-        let reach = within + self.slack;
+        let reach = self.reach.beyond(within);
         let mut all = true;
         let mut visits = 0;
         self.target.near(&shape.aabb, reach, &mut |place| {
@@ -115,8 +96,8 @@ impl<'a> Likenesses<'a> {
     /// Looks for one part of B that is alike and whose one point is near to all points of a part of A; or shows that
     /// none in reach is alike.
     fn by_one_part(&self, shape: &Shape, cone: &NormalCone) -> Likeness {
-        let reach = self.threshold + self.slack;
-        let (mut looked, mut found) = (Looked { visits: 0, is_open: false }, false);
+        let reach = self.reach.beyond(self.reach.threshold());
+        let (mut looked, mut found) = (Looked::default(), false);
         self.target.near(&shape.aabb, reach, &mut |place| {
             found = match (self.target.root(place), self.target.triangle(place)) {
                 (Some(root), _) => self.node_is_near(shape, cone, root, &mut looked),
@@ -129,25 +110,20 @@ impl<'a> Likenesses<'a> {
                 }
                 (None, None) => false,
             };
-            looked.is_open |= looked.visits >= MAX_VISITS;
             !found && looked.visits < MAX_VISITS
         });
-        match (found, looked.is_open) {
-            (true, _) => Likeness::Alike,
-            (false, true) => Likeness::Open,
-            (false, false) => Likeness::Unlike,
-        }
+        looked.likeness(found, MAX_VISITS)
     }
 
     /// As [`Self::by_one_part`], of the parts of one patch.
     fn node_is_near(&self, shape: &Shape, cone: &NormalCone, node: &Node, looked: &mut Looked) -> bool {
         looked.visits += 1;
-        match self.compared(shape, cone, &node.shape, self.threshold + self.slack) {
+        match self.compared(shape, cone, &node.shape, self.reach.beyond(self.reach.threshold())) {
             Likeness::Unlike => false,
             Likeness::Alike => {
                 looked.is_open = true;
                 // A point of it within reach of all of the part is within reach of its middle.
-                let reach = self.threshold * self.threshold;
+                let reach = self.reach.threshold() * self.reach.threshold();
                 let may_be = node.shape.aabb.min_distance_squared(shape.middle) <= reach;
                 let near = may_be.then(|| self.target.near_point(node, shape.middle)).flatten();
                 near.is_some_and(|near| self.is_in_reach(shape, |point| near.distance_squared(point)))
@@ -184,7 +160,7 @@ impl<'a> Likenesses<'a> {
 
     /// Returns whether all points of a part are within the threshold of a convex set, by the squared distance from it.
     fn is_in_reach(&self, shape: &Shape, distance_squared: impl Fn(DVec3) -> f64) -> bool {
-        let left = self.threshold - self.slack;
+        let left = self.reach.certain();
         let permitted = left * left * (1.0 - gamma(DISTANCE_ROUNDINGS));
         left > 0.0
             && distance_squared(shape.middle) <= permitted

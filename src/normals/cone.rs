@@ -2,6 +2,7 @@
 
 use crate::area::{is_to_side, normal_cone};
 use crate::bezier::Patch;
+use crate::facets::{Facet, FacetTarget};
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
 use crate::rounding::{UNIT_ROUNDOFF, gamma, upper_max};
@@ -76,6 +77,14 @@ impl NormalCone {
         let off = gamma(TRIANGLE_ROUNDINGS) * x * y + 2.0 * error * (x + y) + 4.0 * error * error;
         let sine = off / normal.length();
         (sine <= MAX_SINE).then_some(Self { axis, angle: ANGLE_PER_SINE * sine + ANGLE_ROUNDING })
+    }
+
+    /// As [`Self::of_triangle`], of the facet at a place, whose corners are off by at most `error`; `None` of a point.
+    pub(crate) fn of_facet(facets: &FacetTarget, place: u32, error: f64) -> Option<Self> {
+        match facets.facet(place) {
+            Facet::Triangle(corners) => Self::of_triangle(corners, error),
+            Facet::Point(_) => None,
+        }
     }
 
     /// Returns the cone of the moved part.

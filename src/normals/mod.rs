@@ -5,10 +5,12 @@
 
 mod comparison;
 mod cone;
+mod reach;
 mod shape;
 mod target;
 
 pub(crate) use comparison::{Likeness, Likenesses};
 pub(crate) use cone::NormalCone;
-pub(crate) use shape::Shape;
+pub(crate) use reach::{DISTANCE_ROUNDINGS, Looked, Reach};
+pub(crate) use shape::{Hull, Shape};
 pub(crate) use target::NormalTarget;

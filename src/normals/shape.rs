@@ -8,6 +8,25 @@ use crate::param_box::ParamBox;
 use crate::rounding::upper_max;
 use glam::{DVec3, Vec4Swizzles};
 
+/// A box and a ball about its middle, both around the convex hull of points.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Hull {
+    pub(crate) aabb: Aabb,
+    /// The middle of the box.
+    pub(crate) middle: DVec3,
+    /// No point is farther from the middle.
+    pub(crate) radius: f64,
+}
+
+impl Hull {
+    pub(crate) fn of(points: &[DVec3]) -> Self {
+        let aabb = points.iter().copied().fold(Aabb::EMPTY, Aabb::with);
+        let middle = aabb.center();
+        let radius = points.iter().map(|point| point.distance(middle)).fold(0.0, upper_max);
+        Self { aabb, middle, radius }
+    }
+}
+
 /// A part of a model: a box and a ball that contain it, up to the rounding of its control points, and its normals.
 #[derive(Debug, Clone)]
 pub(crate) struct Shape {
@@ -35,9 +54,7 @@ impl Shape {
 
     /// Returns the shape of points whose convex hull contains a part.
     pub(crate) fn of_points(points: Vec<DVec3>, cone: Option<NormalCone>) -> Self {
-        let aabb = points.iter().copied().fold(Aabb::EMPTY, Aabb::with);
-        let middle = aabb.center();
-        let radius = points.iter().map(|point| point.distance(middle)).fold(0.0, upper_max);
+        let Hull { aabb, middle, radius } = Hull::of(&points);
         Self { points, aabb, middle, radius, cone }
     }
 
@@ -49,8 +66,7 @@ impl Shape {
     /// Returns whether two parts are certainly farther from each other than `reach`: their boxes, or their extents along
     /// the line between their middles.
     pub(crate) fn is_beyond(&self, other: &Self, reach: f64) -> bool {
-        let gap = (self.aabb.min - other.aabb.max).max(other.aabb.min - self.aabb.max).max(DVec3::ZERO);
-        if gap.length_squared() > reach * reach {
+        if self.aabb.gap(&other.aabb).length_squared() > reach * reach {
             return true;
         }
         let Some(along) = (other.middle - self.middle).try_normalize() else { return false };

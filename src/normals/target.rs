@@ -56,9 +56,10 @@ impl<'a> NormalTarget<'a> {
     /// the tree first, until it returns false. O(parts of the tree in reach).
     pub(super) fn near(&self, aabb: &Aabb, reach: f64, visit: &mut dyn FnMut(u32) -> bool) {
         let reach_squared = reach * reach;
-        let is_far = |other: &Aabb| gap_squared(aabb, other) > reach_squared;
+        let gap_squared = |other: &Aabb| aabb.gap(other).length_squared();
+        let is_far = |other: &Aabb| gap_squared(other) > reach_squared;
         let ordered = |children: [u32; 2], of: &dyn Fn(u32) -> Aabb| {
-            let [one, other] = children.map(|child| gap_squared(aabb, &of(child)));
+            let [one, other] = children.map(|child| gap_squared(&of(child)));
             // The nearer one is taken first from the end.
             if one <= other { [children[1], children[0]] } else { children }
         };
@@ -96,7 +97,7 @@ impl<'a> NormalTarget<'a> {
     pub(super) fn triangle(&self, place: u32) -> Option<Shape> {
         let Self::Triangles { facets, error } = self else { return None };
         let Facet::Triangle(corners) = facets.facet(place) else { return None };
-        Some(Shape::of_points(corners.to_vec(), NormalCone::of_triangle(corners, *error)))
+        Some(Shape::of_points(corners.to_vec(), NormalCone::of_facet(facets, place, *error)))
     }
 
     /// Returns a whole patch; `None` of a triangle.
@@ -149,9 +150,4 @@ impl Node {
         let [s, t] = self.part.intervals();
         (self.depth < MAX_DEPTH).then(|| longer_axis_of_controls(patch.degree, &patch.restricted(s, t)))
     }
-}
-
-/// Returns the squared distance of two boxes, 0 where they meet.
-fn gap_squared(one: &Aabb, other: &Aabb) -> f64 {
-    (one.min - other.max).max(other.min - one.max).max(DVec3::ZERO).length_squared()
 }

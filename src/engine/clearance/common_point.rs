@@ -130,8 +130,8 @@ impl Solids<'_> {
         None
     }
 
-    /// Returns true only if these points, the first and the last of which have the others between them, are certainly
-    /// outside one of both: the first one is, and the segment between both is clear of its boundary.
+    /// Returns true only if all of these points, which stand in order on a segment, are certainly outside one of both
+    /// solids: the first point is, and the segment is clear of that solid's boundary.
     fn are_outside(&self, points: &[DVec3]) -> bool {
         let &[first, .., last] = points else { return points.is_empty() };
         let of_b =

@@ -3,7 +3,7 @@
 use crate::area::{Area, area_of_part};
 use crate::axis::Axis;
 use crate::certified::{Cell, CellSpread, Density, Lemma, Pair, SpreadRefutation, SpreadStart, Spreads};
-use crate::facets::{Facet, FacetTarget, PartOf, Parts, Source, Spread, Start, Weighted, WeightedPart};
+use crate::facets::{FacetTarget, PartOf, Parts, Source, Spread, Start, Weighted, WeightedPart};
 use crate::normals::{NormalCone, Shape};
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
@@ -60,14 +60,6 @@ pub(in crate::engine) trait Cover: Sync {
     fn strike(&mut self);
 }
 
-/// Returns the cone about the normal of a triangle, not moved.
-fn cone_of_triangle(facets: &FacetTarget, place: u32, error: f64) -> Option<NormalCone> {
-    match facets.facet(place) {
-        Facet::Triangle(corners) => NormalCone::of_triangle(corners, error),
-        Facet::Point(_) => None,
-    }
-}
-
 impl Cover for Parts<'_> {
     type Part = WeightedPart;
 
@@ -109,7 +101,7 @@ impl Cover for Parts<'_> {
         let (source, transform) = self.source();
         match (self.part_of(part), source) {
             (PartOf::Triangle(place, corners), Source::Facets { facets, error }) => {
-                let cone = cone_of_triangle(facets, place, error).map(|cone| cone.moved(transform));
+                let cone = NormalCone::of_facet(facets, place, error).map(|cone| cone.moved(transform));
                 Shape::of_points(corners.to_vec(), cone)
             }
             (PartOf::Patch(patch, range), Source::Patches { patches, .. }) => {
@@ -259,7 +251,7 @@ impl Cover for Cells<'_> {
         match self.triangles {
             // A triangle has no normal at the side that is a corner, and one plane.
             Some((triangles, error)) => {
-                let cone = cone_of_triangle(triangles, patch.surface as u32, error);
+                let cone = NormalCone::of_facet(triangles, patch.surface as u32, error);
                 Shape::with_cone(&patch, range, transform, cone)
             }
             None => Shape::of_part(&patch, range, transform),

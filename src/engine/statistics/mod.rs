@@ -2,6 +2,7 @@
 
 mod audited;
 mod cover;
+mod pages;
 mod search;
 mod sums;
 
@@ -13,7 +14,8 @@ use crate::model::RigidTransform;
 use crate::tolerance::{PermittedWidth, positive};
 pub(in crate::engine) use audited::audit;
 pub(in crate::engine) use cover::{Cells, Cover};
-pub(in crate::engine) use search::{Asked, bounded};
+pub(in crate::engine) use pages::{bounded, halve_page};
+pub(in crate::engine) use search::Asked;
 use serde::{Deserialize, Serialize};
 pub(in crate::engine) use sums::Sums;
 

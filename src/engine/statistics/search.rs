@@ -2,6 +2,7 @@
 
 use super::audited::audit;
 use super::cover::{Cells, Cover};
+use super::pages::{bounded, halve_page};
 use super::sums::Sums;
 use super::{Beyond, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
 use crate::area::Area;
@@ -15,7 +16,6 @@ use crate::facets::{Parts, PreparedFacets, Source, Spread, Start, Weighted};
 use crate::facts::Interval;
 use crate::progress::{Monitor, Progress};
 use crate::sorting::sort_by_number;
-use crate::threads::parallel::map_ranges;
 use std::ops::Range;
 use web_time::Instant;
 
@@ -279,16 +279,7 @@ impl Search<'_> {
             if self.is_late() {
                 break;
             }
-            let found = map_ranges(page.len(), |range: Range<usize>| {
-                let halves = |&index: &usize| if self.is_late() { None } else { cover.halves(&parts[index]) };
-                page[range].iter().map(halves).collect::<Vec<_>>()
-            });
-            for (&index, halves) in page.iter().zip(found.into_iter().flatten()) {
-                let Some([one, other]) = halves else { continue };
-                parts[index] = one;
-                parts.push(other);
-                count += 1;
-            }
+            count += halve_page(parts, page, |part| if self.is_late() { None } else { cover.halves(part) });
             let spent = (*cells + 2 * count) as f64 / self.asked.options.max_cells as f64;
             progress.checkpoint(spent.min(1.0)).await?;
         }
@@ -366,26 +357,6 @@ impl Search<'_> {
     fn room(&self, taken: f64) -> f64 {
         (self.tolerance - taken).max(LEAST_ROOM * self.tolerance)
     }
-}
-
-/// Returns the bounds of all points, facets or patches.
-pub(in crate::engine) async fn bounded<T: Send>(
-    count: usize,
-    at_once: usize,
-    progress: &mut Progress<'_>,
-    bound: impl Fn(Range<usize>) -> Option<Vec<T>> + Sync,
-) -> Result<Vec<T>> {
-    let mut bounded = Vec::with_capacity(count);
-    while bounded.len() < count {
-        let first = bounded.len();
-        let found =
-            map_ranges(at_once.min(count - first), |range| bound(first + range.start..first + range.end));
-        for found in found {
-            bounded.append(&mut found.ok_or(Error::EmptyModel)?);
-        }
-        progress.checkpoint(0.0).await?;
-    }
-    Ok(bounded)
 }
 
 /// Takes the parts of the largest widths, until the sum of the others is at most `kept`; their urgency is

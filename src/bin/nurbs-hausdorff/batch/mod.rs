@@ -242,6 +242,7 @@ impl Batch<'_> {
         let models = (&a.prepared, &b.prepared);
         let is_whole = [a, b].iter().all(|input| input.report.read.skipped.is_empty());
         let monitor = &mut Interrupt([self.interrupted, &self.unread]);
+        let of = OfQuestion { id, question, is_whole, a, b };
         match question {
             Question::Distance(options) => {
                 let staged = options.method.name() != MethodName::Certified || options.deviations;
@@ -251,39 +252,32 @@ impl Batch<'_> {
                     _ => self.with_gpu()?,
                 };
                 let result = engine.distance(models.0, models.1, options).monitored(monitor).wait()?;
-                let asked = question
-                    .asked(options.limit.map_or(Verdict::Passed, |limit| of_limit(&result, limit)), is_whole);
-                line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
+                of.answered(options.limit.map_or(Verdict::Passed, |limit| of_limit(&result, limit)), &result)
             }
             Question::Diff(options) => {
                 let result = self.cpu.diff(models.0, models.1, options).monitored(monitor).wait()?;
-                let asked = question.asked(result.state.into(), is_whole);
-                line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
+                of.answered(result.state.into(), &result)
             }
             Question::Score(options) => {
                 let result = self.cpu.score(models.0, models.1, options).monitored(monitor).wait()?;
-                let asked = question.asked(Verdict::of(result.met), is_whole);
-                line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
+                of.answered(Verdict::of(result.met), &result)
             }
             Question::Align(options) => {
                 let result = self.cpu.best_fit(models.0, models.1, options).monitored(monitor).wait()?;
-                let asked = question.asked(Verdict::of(judged(&result, options.zone.limit)), is_whole);
-                line(&OfPair { id, answer: OfFiles::new(asked, &Aligned::new(&result), a, b) })
+                of.answered(Verdict::of(judged(&result, options.zone.limit)), &Aligned::new(&result))
             }
+            // Nothing is judged by the next two.
             Question::Statistics(options) => {
                 let result = self.cpu.statistics(models.0, models.1, options).monitored(monitor).wait()?;
-                let asked = question.asked(Verdict::Passed, is_whole);
-                line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
+                of.answered(Verdict::Passed, &result)
             }
             Question::Overlap(options) => {
                 let result = self.cpu.overlap(models.0, models.1, options).monitored(monitor).wait()?;
-                let asked = question.asked(Verdict::Passed, is_whole);
-                line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
+                of.answered(Verdict::Passed, &result)
             }
             Question::Clearance(options) => {
                 let result = self.cpu.clearance(models.0, models.1, options).monitored(monitor).wait()?;
-                let asked = question.asked(Verdict::of(result.at_least), is_whole);
-                line(&OfPair { id, answer: OfFiles::new(asked, &result, a, b) })
+                of.answered(Verdict::of(result.at_least), &result)
             }
         }
     }
@@ -295,6 +289,24 @@ impl Batch<'_> {
     fn with_gpu(&self) -> Result<&Engine, Failure> {
         let engine = self.gpu.get_or_init(|| Engine::new_blocking(Backend::Auto).ok());
         engine.as_ref().ok_or_else(|| Error::NoAdapter { found: "no engine".to_owned() }.into())
+    }
+}
+
+/// A question about two models, to be answered.
+struct OfQuestion<'a> {
+    id: &'a Value,
+    question: &'a Question,
+    /// Whether no faces were left out of the models.
+    is_whole: bool,
+    a: &'a Input,
+    b: &'a Input,
+}
+
+impl OfQuestion<'_> {
+    /// Returns the line that answers it; the verdict is stated only if something was judged.
+    fn answered(&self, verdict: Verdict, result: &impl Serialize) -> Result<String, Failure> {
+        let asked = self.question.asked(verdict, self.is_whole);
+        line(&OfPair { id: self.id, answer: OfFiles::new(asked, result, self.a, self.b) })
     }
 }
 

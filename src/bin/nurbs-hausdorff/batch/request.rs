@@ -123,24 +123,32 @@ pub(super) fn parse(text: &str, max_seconds: Option<f64>) -> (Value, Result<Requ
 }
 
 fn request(line: Line, max_seconds: Option<f64>) -> Result<Request> {
-    if !matches!(line.command, CommandName::Check | CommandName::Info) {
-        return pair(line, max_seconds);
-    }
-    let is_info = matches!(line.command, CommandName::Info);
-    let is_of_pair = line.a.is_some() || line.b.is_some() || line.transform.is_some() || line.has_unit();
-    match line.files {
-        Some(files) if is_info && !is_of_pair => match <[PathBuf; 1]>::try_from(files) {
-            Ok([file]) => Ok(Request::Info { file, options: named(line.options)? }),
-            Err(_) => Err(no_files("info", "one of `files`")),
-        },
-        Some(files) if !is_of_pair => {
-            let mut options: CheckOptions = named(line.options)?;
-            options.max_seconds = options.max_seconds.or(max_seconds);
-            options.validate()?;
-            Ok(Request::Check { files, options: Box::new(options) })
-        }
-        _ if is_info => Err(no_files("info", "one of `files`")),
-        _ => Err(no_files("check", "`files`")),
+    let question: fn(PairOptions) -> Result<Question> = match line.command {
+        CommandName::Check => return check(line, max_seconds),
+        CommandName::Info => return info(line),
+        CommandName::Distance => distance,
+        CommandName::Align => align,
+        CommandName::Diff => |options| Ok(Question::Diff(options.placed()?)),
+        CommandName::Clearance => |options| Ok(Question::Clearance(options.placed()?)),
+        CommandName::Score => |options| Ok(Question::Score(Box::new(options.placed()?))),
+        CommandName::Statistics => |options| Ok(Question::Statistics(options.placed()?)),
+        CommandName::Overlap => |options| Ok(Question::Overlap(options.placed()?)),
+    };
+    pair(line, max_seconds, question)
+}
+
+fn check(line: Line, max_seconds: Option<f64>) -> Result<Request> {
+    let Some(files) = line.files_alone() else { return Err(no_files("check", "`files`")) };
+    let mut options: CheckOptions = named(line.options)?;
+    options.max_seconds = options.max_seconds.or(max_seconds);
+    options.validate()?;
+    Ok(Request::Check { files, options: Box::new(options) })
+}
+
+fn info(line: Line) -> Result<Request> {
+    match line.files_alone().map(<[PathBuf; 1]>::try_from) {
+        Some(Ok([file])) => Ok(Request::Info { file, options: named(line.options)? }),
+        _ => Err(no_files("info", "one of `files`")),
     }
 }
 
@@ -149,9 +157,19 @@ impl Line {
     fn has_unit(&self) -> bool {
         self.unit_of_a.is_some() || self.unit_of_b.is_some()
     }
+
+    /// Returns `files`, if nothing of a pair is given.
+    fn files_alone(&self) -> Option<Vec<PathBuf>> {
+        let is_of_pair = self.a.is_some() || self.b.is_some() || self.transform.is_some() || self.has_unit();
+        self.files.clone().filter(|_| !is_of_pair)
+    }
 }
 
-fn pair(mut line: Line, max_seconds: Option<f64>) -> Result<Request> {
+fn pair(
+    mut line: Line,
+    max_seconds: Option<f64>,
+    question: fn(PairOptions) -> Result<Question>,
+) -> Result<Request> {
     if line.files.is_some() {
         return Err(no_pair("`files` are of `check` and `info`"));
     }
@@ -166,38 +184,48 @@ fn pair(mut line: Line, max_seconds: Option<f64>) -> Result<Request> {
     let files = [file(line.a, line.unit_of_a, "a")?, file(line.b, line.unit_of_b, "b")?];
     let Motion { rotation, translation } = line.transform.unwrap_or_default();
     let transform = RigidTransform::new(DQuat::from_array(rotation), DVec3::from_array(translation))?;
-    Ok(Request::Pair { files, question: question(line.command, transform, line.options, max_seconds)? })
+    Ok(Request::Pair {
+        files,
+        question: question(PairOptions { transform, named: line.options, max_seconds })?,
+    })
 }
 
-fn question(
-    command: CommandName,
+/// The options of a line with two files.
+struct PairOptions {
+    /// The motion of A.
     transform: RigidTransform,
-    options: Map<String, Value>,
+    named: Map<String, Value>,
+    /// The budget of searches that state none.
     max_seconds: Option<f64>,
-) -> Result<Question> {
-    Ok(match command {
-        CommandName::Distance => {
-            let named: NamedOptions = named(options)?;
-            let mut options = DistanceOptions::try_from(NamedOptions { transform, ..named })?;
-            if let nurbs_hausdorff::Method::Certified(budgets) = &mut options.method {
-                budgets.max_seconds = budgets.max_seconds.or(max_seconds);
-            }
-            options.validate()?;
-            Question::Distance(Box::new(options))
-        }
-        CommandName::Align => {
-            let options = BestFitOptions { transform, ..named(options)? };
-            options.validate()?;
-            Question::Align(Box::new(options))
-        }
-        CommandName::Diff => Question::Diff(placed(options, transform, max_seconds)?),
-        CommandName::Clearance => Question::Clearance(placed(options, transform, max_seconds)?),
-        CommandName::Score => Question::Score(Box::new(placed(options, transform, max_seconds)?)),
-        CommandName::Statistics => Question::Statistics(placed(options, transform, max_seconds)?),
-        CommandName::Overlap => Question::Overlap(placed(options, transform, max_seconds)?),
-        CommandName::Check => return Err(no_files("check", "`files`")),
-        CommandName::Info => return Err(no_files("info", "one of `files`")),
-    })
+}
+
+impl PairOptions {
+    /// Returns the checked options of a command.
+    ///
+    /// # Errors
+    /// Those of [`named`], and of each range.
+    fn placed<T: Placed>(self) -> Result<T> {
+        let mut options: T = named(self.named)?;
+        options.place(self.transform, self.max_seconds);
+        options.check()?;
+        Ok(options)
+    }
+}
+
+fn distance(PairOptions { transform, named: given, max_seconds }: PairOptions) -> Result<Question> {
+    let named: NamedOptions = named(given)?;
+    let mut options = DistanceOptions::try_from(NamedOptions { transform, ..named })?;
+    if let nurbs_hausdorff::Method::Certified(budgets) = &mut options.method {
+        budgets.max_seconds = budgets.max_seconds.or(max_seconds);
+    }
+    options.validate()?;
+    Ok(Question::Distance(Box::new(options)))
+}
+
+fn align(PairOptions { transform, named: given, .. }: PairOptions) -> Result<Question> {
+    let options = BestFitOptions { transform, ..named(given)? };
+    options.validate()?;
+    Ok(Question::Align(Box::new(options)))
 }
 
 /// Options with a motion of A and a budget of time.
@@ -225,21 +253,6 @@ macro_rules! impl_placed {
 }
 
 impl_placed!(DiffOptions, ClearanceOptions, ScoreOptions, StatisticsOptions, OverlapOptions);
-
-/// Returns checked options by their names.
-///
-/// # Errors
-/// Those of [`named`], and of each range.
-fn placed<T: Placed>(
-    options: Map<String, Value>,
-    transform: RigidTransform,
-    max_seconds: Option<f64>,
-) -> Result<T> {
-    let mut options: T = named(options)?;
-    options.place(transform, max_seconds);
-    options.check()?;
-    Ok(options)
-}
 
 fn no_files(command: &str, files: &str) -> Error {
     no_pair(format!("`{command}` has {files}, and neither `a`, `b`, their units nor `transform`"))

@@ -8,7 +8,7 @@ use crate::facets::{Facet, PreparedFacets};
 use crate::facts::Interval;
 use crate::features::{Counterparts, Faces, FeatureEdges, Piece, Sharpness};
 use crate::model::RigidTransform;
-use crate::normals::Likeness;
+use crate::normals::{Likeness, Reach};
 use crate::progress::{Monitor, Progress};
 use crate::solid::{Edges, joined_arcs};
 use crate::threads::parallel::map_ranges;
@@ -19,7 +19,7 @@ use web_time::Instant;
 /// The number of pieces between two checkpoints.
 const PIECES_AT_ONCE: usize = 1024;
 
-/// What is asked of both directions.
+/// The question about the edges of both models, and the budgets of each direction.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AskedEdges {
     /// The largest distance of a counterpart.
@@ -30,7 +30,7 @@ pub(super) struct AskedEdges {
     pub(super) max_pieces: usize,
     /// Seconds after which it is.
     pub(super) max_seconds: Option<f64>,
-    /// The length up to which edges count as none.
+    /// The largest total length with which a model counts as one without feature edges.
     pub(super) least: f64,
 }
 
@@ -83,7 +83,8 @@ pub(super) async fn matched_edges(
     let mut progress = Progress::new(monitor, false);
     let boxes = [from, to].map(FeatureEdges::bounding_box);
     let length = boxes.iter().flatten().map(|aabb| aabb.farthest_from_origin()).sum::<f64>();
-    let counterparts = Counterparts::new(to, asked.threshold, [from.error() + to.error(), length]);
+    let counterparts =
+        Counterparts::new(to, Reach::new(asked.threshold, [from.error() + to.error(), length]));
     let search = Search { from, counterparts, asked, started: Instant::now() };
     let (part, length, is_narrow) = search.run(&mut progress).await?;
     Ok(MatchedEdges { part, length, is_narrow })
@@ -143,9 +144,10 @@ impl<'a> Search<'a> {
             let is_known = length.upper - length.lower <= tolerance * length.upper;
             let is_narrow =
                 part.upper - part.lower <= tolerance && is_known || length.upper <= self.asked.least;
-            // Where nothing is known to be a feature yet, that it is none is looked for.
+            // While no piece is certainly a feature this is 0: pieces are halved until one is, or none can be.
             let permitted = tolerance * length.lower;
-            let is_over = is_over(self.started, self.asked.max_seconds) || self.counterparts.is_hopeless();
+            let is_over =
+                is_over(self.started, self.asked.max_seconds) || self.counterparts.reach().is_hopeless();
             if is_narrow || is_over || !self.halve(&mut pieces, permitted, progress).await? {
                 return Ok((part, length, is_narrow));
             }

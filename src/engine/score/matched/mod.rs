@@ -26,10 +26,12 @@ const EDGES_PART: [f64; 2] = [0.8, 0.05];
 /// angles or distances are just what is permitted, parts are never decided.
 const NORMAL_CELLS: usize = 30_000;
 
-/// The part of the truth's diagonal up to which the length of all feature edges counts as none.
+/// The largest total length of feature edges, as a part of the truth's diagonal, with which a model counts as one
+/// without them.
 const NO_EDGES: f64 = 1e-6;
 
-/// The part of the truth's diagonal up to which a part of an edge is none where a face has no normal, as at a pole.
+/// The largest length, as a part of the truth's diagonal, of a part of an edge that is left out because a face may have
+/// no normal there, as at a pole.
 const POINT: f64 = 1e-7;
 
 /// The pieces of edges after which the part with counterparts is left as it is known.

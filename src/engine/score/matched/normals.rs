@@ -5,14 +5,13 @@ use crate::area::Area;
 use crate::certified::{Audit, AuditReport, Pair};
 use crate::engine::PreparedModel;
 use crate::engine::section::is_over;
-use crate::engine::statistics::{Cells, Cover, audit, bounded};
+use crate::engine::statistics::{Cells, Cover, audit, bounded, halve_page};
 use crate::error::{Error, Result};
 use crate::facets::{Parts, PreparedFacets, Source, Weighted};
 use crate::facts::Interval;
 use crate::model::RigidTransform;
-use crate::normals::{Likeness, Likenesses, NormalTarget};
+use crate::normals::{Likeness, Likenesses, NormalTarget, Reach};
 use crate::progress::{Monitor, Progress};
-use crate::threads::parallel::map_ranges;
 use std::ops::Range;
 use web_time::Instant;
 
@@ -22,7 +21,7 @@ const SUFFICIENT_PART: f64 = 0.125;
 /// The number of parts between two checkpoints, where there is a limit of time.
 const PARTS_AT_ONCE: usize = 256;
 
-/// What is asked of both directions.
+/// The question about the areas of both models, and the budgets of each direction.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AskedNormals {
     /// The largest distance of a counterpart.
@@ -66,8 +65,8 @@ pub(super) async fn alike_part(
         (None, None) => return Err(Error::EmptyModel),
     };
     let search = |rounding: f64| {
-        let question = [asked.threshold, asked.angle];
-        Search { likenesses: Likenesses::new(&target, question, [rounding, length]), asked, started }
+        let reach = Reach::new(asked.threshold, [rounding, length]);
+        Search { likenesses: Likenesses::new(&target, reach, asked.angle), asked, started }
     };
     let found = if let Some(flat) = &flat {
         let own = from.certified_target();
@@ -139,7 +138,10 @@ impl Search<'_> {
             });
             let part = Shares::of(areas).part();
             let is_narrow = part.upper - part.lower <= self.asked.part_tolerance;
-            if is_narrow || self.likenesses.is_hopeless() || !self.halve(cover, &mut parts, progress).await? {
+            if is_narrow
+                || self.likenesses.reach().is_hopeless()
+                || !self.halve(cover, &mut parts, progress).await?
+            {
                 return Ok((parts.into_iter().map(|(part, _)| part).collect(), (part, is_narrow)));
             }
         }
@@ -164,19 +166,10 @@ impl Search<'_> {
             if self.is_late() {
                 break;
             }
-            let found = map_ranges(page.len(), |range: Range<usize>| {
-                let halves = |&index: &usize| {
-                    let halves = cover.halves_of_longer(&parts[index].0)?;
-                    Some(halves.map(|half| self.compared(cover, half)))
-                };
-                page[range].iter().map(halves).collect::<Vec<_>>()
+            count += halve_page(parts, page, |part| {
+                let halves = cover.halves_of_longer(&part.0)?;
+                Some(halves.map(|half| self.compared(cover, half)))
             });
-            for (&index, halves) in page.iter().zip(found.into_iter().flatten()) {
-                let Some([one, other]) = halves else { continue };
-                parts[index] = one;
-                parts.push(other);
-                count += 1;
-            }
             progress.checkpoint((parts.len() as f64 / self.asked.max_cells as f64).min(1.0)).await?;
         }
         Ok(count > 0)

@@ -1,4 +1,4 @@
-//! The share of pieces with a property, of which some are undecided, and the choice of those that are halved.
+//! The share of pieces with a property where some pieces are undecided, and the choice of the pieces to halve.
 
 use crate::facts::Interval;
 use crate::normals::Likeness;
