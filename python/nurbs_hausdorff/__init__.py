@@ -10,32 +10,32 @@ from __future__ import annotations
 from importlib.metadata import version as _version
 
 from . import testing
-from ._check import check
-from ._errors import NurbsHausdorffError
-from ._fit import BestFit, FitPose, LeftOut, Zone, best_fit
-from ._interval import Interval
-from ._measure import (
+from ._calls.check import check
+from ._calls.fit import BestFit, FitPose, LeftOut, Zone, best_fit
+from ._calls.measure import (
     clearance, closest_points, diff, distance, field, gaps, overlap, signed_distances, statistics,
 )  # fmt: skip
+from ._calls.score import score
+from ._errors import NurbsHausdorffError
 from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell, Solid
-from ._results.check import BodyPair, CheckedBody, CheckResult, SelfOverlap, UnkeptRule
-from ._results.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
+from ._results.bodies.check import BodyPair, CheckedBody, CheckResult, SelfOverlap, UnkeptRule
+from ._results.bodies.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
+from ._results.bodies.facts import Body, Facts
+from ._results.bodies.overlap import OverlapResult, OverlapVolumes
 from ._results.closest import ClosestPoints
 from ._results.common import SurfacePoint, Witness
 from ._results.diff import DiffResult, FaceDifference, PartDifference, PartFaces, PartMotion
 from ._results.distance import DistanceResult
-from ._results.facts import Body, Facts
 from ._results.field import Field, FieldPart, Statistics
 from ._results.grid import SignedDistances
-from ._results.overlap import OverlapResult, OverlapVolumes
 from ._results.score import (
     AtThreshold, Difference, EdgeLengths, FaceCounts, HausdorffScore, Placement, Requirement, Score,
     ScoredModel, SurfaceScore,
 )  # fmt: skip
 from ._results.statistics import Beyond, CertifiedStatistics
-from ._score import score
 from ._sources import model, read
-from ._transform import Transform
+from ._values.interval import Interval
+from ._values.transform import Transform
 
 #: The version of the package.
 __version__ = _version("nurbs-hausdorff")

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import plain, refused, rows
+from ._values.arrays import plain, refused, rows
 from ._errors import NurbsHausdorffError
 from ._model import Facets
 

@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _names, _native
-from ._arrays import rows
+from ._values import names as _names
+from . import _native
+from ._values.arrays import rows
 from ._errors import NurbsHausdorffError
-from ._interval import Interval
-from ._results.facts import Body, Facts, body_result, facts_result
+from ._values.interval import Interval
+from ._results.bodies.facts import Body, Facts, body_result, facts_result
 
 
 @dataclass(frozen=True)

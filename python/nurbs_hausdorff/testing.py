@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from ._model import Model
-from ._results.check import PairState, pair_text, rule_text
+from ._results.bodies.check import PairState, pair_text, rule_text
 from ._results.common import face as named
 
 

@@ -6,28 +6,28 @@ import { readCad } from "./cad/read.js";
 import { HausdorffError, translated, translating } from "./error.js";
 import { checkKeys } from "./keys.js";
 import { load, type ModuleSource, requireLoaded, setSource } from "./load.js";
-import { Reached, requireWhole } from "./measure/cancelled.js";
-import { type CheckOptions, type CheckResult, checkRules, levels } from "./measure/check.js";
+import { type CheckOptions, type CheckResult, checkRules, levels } from "./measure/bodies/check.js";
 import type {
   ClearanceOptions,
   ClearanceResult,
   GapOptions,
   GapsResult,
-} from "./measure/clearance.js";
-import type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
+} from "./measure/bodies/clearance.js";
+import type { OverlapOptions, OverlapResult } from "./measure/bodies/overlap.js";
+import type { Score, ScoreOptions } from "./measure/bodies/score.js";
+import { Reached, requireWhole } from "./measure/cancelled.js";
 import type { DiffOptions, DiffResult } from "./measure/diff.js";
 import type { DistanceEngine } from "./measure/engine.js";
-import type { DeviationField, FieldOptions } from "./measure/field.js";
-import { type BestFit, type BestFitOptions, checkFit } from "./measure/fit.js";
 import { type Backend, type DistanceOptions, split } from "./measure/options.js";
-import type { OverlapOptions, OverlapResult } from "./measure/overlap.js";
-import type { Results } from "./measure/result.js";
-import type { Score, ScoreOptions } from "./measure/score.js";
+import type { ClosestPointOptions, ClosestPoints } from "./measure/points/closest.js";
+import type { DeviationField, FieldOptions } from "./measure/points/field.js";
+import { type BestFit, type BestFitOptions, checkFit } from "./measure/points/fit.js";
 import type {
   Precision,
   SignedDistanceOptions,
   SignedDistances,
-} from "./measure/signed-distances.js";
+} from "./measure/points/signed-distances.js";
+import type { Results } from "./measure/result.js";
 import type { CertifiedStatistics, StatisticsOptions } from "./measure/statistics.js";
 import { facetArrays, type MeshArrays } from "./model/mesh.js";
 import { NurbsModel } from "./model/model.js";

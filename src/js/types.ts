@@ -17,7 +17,7 @@ export type {
   PairState,
   SelfOverlap,
   UnkeptRule,
-} from "./measure/check.js";
+} from "./measure/bodies/check.js";
 export type {
   ClearanceOptions,
   ClearanceResult,
@@ -26,8 +26,22 @@ export type {
   GapsResult,
   Overlap,
   OverlapUnknown,
-} from "./measure/clearance.js";
-export type { ClosestPointOptions, ClosestPoints } from "./measure/closest.js";
+} from "./measure/bodies/clearance.js";
+export type { OverlapOptions, OverlapResult, VolumesUnknown } from "./measure/bodies/overlap.js";
+export type {
+  AtThreshold,
+  Difference,
+  EdgeLengths,
+  FaceCounts,
+  HausdorffScore,
+  Placement,
+  Requirement,
+  Score,
+  ScoredModel,
+  ScoreNumber,
+  ScoreOptions,
+  SurfaceScore,
+} from "./measure/bodies/score.js";
 export type {
   DiffOptions,
   DiffResult,
@@ -37,18 +51,6 @@ export type {
   PartState,
 } from "./measure/diff.js";
 export type { DistanceEngine } from "./measure/engine.js";
-export type { DeviationField, FieldOptions } from "./measure/field.js";
-export type {
-  BestFit,
-  BestFitOptions,
-  Datum,
-  DatumFeature,
-  FitPose,
-  PointPair,
-  Rigid,
-  Zone,
-  ZoneOptions,
-} from "./measure/fit.js";
 export { Latest } from "./measure/latest.js";
 export type {
   Backend,
@@ -60,7 +62,24 @@ export type {
   Transform,
   Vector3,
 } from "./measure/options.js";
-export type { OverlapOptions, OverlapResult, VolumesUnknown } from "./measure/overlap.js";
+export type { ClosestPointOptions, ClosestPoints } from "./measure/points/closest.js";
+export type { DeviationField, FieldOptions } from "./measure/points/field.js";
+export type {
+  BestFit,
+  BestFitOptions,
+  Datum,
+  DatumFeature,
+  FitPose,
+  PointPair,
+  Rigid,
+  Zone,
+  ZoneOptions,
+} from "./measure/points/fit.js";
+export type {
+  Precision,
+  SignedDistanceOptions,
+  SignedDistances,
+} from "./measure/points/signed-distances.js";
 export type { OnProgress } from "./measure/progress.js";
 export type {
   AuditReport,
@@ -75,25 +94,6 @@ export type {
   SurfacePoint,
   WithGaps,
 } from "./measure/result.js";
-export type {
-  AtThreshold,
-  Difference,
-  EdgeLengths,
-  FaceCounts,
-  HausdorffScore,
-  Placement,
-  Requirement,
-  Score,
-  ScoredModel,
-  ScoreNumber,
-  ScoreOptions,
-  SurfaceScore,
-} from "./measure/score.js";
-export type {
-  Precision,
-  SignedDistanceOptions,
-  SignedDistances,
-} from "./measure/signed-distances.js";
 export type {
   CertifiedStatistics,
   StatisticsOptions,

@@ -5,21 +5,10 @@
 #[path = "../support/mod.rs"]
 mod support;
 
-mod align;
-mod archives;
-mod batch;
-mod check;
 mod commands;
 mod edge_cases;
-mod gaps;
-mod grid;
-mod mesh_files;
-mod meshes;
-mod overlap;
-mod pairs;
+mod files;
+mod many;
+mod measures;
 mod pictures;
 mod readme;
-mod rhino;
-mod score;
-mod trimmed;
-mod verdicts;

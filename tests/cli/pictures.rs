@@ -1,7 +1,7 @@
 //! The pictures of the report for browsers, decoded by a reader of PNG of its own.
 
-use super::check::faces;
 use super::commands::{plane, run, status};
+use crate::measures::check::faces;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Crc;

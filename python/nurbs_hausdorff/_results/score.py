@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from .._fit import BestFit, fit_result, motion
-from .._interval import Interval
-from .._transform import Transform
+from .._calls.fit import BestFit, fit_result, motion
+from .._values.interval import Interval
+from .._values.transform import Transform
 from .common import Seconds, table
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from .._interval import Interval
+from .._values.interval import Interval
 from .common import Audit, Seconds, table
 
 

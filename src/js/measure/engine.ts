@@ -1,17 +1,26 @@
 import type { MeshFormat, MeshOptions } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
 import type { BrepText, Numbers } from "../model/surface.js";
-import type { CheckOptions, CheckResult } from "./check.js";
-import type { ClearanceOptions, ClearanceResult, GapOptions, GapsResult } from "./clearance.js";
-import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
+import type { CheckOptions, CheckResult } from "./bodies/check.js";
+import type {
+  ClearanceOptions,
+  ClearanceResult,
+  GapOptions,
+  GapsResult,
+} from "./bodies/clearance.js";
+import type { OverlapOptions, OverlapResult } from "./bodies/overlap.js";
+import type { Score, ScoreOptions } from "./bodies/score.js";
 import type { DiffOptions, DiffResult } from "./diff.js";
-import type { DeviationField, FieldOptions } from "./field.js";
-import type { BestFit, BestFitOptions } from "./fit.js";
 import type { DistanceOptions } from "./options.js";
-import type { OverlapOptions, OverlapResult } from "./overlap.js";
+import type { ClosestPointOptions, ClosestPoints } from "./points/closest.js";
+import type { DeviationField, FieldOptions } from "./points/field.js";
+import type { BestFit, BestFitOptions } from "./points/fit.js";
+import type {
+  Precision,
+  SignedDistanceOptions,
+  SignedDistances,
+} from "./points/signed-distances.js";
 import type { Results } from "./result.js";
-import type { Score, ScoreOptions } from "./score.js";
-import type { Precision, SignedDistanceOptions, SignedDistances } from "./signed-distances.js";
 import type { CertifiedStatistics, StatisticsOptions } from "./statistics.js";
 
 /**

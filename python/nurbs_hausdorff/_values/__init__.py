@@ -1,0 +1,1 @@
+"""Values that calls take and return, and the checks of arguments."""

@@ -1,0 +1,8 @@
+//! The commands that measure two models.
+
+pub(crate) mod align;
+pub(crate) mod clearance;
+pub(crate) mod diff;
+pub(crate) mod distance;
+pub(crate) mod overlap;
+pub(crate) mod statistics;

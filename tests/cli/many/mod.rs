@@ -1,0 +1,5 @@
+//! Many pairs, and their verdicts.
+
+mod batch;
+mod pairs;
+mod verdicts;
