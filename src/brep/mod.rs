@@ -7,27 +7,26 @@
 //! their distance from the edges; [`assembly`] collects the faces and their placements;
 //! [`file`] recognises files by their content, and names [`foreign`] ones; `archive` opens those within others.
 
-#[cfg(feature = "archives")]
 mod archive;
-mod assembly;
 mod digits;
 mod edges;
 mod faces;
 mod file;
-mod foreign;
 mod format;
 mod gap;
 mod iges;
-mod levels;
+#[cfg(feature = "archives")]
+mod instances;
 #[cfg(any(feature = "mesh", all(feature = "wasm-readers", target_arch = "wasm32")))]
 mod meshes;
 mod nurbs;
 mod outline;
-mod placed;
 mod report;
 mod step;
 mod text;
 mod topology;
+
+use instances::{assembly, foreign, levels, placed};
 
 use crate::error::{Error, Result};
 use crate::model::Model;

@@ -1,18 +1,15 @@
 //! Curves and surfaces of the file: evaluation, and conversion to NURBS.
 
 mod basis;
-mod conic;
 mod conversion;
-mod curve;
-mod curve_faults;
+mod curves;
 mod frame;
 mod image;
-mod nearest;
 mod net;
 mod parameter_map;
-mod part;
-mod spline;
 mod surface;
+
+use curves::{conic, curve, curve_faults, nearest, part, spline};
 
 pub(crate) use basis::Basis;
 pub(crate) use conic::Conic;

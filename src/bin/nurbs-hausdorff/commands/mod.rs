@@ -1,12 +1,12 @@
 //! The commands.
 
 pub(crate) mod check;
+mod comparisons;
 pub(crate) mod completions;
 pub(crate) mod convert;
 pub(crate) mod grid;
 pub(crate) mod info;
 mod scores;
-mod two;
 
+pub(crate) use comparisons::{align, clearance, diff, distance, overlap, statistics};
 pub(crate) use scores::{score, summary};
-pub(crate) use two::{align, clearance, diff, distance, overlap, statistics};

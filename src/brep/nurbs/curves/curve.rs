@@ -1,13 +1,13 @@
 //! The curves of the file.
 
-use super::basis::Basis;
-use super::conic::Conic;
-use super::conversion::{Unconvertible, check_range};
-use super::curve_faults::lacks_side;
-use super::frame::Frame;
-use super::net::interpolated_curve;
-use super::parameter_map::ParameterMap;
-use super::spline::{self, CLOSED, Spline, project};
+use crate::brep::nurbs::basis::Basis;
+use crate::brep::nurbs::conic::Conic;
+use crate::brep::nurbs::conversion::{Unconvertible, check_range};
+use crate::brep::nurbs::curve_faults::lacks_side;
+use crate::brep::nurbs::frame::Frame;
+use crate::brep::nurbs::net::interpolated_curve;
+use crate::brep::nurbs::parameter_map::ParameterMap;
+use crate::brep::nurbs::spline::{self, CLOSED, Spline, project};
 use glam::{DVec3, DVec4};
 use std::f64::consts::TAU;
 
@@ -73,7 +73,7 @@ impl SplineCurve {
     }
 
     /// Returns the curve over clamped knots of a range; `None` for one that no edge may have.
-    pub(super) fn over_valid(&self, range: [f64; 2]) -> Option<Spline> {
+    pub(in crate::brep::nurbs) fn over_valid(&self, range: [f64; 2]) -> Option<Spline> {
         self.basis.check_range(range).ok().map(|()| self.over(range))
     }
 

@@ -1,7 +1,7 @@
 //! What a curve of a file may be and no edge is: torn, or an offset to no side.
 
-use super::curve::{Curve, SplineCurve};
-use super::spline::project;
+use crate::brep::nurbs::curve::{Curve, SplineCurve};
+use crate::brep::nurbs::spline::project;
 use glam::DVec3;
 
 /// The sine of the angle between a curve and the direction of its offset below which they are parallel.
@@ -33,7 +33,7 @@ fn jumps(spline: &SplineCurve, range: [f64; 2]) -> Vec<[DVec3; 2]> {
 
 /// Returns whether the offset of a curve in direction `C' × normal` has no side somewhere between these
 /// parameters: the direction vanishes, or turns round between two of the points that are looked at.
-pub(super) fn lacks_side(basis: &Curve, normal: DVec3, breaks: &[f64]) -> bool {
+pub(in crate::brep::nurbs) fn lacks_side(basis: &Curve, normal: DVec3, breaks: &[f64]) -> bool {
     let mut last: Option<DVec3> = None;
     for pair in breaks.windows(2) {
         for step in 0..=SIDES {

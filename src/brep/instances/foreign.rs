@@ -1,6 +1,6 @@
 //! Files of kinds that are recognised by their content and not read.
 
-use super::format;
+use crate::brep::format;
 use crate::error::Error;
 
 /// The bytes in which a STEP file's schema is searched.
@@ -45,12 +45,12 @@ const BEGINNINGS: [(&[u8], &str, &str); 21] = [
 ];
 
 /// Returns the error for bytes that are of no kind that is known.
-pub(super) fn unknown() -> Error {
+pub(in crate::brep) fn unknown() -> Error {
     Error::FormatUnsupported { found: "an unknown format", advice: EXPORT.to_owned() }
 }
 
 /// Returns the error that names a file of another kind, and the way to one that is read; `None` for others.
-pub(super) fn refused(bytes: &[u8], path: &str) -> Option<Error> {
+pub(in crate::brep) fn refused(bytes: &[u8], path: &str) -> Option<Error> {
     let (found, advice) = named(bytes, path)?;
     Some(Error::FormatUnsupported { found, advice })
 }

@@ -1,7 +1,7 @@
 //! Arcs of conics as rational quadratic curves.
 
-use super::parameter_map::ParameterMap;
-use super::spline::Spline;
+use crate::brep::nurbs::parameter_map::ParameterMap;
+use crate::brep::nurbs::spline::Spline;
 use glam::{DVec3, DVec4};
 use std::f64::consts::{FRAC_PI_2, TAU};
 

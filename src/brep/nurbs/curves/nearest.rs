@@ -1,7 +1,7 @@
 //! Parameters of points on curves.
 
-use super::conic::Conic;
-use super::curve::Curve;
+use crate::brep::nurbs::conic::Conic;
+use crate::brep::nurbs::curve::Curve;
 use glam::DVec3;
 
 /// The samples of every polynomial piece of a curve among which the search begins.

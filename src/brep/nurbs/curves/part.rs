@@ -1,7 +1,7 @@
 //! The parts of curves between two of their points.
 
-use super::curve::{Curve, SplineCurve};
-use super::spline::Spline;
+use crate::brep::nurbs::curve::{Curve, SplineCurve};
+use crate::brep::nurbs::spline::Spline;
 use glam::DVec3;
 
 /// Part of a range below which parameters are the same.

@@ -1,12 +1,12 @@
 //! The faces of a file and their placements.
 
-use super::edges::EdgeUses;
-use super::faces::{Converted, convert};
-use super::levels::{LevelId, Levels, placed_name};
-use super::outline::outline;
-use super::placed::{Placed, matrix};
-use super::report::{FaceFault, Remark};
-use super::topology::{Color, Face, Mesh, Orientation, ShapeKind, Topology};
+use crate::brep::edges::EdgeUses;
+use crate::brep::faces::{Converted, convert};
+use crate::brep::levels::{LevelId, Levels, placed_name};
+use crate::brep::outline::outline;
+use crate::brep::placed::{Placed, matrix};
+use crate::brep::report::{FaceFault, Remark};
+use crate::brep::topology::{Color, Face, Mesh, Orientation, ShapeKind, Topology};
 use crate::error::{Error, Result};
 use crate::model::{InstanceArrays, MAX_FACES, ModelArrays};
 use crate::read::{Assembled, FaceCounts, FaceId, Note, Skipped};
@@ -28,7 +28,7 @@ const MAX_POLES: usize = 1 << 24;
 pub(crate) type OnFace<'a> = &'a mut dyn FnMut(f64, &[DVec3]);
 
 /// Converts every face below the root once, and lists its placements if any is moved.
-pub(super) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<Assembled> {
+pub(in crate::brep) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<Assembled> {
     let (placed, levels) = placed_faces(file)?;
     let mut seen = HashSet::new();
     let distinct: Vec<(usize, &Placed)> =
@@ -203,7 +203,7 @@ fn notes(
 ///
 /// # Errors
 /// [`Error::TooManyFaces`] before any is placed.
-pub(super) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)> {
+pub(in crate::brep) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)> {
     let counts = counts(file);
     let Counts { faces, visits } = counts[file.root.shape];
     for (found, expected) in [(faces, MAX_FACES), (visits, MAX_VISITS)] {

@@ -7,7 +7,7 @@ use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The distance of the ends of a closed curve or surface relative to its coordinates: the
 /// tolerance of 1e-7 that OpenCASCADE allows, for parts of a few hundred units.
-pub(super) const CLOSED: f64 = 1e-9;
+pub(in crate::brep::nurbs) const CLOSED: f64 = 1e-9;
 
 /// A rational B-spline curve `(w x, w y, w z, w)`.
 #[derive(Debug, Clone, PartialEq)]

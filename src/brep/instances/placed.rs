@@ -1,23 +1,23 @@
 //! Faces where an assembly places them.
 
-use super::levels::LevelId;
-use super::topology::{Color, FaceLabel, ShapeKind, Topology};
+use crate::brep::levels::LevelId;
+use crate::brep::topology::{Color, FaceLabel, ShapeKind, Topology};
 use crate::model::level;
 use glam::DAffine3;
 
 /// A face where an assembly places it.
-pub(super) struct Placed {
-    pub(super) shape: usize,
-    pub(super) reversed: bool,
-    pub(super) location: DAffine3,
+pub(in crate::brep) struct Placed {
+    pub(in crate::brep) shape: usize,
+    pub(in crate::brep) reversed: bool,
+    pub(in crate::brep) location: DAffine3,
     /// The innermost level with a name that the face stands in.
-    pub(super) part: LevelId,
+    pub(in crate::brep) part: LevelId,
     /// The face's own colour, else that of the innermost shape with one that it stands in.
-    pub(super) color: Option<Color>,
+    pub(in crate::brep) color: Option<Color>,
 }
 
 impl Placed {
-    pub(super) fn label<'a>(&self, file: &'a Topology) -> Option<&'a FaceLabel> {
+    pub(in crate::brep) fn label<'a>(&self, file: &'a Topology) -> Option<&'a FaceLabel> {
         match &file.shapes[self.shape].kind {
             ShapeKind::Face(face) => Some(&face.label),
             ShapeKind::Mesh(mesh) => Some(&mesh.label),
@@ -26,19 +26,19 @@ impl Placed {
     }
 
     /// Returns the number by which the file calls the face.
-    pub(super) fn entity(&self, file: &Topology) -> Option<u64> {
+    pub(in crate::brep) fn entity(&self, file: &Topology) -> Option<u64> {
         self.label(file).and_then(|label| label.entity)
     }
 
     /// Returns the name of the face: that of the file, or its number.
-    pub(super) fn name(&self, file: &Topology, number: usize) -> String {
+    pub(in crate::brep) fn name(&self, file: &Topology, number: usize) -> String {
         let own = self.label(file).and_then(|label| label.name.clone());
         own.map_or_else(|| format!("face {number}"), |name| level(&name))
     }
 }
 
 /// Returns the row-major 3x4 matrix of an affine map.
-pub(super) fn matrix(map: &DAffine3) -> [f64; 12] {
+pub(in crate::brep) fn matrix(map: &DAffine3) -> [f64; 12] {
     let rows = map.matrix3.transpose();
     let [x, y, z] = [rows.x_axis, rows.y_axis, rows.z_axis];
     let t = map.translation;

@@ -6,11 +6,11 @@ use std::collections::{HashMap, HashSet};
 use crate::model::level;
 
 /// A level by its index; `None` is the file itself.
-pub(super) type LevelId = Option<usize>;
+pub(in crate::brep) type LevelId = Option<usize>;
 
 /// Levels in the order in which they are met.
 #[derive(Default)]
-pub(super) struct Levels<'a> {
+pub(in crate::brep) struct Levels<'a> {
     /// The level above each, its own name, and the number among those of the same name there, from 1.
     levels: Vec<(LevelId, Cow<'a, str>, usize)>,
     /// The names in use below each level, with their numbers.
@@ -21,7 +21,7 @@ pub(super) struct Levels<'a> {
 
 impl<'a> Levels<'a> {
     /// Appends a level: from the second of the same name on they are numbered.
-    pub(super) fn push(&mut self, above: LevelId, name: Cow<'a, str>) -> usize {
+    pub(in crate::brep) fn push(&mut self, above: LevelId, name: Cow<'a, str>) -> usize {
         let last = self.last.entry((above, name.clone())).or_insert(0);
         loop {
             *last += 1;
@@ -35,7 +35,7 @@ impl<'a> Levels<'a> {
     }
 
     /// Returns the names of a level and of all above it, joined.
-    pub(super) fn path(&self, mut id: LevelId) -> Option<String> {
+    pub(in crate::brep) fn path(&self, mut id: LevelId) -> Option<String> {
         let mut names = Vec::new();
         while let Some(index) = id {
             let (above, name, number) = &self.levels[index];
@@ -52,7 +52,10 @@ fn numbered(name: &str, number: usize) -> String {
 }
 
 /// Returns the name of a place of a part: that of the place, with the part's if it says more.
-pub(super) fn placed_name<'a>(place: Option<&'a str>, part: Option<&'a str>) -> Option<Cow<'a, str>> {
+pub(in crate::brep) fn placed_name<'a>(
+    place: Option<&'a str>,
+    part: Option<&'a str>,
+) -> Option<Cow<'a, str>> {
     match (place, part) {
         (Some(place), Some(part)) if !place.contains(part) => Some(format!("{part} ({place})").into()),
         (place, part) => place.or(part).map(Cow::Borrowed),
