@@ -5,6 +5,7 @@ use crate::certified::TrimmedFaces;
 use crate::error::{Error, Result};
 use crate::model::trim::Trim;
 use crate::model::{Face, Model, NurbsSurface};
+use crate::solid::SurfaceOrigin;
 use crate::surface_point::SurfacePoint;
 use crate::threads::parallel::{Watch, map_watched};
 use crate::untrim::{ParameterMap, Piece, Untrimmed, untrim};
@@ -16,6 +17,10 @@ use std::sync::Arc;
 /// The largest deviation of the pieces from the faces, relative to the diagonal of the
 /// model: three digits below the default tolerance.
 const MAX_DEVIATION: f64 = 1e-9;
+
+/// The part of the areas summed over the rim of a piece below which their sum may be of rounding: parameters of a piece
+/// are rounded to about 1e-16 of their size, and its width may be as little as 1e-9 of that.
+const TURNING_ROUNDING: f64 = 1e-6;
 
 /// The points of each side of a piece whose polygon in the plane of parameters tells which way it turns.
 const RIM_STEPS: u32 = 8;
@@ -36,6 +41,8 @@ pub(crate) struct FacePieces {
     reversed: Vec<bool>,
     /// The colour of each face; empty for facets.
     face_colors: Vec<Option<[f64; 3]>>,
+    /// The shell of each face in its source; empty for facets.
+    shells: Vec<Option<u32>>,
     /// An upper bound on the Hausdorff distance between each face and its pieces, the
     /// largest over all faces.
     deviation: f64,
@@ -67,6 +74,7 @@ impl FacePieces {
                 face_names,
                 reversed: model.faces().map(|face| face.is_reversed()).collect(),
                 face_colors: model.faces().map(|face| face.color()).collect(),
+                shells: model.faces().map(|face| face.shell()).collect(),
                 deviation: 0.0,
             };
             return Ok((pieces, Cow::Borrowed(model)));
@@ -79,8 +87,8 @@ impl FacePieces {
     /// Returns the pieces of a model of facets: a face of each of these names, without patches.
     pub(crate) fn of_facets(face_names: Vec<Option<String>>) -> Self {
         let faces = vec![0..0; face_names.len()];
-        let (reversed, face_colors) = (Vec::new(), Vec::new());
-        Self { origins: Arc::new([]), faces, face_names, reversed, face_colors, deviation: 0.0 }
+        let (reversed, face_colors, shells) = (Vec::new(), Vec::new(), Vec::new());
+        Self { origins: Arc::new([]), faces, face_names, reversed, face_colors, shells, deviation: 0.0 }
     }
 
     /// Returns some of the pieces, which are those of these faces; both are in order, and numbered anew.
@@ -101,6 +109,7 @@ impl FacePieces {
             face_names: faces.iter().map(|&face| self.face_names[face].clone()).collect(),
             reversed: faces.iter().map(|&face| self.reversed[face]).collect(),
             face_colors: faces.iter().map(|&face| self.face_color(face)).collect(),
+            shells: faces.iter().map(|&face| self.shells.get(face).copied().flatten()).collect(),
             deviation: self.deviation,
         }
     }
@@ -158,7 +167,8 @@ impl FacePieces {
         let name = model.name().map(str::to_owned);
         let face_colors = model.faces().map(|face| face.color()).collect();
         let reversed = model.faces().map(|face| face.is_reversed()).collect();
-        let pieces = Self { origins: origins.into(), faces, face_names, reversed, face_colors, deviation };
+        let (shells, origins) = (model.faces().map(|face| face.shell()).collect(), origins.into());
+        let pieces = Self { origins, faces, face_names, reversed, face_colors, shells, deviation };
         Ok((pieces, Model::new(name, surfaces)?))
     }
 
@@ -185,6 +195,13 @@ impl FacePieces {
     /// Returns the colour of a face, if it has one.
     pub(crate) fn face_color(&self, face: usize) -> Option<[f64; 3]> {
         self.face_colors.get(face).copied().flatten()
+    }
+
+    /// Returns where a piece comes from.
+    pub(crate) fn origin(&self, piece: usize) -> SurfaceOrigin {
+        let face = self.face(piece);
+        let is_turned = self.turning(piece).map(|area| area < 0.0);
+        SurfaceOrigin { face, is_turned, shell: self.shells.get(face).copied().flatten() }
     }
 
     /// Returns the name of a face, if it has one.
@@ -221,11 +238,17 @@ impl FacePieces {
     /// Returns whether the normal of a piece, that of its parameters, is opposite to its face's: the face may be
     /// reversed, and the map of a piece's parameters may turn the plane over.
     pub(crate) fn is_turned(&self, piece: usize) -> bool {
-        let (face, map) = &self.origins[piece];
+        self.reversed[self.face(piece)] != self.turning(piece).is_some_and(|area| area < 0.0)
+    }
+
+    /// Returns an area that is negative where the map of a piece's parameters turns the plane over; none of a piece so thin
+    /// that rounding might decide it.
+    fn turning(&self, piece: usize) -> Option<f64> {
+        let (_, map) = &self.origins[piece];
         let corner = |s: f64, t: f64| map.face_parameters([s, t]);
         let steps = || (0..RIM_STEPS).map(|step| f64::from(step) / f64::from(RIM_STEPS));
         let rim: Vec<[f64; 2]> = match map {
-            ParameterMap::Identity => Vec::new(),
+            ParameterMap::Identity => return Some(1.0),
             ParameterMap::Ruled(_) => (steps().map(|s| corner(s, 0.0)))
                 .chain(steps().map(|t| corner(1.0, t)))
                 .chain(steps().map(|s| corner(1.0 - s, 1.0)))
@@ -233,8 +256,13 @@ impl FacePieces {
                 .collect(),
         };
         let next = rim.iter().skip(1).chain(rim.first());
-        let area: f64 = rim.iter().zip(next).map(|([u, v], [to_u, to_v])| u * to_v - v * to_u).sum();
-        self.reversed[*face] != (area < 0.0)
+        let [first_u, first_v] = rim[0];
+        let corner_area = |([u, v], [to_u, to_v]): (&[f64; 2], &[f64; 2])| {
+            (u - first_u) * (to_v - first_v) - (v - first_v) * (to_u - first_u)
+        };
+        let areas: Vec<f64> = rim.iter().zip(next).map(corner_area).collect();
+        let largest = areas.iter().map(|area| area.abs()).sum::<f64>();
+        Some(areas.iter().sum::<f64>()).filter(|area| area.abs() > TURNING_ROUNDING * largest)
     }
 
     /// Returns the parameters of a face for those of one of its pieces.
@@ -347,6 +375,7 @@ mod tests {
             gap: 0.0,
             gap_measured: false,
             color: None,
+            shell: None,
         };
         Model::from_faces(ModelArrays { faces: (0..count).map(face).collect(), ..ModelArrays::default() })
             .unwrap()

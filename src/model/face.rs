@@ -18,6 +18,7 @@ pub(super) struct FaceData {
     pub(super) gap: f64,
     pub(super) gap_measured: bool,
     pub(super) color: Option<[f64; 3]>,
+    pub(super) shell: Option<u32>,
 }
 
 /// One face of a model, borrowed.
@@ -63,6 +64,12 @@ impl<'a> Face<'a> {
         self.data.color
     }
 
+    /// Returns the number of the shell that the face belongs to in its source, if that has shells.
+    #[must_use]
+    pub fn shell(&self) -> Option<u32> {
+        self.data.shell
+    }
+
     /// Returns whether the face's normal is opposite to the surface's.
     #[must_use]
     pub fn is_reversed(&self) -> bool {
@@ -94,6 +101,7 @@ impl<'a> Face<'a> {
             gap: self.data.gap,
             gap_measured: self.data.gap_measured,
             color: self.data.color,
+            shell: self.data.shell,
         }
     }
 }
@@ -106,7 +114,8 @@ pub(super) type Loops = Vec<Vec<TrimCurveArrays>>;
 /// # Errors
 /// Those of [`NurbsSurface::new`], [`Error::GapInvalid`].
 pub(super) fn untrimmed(index: usize, arrays: FaceArrays) -> Result<(NurbsSurface, FaceData, Option<Loops>)> {
-    let FaceArrays { surface, trim, reversed, face_name: name, kind, gap, gap_measured, color } = arrays;
+    let FaceArrays { surface, trim, reversed, face_name: name, kind, gap, gap_measured, color, shell } =
+        arrays;
     let surface = NurbsSurface::new(index, surface)?;
     if !(gap >= 0.0 && is_in_range(gap)) {
         return Err(Error::GapInvalid { surface: index, found: gap });
@@ -116,7 +125,7 @@ pub(super) fn untrimmed(index: usize, arrays: FaceArrays) -> Result<(NurbsSurfac
         return Err(Error::out_of_range("color", found, "red, green and blue from 0 to 1"));
     }
     let [name, kind] = [name, kind].map(|text| text.map(|text| one_line(&text)));
-    Ok((surface, FaceData { trim: None, reversed, name, kind, gap, gap_measured, color }, trim))
+    Ok((surface, FaceData { trim: None, reversed, name, kind, gap, gap_measured, color, shell }, trim))
 }
 
 /// Validates the loops of surface number `index`. A surface whose trimming curves leave its
@@ -157,6 +166,7 @@ impl FaceData {
             gap: factor * self.gap,
             gap_measured: self.gap_measured,
             color: self.color,
+            shell: self.shell,
         }
     }
 }

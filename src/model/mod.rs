@@ -28,6 +28,7 @@ use crate::threads::parallel::map;
 use affine_map::AffineMap;
 use face::FaceData;
 use glam::DVec3;
+use std::collections::HashMap;
 use trim::FaceArrays;
 
 /// A non-empty list of NURBS surfaces, each whole or trimmed, measured as one set of points.
@@ -263,6 +264,8 @@ fn placed(
         return Err(Error::TooManyFaces { found, expected: MAX_FACES });
     }
     let mut all = Vec::with_capacity(found);
+    // Each use of a shell is one of its own.
+    let mut shells = HashMap::new();
     for (instance, arrays) in instances.iter().enumerate() {
         let map = AffineMap::new(instance, &arrays.transform)?;
         let name = arrays.name.as_deref().map(one_line);
@@ -271,7 +274,11 @@ fn placed(
             let expected = faces.len();
             let (surface, data) =
                 faces.get(found).ok_or(Error::InstanceSurface { instance, found, expected })?;
-            let data = data.placed(stretch, map.reflects(), name.as_deref());
+            let mut data = data.placed(stretch, map.reflects(), name.as_deref());
+            data.shell = data.shell.map(|shell| {
+                let next = shells.len() as u32;
+                *shells.entry((instance, shell)).or_insert(next)
+            });
             all.push((map.apply(found, surface)?, data));
         }
     }

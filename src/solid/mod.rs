@@ -17,7 +17,7 @@ mod winding;
 
 pub(crate) use curve::Curve;
 pub(crate) use enclosing::{Enclosing, Relation};
-pub(crate) use joining::{Arc, Boundary, EdgePlace, Edges, Joined, JoinedArc, joined_arcs};
+pub(crate) use joining::{Arc, Boundary, EdgePlace, Edges, Joined, JoinedArc, SurfaceOrigin, joined_arcs};
 pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;
 pub(crate) use strips::Ruled;

@@ -177,6 +177,7 @@ mod tests {
     use crate::bezier::extract;
     use crate::model::{Model, SurfaceArrays};
     use crate::rounding::UNIT_ROUNDOFF;
+    use crate::solid::SurfaceOrigin;
     use crate::solid::{Edges, Relation};
 
     /// The first faces of the cube [-1, 1]³.
@@ -194,7 +195,7 @@ mod tests {
         };
         let model = Model::from_arrays(None, (0..faces).map(face).collect()).unwrap();
         let (bezier, control_box) = (extract(&model), model.bounding_box());
-        let edges = Edges::of_surfaces(&bezier);
+        let edges = Edges::of_surfaces(&bezier, SurfaceOrigin::whole);
         let boundary = Boundary::new(edges, bezier.point_error, &control_box, 0.0, 1);
         (Target::new(bezier.patches), boundary)
     }

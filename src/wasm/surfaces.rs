@@ -42,8 +42,9 @@ impl Surfaces {
             control_points: control_points.chunks_exact(POINT_LENGTH).map(point).collect(),
         };
         let (trim, reversed, face_name, kind, gap) = (None, false, None, None, 0.0);
-        let (gap_measured, color) = (false, None);
-        self.0.faces.push(FaceArrays { surface, trim, reversed, face_name, kind, gap, gap_measured, color });
+        let (gap_measured, color, shell) = (false, None, None);
+        let face = FaceArrays { surface, trim, reversed, face_name, kind, gap, gap_measured, color, shell };
+        self.0.faces.push(face);
     }
 
     /// States what else is known of the surface pushed last.
@@ -55,10 +56,11 @@ impl Surfaces {
         gap: f64,
         gap_measured: bool,
         color: Option<Vec<f64>>,
+        shell: Option<u32>,
     ) {
         if let Some(face) = self.0.faces.last_mut() {
             (face.reversed, face.face_name, face.kind) = (reversed, face_name, kind);
-            (face.gap, face.gap_measured) = (gap, gap_measured);
+            (face.gap, face.gap_measured, face.shell) = (gap, gap_measured, shell);
             // A number that is missing is NaN, which validation refuses.
             face.color =
                 color.map(|color| std::array::from_fn(|at| color.get(at).copied().unwrap_or(f64::NAN)));

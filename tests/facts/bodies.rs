@@ -1,6 +1,8 @@
 //! Bodies of models.
 
-use crate::models::{box_of_faces, cuboid, faces, mesh, moved, of, placed_all, prepared};
+use crate::models::{
+    Quad, box_of_faces, cuboid, faces, mesh, moved, of, of_quads, placed_all, prepared, quads_of_box,
+};
 use nurbs_hausdorff::shapes;
 use nurbs_hausdorff::{
     BodyKind, DVec3, Facets, MeshGroup, Orientation, PointCloud, PreparedModel, TriangleMesh, VolumeUnknown,
@@ -8,6 +10,72 @@ use nurbs_hausdorff::{
 
 fn orientations(model: &PreparedModel) -> Vec<Option<Orientation>> {
     model.bodies().iter().map(|body| body.orientation).collect()
+}
+
+/// A cube on another one. Edges within each miss each other by more than those of the sides of both, and those of the
+/// lower one's top and the upper one's bottom.
+fn stacked(shell_of: impl Fn(usize) -> Option<u32>) -> PreparedModel {
+    const HIGHER: f64 = 4e-6;
+    let lower = |quad: Quad| {
+        let is_top = quad.iter().all(|corner| corner.z > 0.5);
+        quad.map(|corner| if corner.z > 0.5 && !is_top { corner + HIGHER * DVec3::Z } else { corner })
+    };
+    let upper = |quad: Quad| {
+        let is_bottom = quad.iter().all(|corner| corner.z < 0.5);
+        let height = if is_bottom { 1.0 + 0.01 * HIGHER } else { 1.0 + 0.99 * HIGHER };
+        quad.map(|corner| if corner.z < 0.5 { corner + height * DVec3::Z } else { corner + DVec3::Z })
+    };
+    let sides = quads_of_box(DVec3::ZERO, DVec3::ONE);
+    let quads: Vec<Quad> = sides.iter().flat_map(|&side| [lower(side), upper(side)]).collect();
+    let mut arrays = nurbs_hausdorff::ModelArrays { faces: faces(&of_quads(&quads)), ..Default::default() };
+    for (index, face) in arrays.faces.iter_mut().enumerate() {
+        face.shell = shell_of(index);
+    }
+    prepared(&nurbs_hausdorff::Model::from_faces(arrays).unwrap())
+}
+
+/// Edges that coincide within the gap do not join bodies that the source tells apart. Where it has no shells, or one for
+/// each face, the nearest ones are joined: the sides of both cubes, and what lies between them.
+#[test]
+fn bodies_that_stand_flush_are_those_of_the_source() {
+    let bodies = stacked(|face| Some((face % 2) as u32)).bodies();
+    let faces: Vec<&[usize]> = bodies.iter().map(|body| body.faces.as_slice()).collect();
+    assert_eq!(faces, [[0, 2, 4, 6, 8, 10], [1, 3, 5, 7, 9, 11]]);
+    for body in &bodies {
+        assert_eq!((body.kind, body.free_edges), (BodyKind::Solid, 0));
+    }
+    for shell_of in [|_| None, |face| Some(face as u32)] as [fn(usize) -> Option<u32>; 2] {
+        let bodies = stacked(shell_of).bodies();
+        let faces: Vec<&[usize]> = bodies.iter().map(|body| body.faces.as_slice()).collect();
+        assert_eq!(faces, [&[0, 3, 4, 5, 6, 7, 8, 9, 10, 11][..], &[1, 2]]);
+    }
+}
+
+/// Every use of a shell is one of its own.
+#[test]
+fn placed_shells_are_numbered_by_their_uses() {
+    let mut arrays = nurbs_hausdorff::ModelArrays {
+        faces: faces(&box_of_faces(DVec3::ZERO, DVec3::ONE)),
+        ..Default::default()
+    };
+    arrays.faces.iter_mut().for_each(|face| face.shell = Some(9));
+    arrays.faces[5].shell = None;
+    let uses = [moved([0.0; 3]), moved([1.0, 0.0, 0.0])];
+    arrays.instances = uses
+        .map(|transform| nurbs_hausdorff::InstanceArrays {
+            surfaces: (0..6).collect(),
+            transform,
+            name: None,
+        })
+        .to_vec();
+    let model = nurbs_hausdorff::Model::from_faces(arrays).unwrap();
+    let shells = |model: &nurbs_hausdorff::Model| -> Vec<Option<u32>> {
+        model.faces().map(|face| face.shell()).collect()
+    };
+    let of_use = |number| [[Some(number); 5].as_slice(), &[None]].concat();
+    assert_eq!(shells(&model), [of_use(0), of_use(1)].concat());
+    let read = nurbs_hausdorff::Model::from_json(&model.to_json().unwrap()).unwrap();
+    assert_eq!(shells(&read), shells(&model));
 }
 
 /// Bodies with names, and a sheet between them.

@@ -66,8 +66,13 @@ pub(crate) fn cuboid(min: DVec3, max: DVec3) -> (Vec<DVec3>, Vec<[u32; 3]>) {
 
 /// The box of plane faces with normals out of it.
 pub(crate) fn box_of_faces(min: DVec3, max: DVec3) -> Model {
+    of_quads(&quads_of_box(min, max))
+}
+
+/// The sides of a box.
+pub(crate) fn quads_of_box(min: DVec3, max: DVec3) -> [Quad; 6] {
     let (corners, _) = cuboid(min, max);
-    of_quads(&SIDES.map(|side| side.map(|corner| corners[corner])))
+    SIDES.map(|side| side.map(|corner| corners[corner]))
 }
 
 /// Four corners, anticlockwise seen from outside.
@@ -89,6 +94,7 @@ pub(crate) fn of_quads(quads: &[Quad]) -> Model {
         gap: 0.0,
         gap_measured: false,
         color: None,
+        shell: None,
     };
     of(quads.iter().map(face).collect())
 }

@@ -96,6 +96,7 @@ pub fn face(surface: SurfaceArrays, trim: Vec<Vec<TrimCurveArrays>>) -> FaceArra
         gap: 0.0,
         gap_measured: false,
         color: None,
+        shell: None,
     }
 }
 

@@ -12,13 +12,14 @@ const FREECAD_UNIT: f64 = 1e-3;
 /// file may describe more than memory holds.
 const MAX_SIZE: usize = 1 << 24;
 
-/// The faces and placements of several shapes, with their own numbers of edges. Faces are numbered
+/// The faces and placements of several shapes, with their own numbers of edges and shells. Faces are numbered
 /// through all shapes.
 #[derive(Default)]
 pub(super) struct Joined {
     whole: Assembled,
     faces: usize,
     edges: u32,
+    shells: u32,
     size: usize,
 }
 
@@ -70,6 +71,7 @@ impl Joined {
             model.instances.push(instance);
         }
         let mut end = self.edges;
+        let mut shells = self.shells;
         for mut face in shape.faces {
             let own = face.face_name.take().unwrap_or_default();
             face.face_name = Some(format!("{} / {own}", level(name)));
@@ -80,9 +82,13 @@ impl Joined {
                 *edge = number.ok_or_else(found)?;
                 end = end.max(*edge + 1);
             }
+            if let Some(shell) = &mut face.shell {
+                *shell = shell.saturating_add(self.shells);
+                shells = shells.max(shell.saturating_add(1));
+            }
             model.faces.push(face);
         }
-        self.edges = end;
+        (self.edges, self.shells) = (end, shells);
         Ok(())
     }
 

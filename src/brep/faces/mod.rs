@@ -69,6 +69,7 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
         face_name: None,
         kind: Some(surface.kind().to_owned()),
         color: None,
+        shell: None,
     };
     if loops.is_empty() {
         let [Some(u), Some(v)] = surface.natural_ranges() else {

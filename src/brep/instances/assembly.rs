@@ -72,7 +72,7 @@ pub(in crate::brep) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) ->
                 read.counts.push(FaceCounts { number, entity, exact, fitted });
                 converted.face.reversed = placed.reversed;
                 converted.face.face_name = Some(placed.name(file, number));
-                converted.face.color = placed.color;
+                (converted.face.color, converted.face.shell) = (placed.color, placed.shell);
                 faces.insert(placed.shape, read.model.faces.len());
                 read.model.faces.push(converted.face);
             }
@@ -215,7 +215,7 @@ pub(in crate::brep) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Lev
     let mut placed = Vec::new();
     let mut levels = Levels::default();
     let mut met = Met::default();
-    let mut occurrences = 0;
+    let (mut occurrences, mut groups) = (0, 0);
     // Uses still to be visited, the next one last, each with what it stands in.
     let mut pending = vec![(file.root, Surroundings::default())];
     while let Some((shape_use, above)) = pending.pop() {
@@ -229,7 +229,8 @@ pub(in crate::brep) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Lev
             ShapeKind::Face(_) | ShapeKind::Mesh(Mesh { is_picture: false, .. })
                 if met.is_first(shape_use.shape, &location, above.occurrence) =>
             {
-                placed.push(Placed { shape: shape_use.shape, reversed, location, part: above.level, color });
+                let (part, shell) = (above.level, above.group);
+                placed.push(Placed { shape: shape_use.shape, reversed, location, part, color, shell });
             }
             ShapeKind::Place { name, is_occurrence } => {
                 own.place = name.as_deref().or(own.place);
@@ -240,6 +241,8 @@ pub(in crate::brep) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Lev
                 pending.extend(children().map(|&child| (child, own)));
             }
             ShapeKind::Group(name) => {
+                own.group = Some(groups);
+                groups += 1;
                 own.enter(name.as_deref(), shape.children.len() == 1, &mut levels);
                 pending.extend(children().rev().map(|&child| (child, own)));
             }
@@ -295,6 +298,8 @@ struct Surroundings<'a> {
     place: Option<&'a str>,
     /// The innermost occurrence of a product that it is in, if any, by its number among those visited.
     occurrence: Option<usize>,
+    /// The innermost set of shapes that it is in, by its number among those visited.
+    group: Option<u32>,
 }
 
 /// The faces met, with the occurrences of products that they were met in.

@@ -14,6 +14,8 @@ pub(in crate::brep) struct Placed {
     pub(in crate::brep) part: LevelId,
     /// The face's own colour, else that of the innermost shape with one that it stands in.
     pub(in crate::brep) color: Option<Color>,
+    /// The number of the innermost set of shapes that it stands in, a shell if the file has shells.
+    pub(in crate::brep) shell: Option<u32>,
 }
 
 impl Placed {

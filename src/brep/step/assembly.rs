@@ -353,7 +353,8 @@ impl<'a> Assembly<'a> {
         let Some((items, _)) = items(&record) else { return Ok(()) };
         let is_of_aspect = self.of_aspects.contains(&representation);
         for item in items {
-            if is_of_aspect && self.shapes.was_reached(item) {
+            // What is listed in itself adds nothing.
+            if item == representation || is_of_aspect && self.shapes.was_reached(item) {
                 continue;
             }
             if self.shapes.file.keyword(item) == "MAPPED_ITEM" {

@@ -43,7 +43,8 @@ impl Assembly<'_> {
         self.shapes.item(number)
     }
 
-    /// Returns the mapped items of representations that have faces, which stand in none themselves.
+    /// Returns the mapped items of representations that have faces, which stand in none themselves. Those of drawings
+    /// and presentations show what stands elsewhere.
     fn loose_mapped(&self) -> Vec<u64> {
         let file = self.shapes.file;
         let is_loose = |&number: &u64| {
@@ -54,8 +55,21 @@ impl Assembly<'_> {
             has_faces && !self.met.contains(&number)
         };
         let items = file.numbers.iter().copied().filter(|&number| file.keyword(number) == "MAPPED_ITEM");
-        items.filter(is_loose).collect()
+        let mut loose: Vec<u64> = items.filter(is_loose).collect();
+        if !loose.is_empty() {
+            let shown = shown(&self.shapes);
+            loose.retain(|number| !shown.contains(number));
+        }
+        loose
     }
+}
+
+/// Returns what drawings and presentations refer to.
+fn shown(shapes: &Shapes<'_>) -> HashSet<u64> {
+    let file = shapes.file;
+    let shows = |kind: &str| kind == "DRAUGHTING_MODEL" || kind.contains("PRESENTATION");
+    let all = file.numbers.iter().copied().filter(|&number| shows(file.keyword(number)));
+    all.filter_map(|number| file.entity(number).ok()).flat_map(|entity| entity.all_references()).collect()
 }
 
 /// Returns the faces and bodies that were not reached, without those that are parts of other bodies, of what was

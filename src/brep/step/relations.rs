@@ -117,13 +117,18 @@ pub(super) fn product_name(file: &Exchange<'_>, definition: u64) -> Option<Strin
     text(&product, 1).or_else(|| text(&product, 0))
 }
 
+/// The name that Creo gives to every use of a product in another one.
+const OF_ALL_USES: &str = "Next assembly relationship";
+
 /// Returns the name of a use of a product in another one, else its designator; none for numbers that
-/// writers give to all, as `NAUO12`, and for the labels of OpenCASCADE's documents, as `=>[0:1:1:2]`.
+/// writers give to all, as `NAUO12`, for the labels of OpenCASCADE's documents, as `=>[0:1:1:2]`, and for what Creo
+/// calls every use.
 pub(super) fn occurrence_name(file: &Exchange<'_>, occurrence: u64) -> Option<String> {
     let entity = file.entity(occurrence).ok()?;
     let is_telling = |name: &String| {
         let number = name.strip_prefix("NAUO").unwrap_or(name).trim();
-        !name.starts_with("=>[") && !number.bytes().all(|byte| byte.is_ascii_digit())
+        let is_of_all = name.eq_ignore_ascii_case(OF_ALL_USES) || name.starts_with("=>[");
+        !is_of_all && !number.bytes().all(|byte| byte.is_ascii_digit())
     };
     text(&entity, 1).filter(is_telling).or_else(|| text(&entity, 5).filter(is_telling))
 }

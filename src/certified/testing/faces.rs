@@ -21,6 +21,7 @@ pub(crate) fn face(surface: SurfaceArrays, loops: &[&[[f64; 2]]]) -> FaceArrays 
         gap: 0.0,
         gap_measured: false,
         color: None,
+        shell: None,
     }
 }
 

@@ -109,8 +109,14 @@ impl PreparedModel {
                 return Boundary::new(edges, facets.point_error(), &self.control_box, self.gap, 1);
             }
             let degrees = self.bezier.patches.iter().flat_map(|patch| patch.degree);
-            let (edges, point_error) = (Edges::of_surfaces(&self.bezier), self.bezier.point_error);
-            Boundary::new(edges, point_error, &self.control_box, self.gap, degrees.max().unwrap_or(0))
+            let edges = Edges::of_surfaces(&self.bezier, |surface| self.pieces.origin(surface));
+            Boundary::new(
+                edges,
+                self.bezier.point_error,
+                &self.control_box,
+                self.gap,
+                degrees.max().unwrap_or(0),
+            )
         })
     }
 

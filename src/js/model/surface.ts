@@ -38,6 +38,8 @@ export interface SurfaceArrays {
   gapMeasured?: boolean;
   /** The face's colour in its source: red, green and blue of sRGB, each from 0 to 1. */
   color?: Numbers;
+  /** The number of the shell that the face belongs to in its source: edges within a shell are joined first. */
+  shell?: number;
 }
 
 /** A rational B-spline curve in the parameter plane of its surface, as plain arrays. */
@@ -92,6 +94,7 @@ export interface InterchangeSurface {
   gap?: number;
   gap_measured?: boolean;
   color?: readonly [red: number, green: number, blue: number];
+  shell?: number;
 }
 
 /** A trimming curve of the interchange JSON. */
@@ -132,7 +135,7 @@ export interface BrepText {
 const MODEL_KEYS: readonly (keyof ModelArrays)[] = ["name", "unit", "surfaces", "instances"];
 const SURFACE_KEYS: readonly (keyof SurfaceArrays)[] = [
   ...(["degree", "knotsU", "knotsV", "counts", "controlPoints", "homogeneous"] as const),
-  ...(["trim", "reversed", "faceName", "kind", "gap", "gapMeasured", "color"] as const),
+  ...(["trim", "reversed", "faceName", "kind", "gap", "gapMeasured", "color", "shell"] as const),
 ];
 const CURVE_KEYS: readonly (keyof TrimCurveArrays)[] = [
   ...(["degree", "knots", "controlPoints", "gap", "edge"] as const),
@@ -151,6 +154,7 @@ const INTERCHANGE_KEYS: readonly string[] = [
     "gap",
     "gap_measured",
     "color",
+    "shell",
   ] as const),
 ] satisfies (keyof InterchangeSurface)[];
 
@@ -251,6 +255,7 @@ function push(surfaces: Surfaces, surface: SurfaceArrays, where: string): void {
     optional(surface.gap, "number", `${where}: gap`) ?? 0,
     optional(surface.gapMeasured, "boolean", `${where}: gapMeasured`) ?? false,
     surface.color === undefined ? undefined : numbers(surface.color, `${where}: color`),
+    surface.shell === undefined ? undefined : count(surface.shell, `${where}: shell`),
   );
   if (surface.trim === undefined) return;
   surfaces.beginTrim();

@@ -60,6 +60,9 @@ pub struct FaceArrays {
     pub gap_measured: bool,
     /// Red, green and blue of sRGB, each from 0 to 1, if the source gives the face a colour.
     pub color: Option<[f64; 3]>,
+    /// The number of the shell that the face belongs to in its source: edges of faces of one shell are joined
+    /// with each other first, so that bodies that stand flush stay apart. Numbers are those of one model.
+    pub shell: Option<u32>,
 }
 
 /// The largest distance between the end of a curve and the start of the next, as a

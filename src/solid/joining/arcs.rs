@@ -1,8 +1,8 @@
 //! The edges of faces as arcs: those that are joined, in pairs, and those that are free.
 
 use super::edges::{EdgePlace, Edges, EqualEdges};
-use super::joints::{EdgePart, Joints, RELATIVE_TIE, reach_of};
-use super::orientation::Orientations;
+use super::joints::{RELATIVE_TIE, reach_of};
+use super::pairing::{EdgePart, Pairs, Reach, joined};
 use crate::axis::Axis;
 use crate::bvh::Aabb;
 use crate::solid::curve::Curve;
@@ -43,27 +43,20 @@ pub(crate) fn joined_arcs(
         Curve { center: DVec3::ZERO, controls: ends.map(|end| end.extend(1.0)).to_vec() }
     };
     let reach = reach_of(control_box, gap);
-    let mut orientations = Orientations::separate(edges.surfaces);
-    edges
-        .equal
-        .iter()
-        .for_each(|edge| orientations.join(edge.surfaces[0], edge.surfaces[1], edge.runs_alike));
-    let mut joints = Joints::new(edges.single, reach, RELATIVE_TIE * control_box.diagonal());
-    let parts = joints.arcs();
-    let mut free = Vec::new();
-    let pairs = joints.pair(parts, &mut free, &mut orientations);
-    let joined = pairs.into_iter().map(|[one, other]| {
+    let distances = Reach { reach, tie: RELATIVE_TIE * control_box.diagonal() };
+    let (Pairs { pairs, free, .. }, _, equal) = joined(edges, distances);
+    let of_pairs = pairs.into_iter().map(|[one, other]| {
         let is_turned = one.forward == other.forward;
         JoinedArc { one: one.into(), other: Some(other.into()), is_turned }
     });
-    let equal = edges.equal.into_iter().map(|EqualEdges { surfaces: [first, second], runs_alike, side }| {
+    let equal = equal.into_iter().map(|EqualEdges { surfaces: [first, second], runs_alike, side }| {
         let place = EdgePlace { index: first, axis: Axis::U, end: side };
         let one = Arc { place, range: [0.0, 1.0], curve: side_of(first, side) };
         let other = Arc { place: EdgePlace { index: second, ..place }, ..one.clone() };
         JoinedArc { one, other: Some(other), is_turned: runs_alike }
     });
     let free = free.into_iter().map(|part| JoinedArc { one: part.into(), other: None, is_turned: false });
-    equal.chain(joined).chain(free).collect()
+    equal.chain(of_pairs).chain(free).collect()
 }
 
 impl From<EdgePart> for Arc {

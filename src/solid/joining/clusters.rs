@@ -10,29 +10,29 @@ pub(super) struct Clusters {
 }
 
 impl Clusters {
-    /// Groups the points. O(n) in general position.
-    pub(super) fn new(points: &[DVec3], reach: f64) -> Self {
-        let mut clusters = Self::separate(points.len());
-        let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
-        for (index, &point) in points.iter().enumerate() {
+    /// Makes `count` groups of one element each.
+    pub(super) fn separate(count: usize) -> Self {
+        Self { parents: (0..count as u32).collect() }
+    }
+
+    /// Makes one group of those of points, each with its number, that are within a distance of each other. O(n) in general
+    /// position.
+    pub(super) fn join_near(&mut self, points: &[(u32, DVec3)], reach: f64) {
+        let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
+        for (index, &(number, point)) in points.iter().enumerate() {
             let cell = (point / reach).floor().to_array().map(|coordinate| coordinate as i64);
             for neighbour in 0..27_i64 {
                 let offset = [neighbour % 3, neighbour / 3 % 3, neighbour / 9];
                 let key = [0, 1, 2].map(|axis| cell[axis].saturating_add(offset[axis] - 1));
                 for &other in cells.get(&key).map_or(&[][..], Vec::as_slice) {
-                    if points[other as usize].distance_squared(point) <= reach * reach {
-                        clusters.join(index as u32, other);
+                    let (other, at) = points[other];
+                    if at.distance_squared(point) <= reach * reach {
+                        self.join(number, other);
                     }
                 }
             }
-            cells.entry(cell).or_default().push(index as u32);
+            cells.entry(cell).or_default().push(index);
         }
-        clusters
-    }
-
-    /// Makes `count` groups of one element each.
-    pub(super) fn separate(count: usize) -> Self {
-        Self { parents: (0..count as u32).collect() }
     }
 
     /// Returns the number of a point's group, the same for all its points.
@@ -60,8 +60,13 @@ mod tests {
     #[test]
     fn points_are_grouped_by_chains_of_short_links() {
         let at = |x: f64| DVec3::new(x, 1e3, -7.0);
-        let mut clusters = Clusters::new(&[at(0.0), at(3.0), at(0.9), at(1.8), at(4.1)], 1.0);
+        let points: Vec<(u32, DVec3)> = (0..).zip([0.0, 3.0, 0.9, 1.8, 4.1].map(at)).collect();
+        let mut clusters = Clusters::separate(points.len());
+        clusters.join_near(&points, 1.0);
         let groups: Vec<u32> = (0..5).map(|index| clusters.of(index)).collect();
         assert_eq!(groups, [0, 1, 0, 0, 4]);
+        // Groups that are made are kept.
+        clusters.join_near(&points[1..3], 2.5);
+        assert_eq!((0..5).map(|index| clusters.of(index)).collect::<Vec<_>>(), [0, 0, 0, 0, 4]);
     }
 }

@@ -37,6 +37,35 @@ pub(super) struct Edge {
     pub(super) curve: Curve,
     /// Whether the curve runs about the surface's normal as the fingers of the right hand do.
     pub(super) forward: bool,
+    /// The shell that the surface belongs to in its source, if that is known.
+    pub(super) shell: Option<u32>,
+}
+
+/// Where a surface comes from.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SurfaceOrigin {
+    /// The face that it is a piece of; pieces of a face follow each other.
+    pub(crate) face: usize,
+    /// Whether its normal is opposite to that of the face; none where that is not known.
+    pub(crate) is_turned: Option<bool>,
+    /// The shell of the face in its source, if that is known.
+    pub(crate) shell: Option<u32>,
+}
+
+impl SurfaceOrigin {
+    /// The origin of a whole face.
+    #[cfg(all(test, not(target_arch = "wasm32")))]
+    pub(crate) fn whole(face: usize) -> Self {
+        Self { face, is_turned: Some(false), shell: None }
+    }
+}
+
+/// Two pieces of one face.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pieces {
+    pub(super) surfaces: [u32; 2],
+    /// Whether their normals are to different sides of the face, if that is known.
+    pub(super) is_turned: Option<bool>,
 }
 
 /// The edges of surfaces.
@@ -48,13 +77,22 @@ pub(crate) struct Edges {
     pub(super) equal: Vec<EqualEdges>,
     /// The other edges.
     pub(super) single: Vec<Edge>,
+    /// Pieces of faces, each with the one before it.
+    pub(super) pieces: Vec<Pieces>,
 }
 
 impl Edges {
     /// Returns all edges of the surfaces: those of patches without a neighbour in the surface, or
-    /// one that a knot of full multiplicity separates.
-    pub(crate) fn of_surfaces(model: &BezierModel) -> Self {
-        Self { surfaces: model.grids.len(), equal: Vec::new(), single: edges(model) }
+    /// one that a knot of full multiplicity separates. `origin` tells where a surface comes from.
+    pub(crate) fn of_surfaces(model: &BezierModel, origin: impl Fn(usize) -> SurfaceOrigin) -> Self {
+        let origins: Vec<SurfaceOrigin> = (0..model.grids.len()).map(origin).collect();
+        let both = (1..).zip(origins.windows(2)).filter(|(_, both)| both[0].face == both[1].face);
+        let pieces = both.map(|(index, both)| {
+            let is_turned = both[0].is_turned.zip(both[1].is_turned).map(|(one, other)| one != other);
+            Pieces { surfaces: [index - 1, index], is_turned }
+        });
+        let pieces = pieces.collect();
+        Self { surfaces: origins.len(), equal: Vec::new(), single: edges(model, &origins), pieces }
     }
 
     /// Returns the edges of triangles, each a surface, in the order of their file, with the number of
@@ -94,7 +132,7 @@ impl Edges {
             let curve = Curve { center: DVec3::ZERO, controls };
             let index = (place / 3) as u32;
             let place = EdgePlace { index, axis: Axis::U, end: (place % 3) as u8 };
-            Edge { surface: index as usize, place, curve, forward: true }
+            Edge { surface: index as usize, place, curve, forward: true, shell: None }
         };
         edges.single = single.into_iter().map(edge).collect();
         edges
@@ -125,10 +163,10 @@ fn copies_last(triangles: impl Iterator<Item = (usize, [DVec3; 3])>) -> Vec<(usi
 }
 
 /// Returns the edges of the patches that have no neighbour there in their surface.
-fn edges(model: &BezierModel) -> Vec<Edge> {
+fn edges(model: &BezierModel, origins: &[SurfaceOrigin]) -> Vec<Edge> {
     let mut edges = Vec::new();
     for (surface, grid) in model.grids.iter().enumerate() {
-        let [rows, columns] = grid.counts();
+        let ([rows, columns], shell) = (grid.counts(), origins[surface].shell);
         for index in 0..rows * columns {
             let patch = model.patches.patch(grid.first + index);
             let place = [index / columns, index % columns];
@@ -141,7 +179,7 @@ fn edges(model: &BezierModel) -> Vec<Edge> {
                         let forward = (axis == 1) == (end == 0);
                         let (index, side) = ((grid.first + index) as u32, Axis::BOTH[axis]);
                         let place = EdgePlace { index, axis: side, end: end as u8 };
-                        edges.push(Edge { surface, place, curve: edge(&patch, axis, end), forward });
+                        edges.push(Edge { surface, place, curve: edge(&patch, axis, end), forward, shell });
                     }
                 }
             }
@@ -180,7 +218,12 @@ mod tests {
                 counts: [ends.len(), 2],
                 control_points: ends.iter().flat_map(row).collect(),
             };
-            edges(&extract(&Model::from_arrays(None, vec![arrays]).unwrap())).len()
+            Edges::of_surfaces(
+                &extract(&Model::from_arrays(None, vec![arrays]).unwrap()),
+                SurfaceOrigin::whole,
+            )
+            .single
+            .len()
         };
         assert_eq!(count(&[0.0, 1.0, 2.0], &[0.0, 0.0, 1.0, 2.0, 2.0]), 6);
         assert_eq!(count(&[0.0, 1.0, 1.5, 2.5], &[0.0, 0.0, 1.0, 1.0, 2.0, 2.0]), 8);

@@ -6,8 +6,9 @@ mod cracks;
 mod edges;
 mod joints;
 mod orientation;
+mod pairing;
 
 pub(crate) use arcs::{Arc, JoinedArc, joined_arcs};
-pub(crate) use edges::{EdgePlace, Edges};
+pub(crate) use edges::{EdgePlace, Edges, SurfaceOrigin};
 pub(crate) use joints::Boundary;
 pub(crate) use orientation::{Joined, ShellState};

@@ -56,6 +56,13 @@ impl Orientations {
         self.one_sided[root] |= self.one_sided[child];
     }
 
+    /// Makes one group of those of two surfaces whose sides are not known of each other, if they are in two.
+    pub(super) fn connect(&mut self, a: u32, b: u32) {
+        if self.turned(a, b).is_none() {
+            self.join(a, b, false);
+        }
+    }
+
     /// Returns whether the second surface is to be turned over to agree with the first one, if they are of
     /// one group.
     pub(super) fn turned(&mut self, a: u32, b: u32) -> Option<bool> {

@@ -49,6 +49,7 @@ fn plain(surface: SurfaceArrays, trim: Option<Vec<TrimCurveArrays>>) -> FaceArra
         gap: 0.0,
         gap_measured: false,
         color: None,
+        shell: None,
     }
 }
 

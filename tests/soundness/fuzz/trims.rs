@@ -67,6 +67,7 @@ pub fn check(bytes: &[u8]) {
         gap: 0.0,
         gap_measured: false,
         color: None,
+        shell: None,
     };
     let model = Model::from_faces(ModelArrays { faces: vec![face], ..ModelArrays::default() }).unwrap();
     let text = model.to_json().unwrap();

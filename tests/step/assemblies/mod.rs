@@ -60,6 +60,9 @@ fn parts_stand_where_their_assembly_places_them() {
         let total: f64 = areas(&model).iter().sum();
         assert_near(total, 2.0 * 28.0, 1e-12);
         assert_eq!(model.faces().next().unwrap().name(), Some("pair / bolt / face 0"));
+        // Each use has a shell of its own.
+        let shells: Vec<_> = model.faces().map(|face| face.shell()).collect();
+        assert_eq!(shells, [[Some(0); 6], [Some(1); 6]].concat());
     }
 }
 
@@ -122,6 +125,28 @@ fn mapped_items_place_a_representation() {
     let (model, _) = read(&text.text());
     // The axes x, y and z of the part become y, z and x, and its height 1 becomes x = 5.
     assert_bounds(&model, [[4.0, 0.0, 0.0], [8.0, 1.0, 2.0]]);
+}
+
+/// A drawing that shows a body by a mapped item, and a representation of a property that lists itself, have no bodies of
+/// their own: nothing is left out.
+#[test]
+fn drawings_and_properties_are_no_bodies() {
+    let mut text = StepText::new();
+    let part = part(&mut text, UnitsOf::Millimetres);
+    let context = text.context(UnitsOf::Millimetres);
+    let product = text.product("box", part);
+    let [origin, target] =
+        [0.0, 7.0].map(|x| text.placement([x, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]));
+    let map = text.add(format!("REPRESENTATION_MAP(#{origin},#{part})"));
+    let item = text.add(format!("MAPPED_ITEM('',#{map},#{target})"));
+    text.add(format!("DRAUGHTING_MODEL('',(#{target},#{item}),#{context})"));
+    let property = text.add(format!("PROPERTY_DEFINITION('material property','density',#{product})"));
+    let density = text.add(format!("REPRESENTATION('density',(#{}),#{context})", property + 1));
+    assert_eq!(density, property + 1);
+    text.add(format!("PROPERTY_DEFINITION_REPRESENTATION(#{property},#{density})"));
+    let (model, report) = read(&text.text());
+    assert_eq!((model.faces().len(), report.skipped.len()), (6, 0));
+    assert_bounds(&model, [[0.0; 3], [1.0, 2.0, 4.0]]);
 }
 
 /// A relationship without a transformation joins the bodies to the product's representation.
@@ -273,6 +298,7 @@ fn the_uses_of_a_part_have_their_own_names() {
     // A number that is in use already is not given again.
     assert_eq!(of(&["bolt (2)", "", ""]), ["bolt (2)", "bolt", "bolt (3)"]);
     assert_eq!(of(&["=>[0:1:1:2]", "12"]), ["bolt", "bolt (2)"]);
+    assert_eq!(of(&["Next assembly relationship"; 2]), ["bolt", "bolt (2)"]);
 }
 
 #[test]

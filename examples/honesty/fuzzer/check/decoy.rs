@@ -103,6 +103,7 @@ fn with_square(
         gap: 0.0,
         gap_measured: false,
         color: None,
+        shell: None,
     };
     let faces = model.faces().map(|face| face.to_arrays()).chain([square]).collect();
     Model::from_faces(ModelArrays { faces, ..ModelArrays::default() }).ok()

@@ -212,6 +212,7 @@ fn model(faces: &[DrawnFace]) -> Option<Model> {
             gap: 0.0,
             gap_measured: false,
             color: None,
+            shell: None,
         })
     };
     let faces = faces.iter().map(face).collect::<Option<Vec<_>>>()?;

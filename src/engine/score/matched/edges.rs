@@ -59,7 +59,8 @@ pub(super) fn feature_edges(
         }
         None => {
             let bezier = model.bezier();
-            (Faces::Patches(&bezier.patches), Edges::of_surfaces(bezier), bezier.point_error)
+            let edges = Edges::of_surfaces(bezier, |surface| model.pieces().origin(surface));
+            (Faces::Patches(&bezier.patches), edges, bezier.point_error)
         }
     };
     let corners = |triangle: u32| match model.facets().map(|facets| facets.target.facet(triangle)) {

@@ -49,10 +49,11 @@ export function rhinoModel(
   const faces: InterchangeSurface[] = [];
   const skipped: SkippedFace[] = [];
   const counts = { trims: 0, fitted: 0, gap: 0 };
-  const placed = objectsOf(rhino, file).map(({ geometry, type, ...object }): Placed => {
+  const placed = objectsOf(rhino, file).map(({ geometry, type, ...object }, shell): Placed => {
     const read = facesOf(geometry, type, object.name);
     const surfaces = read.faces.map((_, index) => faces.length + index);
-    faces.push(...read.faces);
+    // The faces of an object are joined with each other first.
+    faces.push(...read.faces.map((face) => ({ ...face, shell })));
     skipped.push(...read.skipped);
     counts.trims += read.trims;
     counts.fitted += read.fitted;

@@ -1,0 +1,475 @@
+//! Edges in pairs, the nearest ones first.
+
+use super::clusters::Clusters;
+use super::edges::{Edge, EdgePlace, Edges, EqualEdges, Pieces};
+use super::orientation::Orientations;
+use crate::bvh::{Aabb, Bvh};
+use crate::rounding::lower_min;
+use crate::solid::curve::Curve;
+use crate::sorting::sort_by_number;
+use glam::DVec3;
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::hash::Hash;
+
+/// The first distance up to which edges are joined, in ties: pieces of a face follow their common cut, each within as
+/// much as a tie.
+const FIRST_LEVEL: f64 = 4.0;
+
+/// The ratio of one distance to the one before it. Edges that are near each other are not as near to others, in files
+/// with faces that are thinner than their gap, so that the steps may be large.
+const LEVEL_RATIO: f64 = 16.0;
+
+/// The distances of edges that are joined.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Reach {
+    /// The largest one.
+    pub(super) reach: f64,
+    /// The difference of distances that does not tell partners apart.
+    pub(super) tie: f64,
+}
+
+/// Edges in pairs.
+#[derive(Debug, Default)]
+pub(super) struct Pairs {
+    /// Parts of edges that run side by side in one direction, with their ends in the same two groups of points.
+    pub(super) pairs: Vec<[EdgePart; 2]>,
+    /// Parts of edges without a partner.
+    pub(super) free: Vec<EdgePart>,
+    /// The groups of points: ends of parts, and control points of edges that are points to the reach.
+    pub(super) corners: Vec<Corner>,
+}
+
+/// A part of an edge between two groups of points.
+#[derive(Debug)]
+pub(super) struct EdgePart {
+    pub(super) surface: usize,
+    pub(super) place: EdgePlace,
+    /// The parameters of its start and its end on that side.
+    pub(super) range: [f64; 2],
+    pub(super) curve: Curve,
+    /// The numbers of its ends among the points.
+    ends: [u32; 2],
+    pub(super) forward: bool,
+    /// The shell that the surface belongs to in its source, if that is known.
+    shell: Option<u32>,
+}
+
+impl EdgePart {
+    /// Returns the same part from its other end.
+    fn reversed(self) -> Self {
+        let (curve, forward) = (self.curve.reversed(), !self.forward);
+        let ([from, to], [start, end]) = (self.range, self.ends);
+        Self { range: [to, from], curve, ends: [end, start], forward, ..self }
+    }
+
+    /// Returns the parts before and after a parameter of its own, which meet in the point of this number.
+    fn split(self, t: f64, number: u32) -> [Self; 2] {
+        let ([low, high], [from, to], [start, end]) = (self.curve.split(t), self.range, self.ends);
+        let middle = from + t * (to - from);
+        let Self { surface, place, forward, shell, .. } = self;
+        [(low, [from, middle], [start, number]), (high, [middle, to], [number, end])]
+            .map(|(curve, range, ends)| Self { surface, place, range, curve, ends, forward, shell })
+    }
+}
+
+/// The points of a group, with the surfaces whose edges have them.
+#[derive(Debug, Default)]
+pub(super) struct Corner {
+    pub(super) points: Vec<DVec3>,
+    pub(super) surfaces: Vec<usize>,
+}
+
+/// Joins the edges of surfaces; also returns the sides to which the surfaces turn, and the equal edges.
+pub(super) fn joined(edges: Edges, reach: Reach) -> (Pairs, Orientations, Vec<EqualEdges>) {
+    let Edges { surfaces, equal, single, pieces } = edges;
+    let mut orientations = Orientations::separate(surfaces);
+    for &EqualEdges { surfaces: [a, b], runs_alike, .. } in &equal {
+        orientations.join(a, b, runs_alike);
+    }
+    // The sides of the pieces of a face help to tell apart the edges of thin ones.
+    for Pieces { surfaces: [a, b], is_turned } in &pieces {
+        if let Some(is_turned) = *is_turned {
+            orientations.join(*a, *b, is_turned);
+        }
+    }
+    let pairs = pairs(single, reach, &mut orientations);
+    // The edges of a piece that is thinner than a tie may be joined with each other.
+    pieces.iter().for_each(|pieces| orientations.connect(pieces.surfaces[0], pieces.surfaces[1]));
+    (pairs, orientations, equal)
+}
+
+/// Joins edges in pairs, and tells the sides to which their surfaces turn. Those of one shell of the source are joined
+/// before others, as edges of bodies that stand flush coincide, and those that are nearest to each other first. A surface whose edges are all points
+/// to the reach is joined to one that has these points. O(n log n) in general position.
+fn pairs(edges: Vec<Edge>, reach: Reach, orientations: &mut Orientations) -> Pairs {
+    let mut joints = Joints::new(&edges);
+    let parts = (0..).zip(edges).map(|(index, edge)| whole(index, edge));
+    let (of_shells, mut rest): (Vec<_>, Vec<_>) = parts.partition(|part| part.shell.is_some());
+    let mut pairs = Vec::new();
+    rest.extend(joints.pair_all(of_shells, |arc| (arc.ends, arc.shell), reach, orientations, &mut pairs));
+    let free = joints.pair_all(rest, |arc| arc.ends, reach, orientations, &mut pairs);
+    joints.join_points(&pairs, &free, orientations);
+    Pairs { pairs, free, corners: joints.corners() }
+}
+
+/// Returns the whole of an edge, of which the ends have numbers that follow from its own.
+fn whole(index: u32, Edge { surface, place, curve, forward, shell }: Edge) -> EdgePart {
+    let ends = [2 * index, 2 * index + 1];
+    EdgePart { surface, place, range: [0.0, 1.0], curve, ends, forward, shell }
+}
+
+/// A point of an edge.
+#[derive(Debug, Clone, Copy)]
+struct EdgePoint {
+    /// The number of a point of its group.
+    number: u32,
+    point: DVec3,
+    surface: usize,
+    shell: Option<u32>,
+}
+
+/// The groups of ends so far.
+struct Joints {
+    clusters: Clusters,
+    points: Vec<EdgePoint>,
+    /// The ends of edges that are points to the distances so far, which go on to join others.
+    vanished: Vec<(u32, DVec3)>,
+}
+
+impl Joints {
+    fn new(edges: &[Edge]) -> Self {
+        let points = edges.iter().flat_map(|edge| edge.curve.ends().map(|point| (edge, point)));
+        let points = (0..).zip(points).map(|(number, (edge, point))| {
+            let &Edge { surface, shell, .. } = edge;
+            EdgePoint { number, point, surface, shell }
+        });
+        let clusters = Clusters::separate(2 * edges.len());
+        Self { clusters, points: points.collect(), vanished: Vec::new() }
+    }
+
+    /// Groups the ends of parts that are within a distance, and returns the parts divided where a group lies on them,
+    /// without those that are points: their control points join the group of their ends.
+    fn arcs(&mut self, parts: Vec<EdgePart>, reach: f64) -> Vec<EdgePart> {
+        let ends = parts.iter().flat_map(|part| part.ends.into_iter().zip(part.curve.ends()));
+        let ends: Vec<(u32, DVec3)> = ends.chain(self.vanished.iter().copied()).collect();
+        self.clusters.join_near(&ends, reach);
+        let cuts = self.cuts(&parts, &ends, reach);
+        let mut arcs = Vec::with_capacity(parts.len());
+        for (mut part, mut cuts) in parts.into_iter().zip(cuts) {
+            part.ends = part.ends.map(|end| self.clusters.of(end));
+            let extent = part.curve.points().fold(Aabb::EMPTY, Aabb::with).diagonal();
+            let EdgePart { surface, shell, ends: [number, end], .. } = part;
+            if number == end && extent <= 2.0 * reach {
+                self.vanished.extend(part.ends.into_iter().zip(part.curve.ends()));
+                let points = part.curve.points();
+                self.points.extend(points.map(|point| EdgePoint { number, point, surface, shell }));
+                continue;
+            }
+            sort_by_number(&mut cuts, |cut| cut.0);
+            let mut start = 0.0;
+            for (t, number) in cuts {
+                let [low, high] = part.split((t - start) / (1.0 - start), number);
+                let [_, point] = low.curve.ends();
+                self.points.push(EdgePoint { number, point, surface, shell });
+                arcs.push(low);
+                (part, start) = (high, t);
+            }
+            arcs.push(part);
+        }
+        arcs
+    }
+
+    /// Returns, for every part, the parameters at which groups lie on it that are not its ends'.
+    fn cuts(&mut self, parts: &[EdgePart], ends: &[(u32, DVec3)], reach: f64) -> Vec<Vec<(f64, u32)>> {
+        let of_part = |part: &EdgePart| part.curve.points().fold(Aabb::EMPTY, Aabb::with);
+        let tree = Bvh::new(&parts.iter().map(of_part).collect::<Vec<_>>());
+        let mut groups: BTreeMap<u32, DVec3> = BTreeMap::new();
+        for &(number, point) in ends {
+            groups.entry(self.clusters.of(number)).or_insert(point);
+        }
+        let mut cuts = vec![Vec::new(); parts.len()];
+        for (cluster, point) in groups {
+            for leaf in tree.leaves_within(point, reach * reach) {
+                let index = tree.primitive(&leaf) as usize;
+                let part = &parts[index];
+                if part.ends.map(|end| self.clusters.of(end)).contains(&cluster) {
+                    continue;
+                }
+                let (t, distance) = part.curve.closest(point);
+                if distance <= reach && 0.0 < t && t < 1.0 {
+                    cuts[index].push((t, cluster));
+                }
+            }
+        }
+        cuts
+    }
+
+    /// Adds the pairs of parts whose arcs have the same key, at growing distances; returns the arcs that are left.
+    fn pair_all<K: Eq + Hash>(
+        &mut self,
+        mut parts: Vec<EdgePart>,
+        key: impl Fn(&EdgePart) -> K,
+        Reach { reach, tie }: Reach,
+        orientations: &mut Orientations,
+        pairs: &mut Vec<[EdgePart; 2]>,
+    ) -> Vec<EdgePart> {
+        let rising = |arc: EdgePart| if arc.ends[0] > arc.ends[1] { arc.reversed() } else { arc };
+        let mut level = (FIRST_LEVEL * tie).max(f64::MIN_POSITIVE).min(reach);
+        while !parts.is_empty() {
+            let arcs = self.arcs(parts, level).into_iter().map(rising).collect();
+            parts = paired(groups(arcs, &key), Reach { reach: level, tie }, orientations, pairs);
+            if level >= reach {
+                break;
+            }
+            level = (LEVEL_RATIO * level).min(reach);
+        }
+        parts
+    }
+
+    /// Joins each surface of which all edges are points to one that has edges with these points: of the same shell, if
+    /// that is known, and the nearest one in the file, as pieces of a face follow each other.
+    fn join_points(&mut self, pairs: &[[EdgePart; 2]], free: &[EdgePart], orientations: &mut Orientations) {
+        let with_edges: HashSet<usize> =
+            pairs.iter().flatten().chain(free).map(|part| part.surface).collect();
+        let is_point = |point: &EdgePoint| !with_edges.contains(&point.surface);
+        let mut groups: HashMap<u32, Vec<EdgePoint>> = HashMap::new();
+        for point in self.points.iter().filter(|point| is_point(point)) {
+            groups.entry(self.clusters.of(point.number)).or_default();
+        }
+        if groups.is_empty() {
+            return;
+        }
+        for point in &self.points {
+            if let Some(group) = groups.get_mut(&self.clusters.of(point.number)) {
+                group.push(*point);
+            }
+        }
+        let mut groups: Vec<_> = groups.into_iter().collect();
+        groups.sort_unstable_by_key(|&(number, _)| number);
+        for (_, group) in groups {
+            for point in group.iter().filter(|point| is_point(point)) {
+                let may_join = |other: &&EdgePoint| {
+                    other.surface != point.surface
+                        && (other.shell == point.shell || other.shell.is_none() || point.shell.is_none())
+                };
+                let farness = |other: &&EdgePoint| {
+                    (other.shell != point.shell, is_point(other), other.surface.abs_diff(point.surface))
+                };
+                if let Some(other) = group.iter().filter(may_join).min_by_key(farness) {
+                    orientations.connect(point.surface as u32, other.surface as u32);
+                }
+            }
+        }
+    }
+
+    /// Returns the groups of points.
+    fn corners(mut self) -> Vec<Corner> {
+        let mut corners: BTreeMap<u32, Corner> = BTreeMap::new();
+        for EdgePoint { number, point, surface, .. } in self.points {
+            let corner = corners.entry(self.clusters.of(number)).or_default();
+            corner.points.push(point);
+            if corner.surfaces.last() != Some(&surface) {
+                corner.surfaces.push(surface);
+            }
+        }
+        corners.into_values().collect()
+    }
+}
+
+/// Adds the arcs of each group in pairs; returns the others.
+fn paired(
+    groups: Vec<Vec<EdgePart>>,
+    reach: Reach,
+    orientations: &mut Orientations,
+    pairs: &mut Vec<[EdgePart; 2]>,
+) -> Vec<EdgePart> {
+    // Groups of two arcs leave no choice: the sides that follow from them help to choose in others.
+    let (sure, others): (Vec<_>, Vec<_>) = groups.into_iter().partition(|group| group.len() <= 2);
+    let mut left = Vec::new();
+    for mut group in sure.into_iter().chain(others) {
+        while let Some(arc) = group.pop() {
+            match partner(&arc, &group, reach, orientations) {
+                Some(index) => {
+                    let pair = in_one_direction([arc, group.swap_remove(index)]);
+                    let [a, b] = &pair;
+                    orientations.join(a.surface as u32, b.surface as u32, a.forward == b.forward);
+                    pairs.push(pair);
+                }
+                None => left.push(arc),
+            }
+        }
+    }
+    left
+}
+
+/// Returns the index of the arc nearest to the middle of this one, if it is near enough; of several that are as near,
+/// that of the surface nearest in the file, as a body's faces follow each other. Arcs that run the wrong way round for the
+/// sides of their surfaces, as far as these are known, come after all others: a face thinner than the reach has both its
+/// edges near those of its neighbours.
+fn partner(
+    arc: &EdgePart,
+    others: &[EdgePart],
+    Reach { reach, tie }: Reach,
+    orientations: &mut Orientations,
+) -> Option<usize> {
+    let middle = arc.curve.point(0.5);
+    let distances: Vec<f64> = others.iter().map(|other| other.curve.closest(middle).1).collect();
+    let mut is_against = |index: usize| {
+        let other = &others[index];
+        let is_open = arc.ends[0] != arc.ends[1];
+        is_open && {
+            let turned = orientations.turned(arc.surface as u32, other.surface as u32);
+            turned.is_some_and(|turned| turned != (arc.forward == other.forward))
+        }
+    };
+    let [mut along, mut against] = [Vec::new(), Vec::new()];
+    for index in 0..others.len() {
+        if is_against(index) { against.push(index) } else { along.push(index) }
+    }
+    [along, against].into_iter().find_map(|indices| {
+        let nearest = indices.iter().map(|&index| distances[index]).fold(f64::INFINITY, lower_min);
+        let farthest = reach.min(nearest + tie);
+        let near = indices.into_iter().filter(|&index| nearest <= reach && distances[index] <= farthest);
+        near.min_by_key(|&index| others[index].surface.abs_diff(arc.surface))
+    })
+}
+
+/// Returns the arcs of each key, in the order in which the keys are met.
+fn groups<K: Eq + Hash>(arcs: Vec<EdgePart>, key: impl Fn(&EdgePart) -> K) -> Vec<Vec<EdgePart>> {
+    let (mut groups, mut places): (Vec<Vec<EdgePart>>, HashMap<K, usize>) = Default::default();
+    for arc in arcs {
+        let place = *places.entry(key(&arc)).or_insert(groups.len());
+        match groups.get_mut(place) {
+            Some(group) => group.push(arc),
+            None => groups.push(vec![arc]),
+        }
+    }
+    groups
+}
+
+/// Turns the second of two closed arcs round where that runs against the first.
+fn in_one_direction([a, b]: [EdgePart; 2]) -> [EdgePart; 2] {
+    if a.ends[0] != a.ends[1] {
+        return [a, b];
+    }
+    let [early, late] = [0.25, 0.75].map(|t| b.curve.closest(a.curve.point(t)).0);
+    if early <= late {
+        return [a, b];
+    }
+    [a, b.reversed()]
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::axis::Axis;
+
+    const REACH: Reach = Reach { reach: 1e-3, tie: 1e-9 };
+
+    /// The edges of a polygon.
+    fn polygon(surface: usize, shell: Option<u32>, corners: &[[f64; 2]]) -> Vec<Edge> {
+        let at = |[x, y]: [f64; 2]| DVec3::new(x, y, 0.0).extend(1.0);
+        let place = EdgePlace { index: surface as u32, axis: Axis::U, end: 0 };
+        let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+        ends.map(|(&from, &to)| {
+            let curve = Curve { center: DVec3::ZERO, controls: vec![at(from), at(to)] };
+            Edge { surface, place, curve, forward: true, shell }
+        })
+        .collect()
+    }
+
+    fn square(side: f64, [x, y]: [f64; 2]) -> [[f64; 2]; 4] {
+        [[x, y], [x + side, y], [x + side, y + side], [x, y + side]]
+    }
+
+    /// Returns the shells of so many surfaces, and the number of free edges.
+    fn joined(surfaces: usize, edges: Vec<Edge>) -> (Vec<u32>, usize) {
+        let mut orientations = Orientations::separate(surfaces);
+        let found = pairs(edges, REACH, &mut orientations);
+        (orientations.shells().shells, found.free.len())
+    }
+
+    /// A square with a hole, and what fills the hole, with an edge that misses it by a tenth of the reach. All edges of the
+    /// hole are points to the reach.
+    #[test]
+    fn faces_smaller_than_the_reach_are_joined_along_their_edges() {
+        let mut hole = square(2e-4, [0.5, 0.5]);
+        let frame = [polygon(0, None, &square(1.0, [0.0; 2])), polygon(0, None, &hole)].concat();
+        hole[1][0] += 1e-4;
+        let filled = [frame.clone(), polygon(1, None, &hole)].concat();
+        assert_eq!(joined(2, filled), (vec![0, 0], 4));
+        let pairs = |hole: &[[f64; 2]]| {
+            let edges = [frame.clone(), polygon(1, None, hole)].concat();
+            pairs(edges, REACH, &mut Orientations::separate(2)).pairs.len()
+        };
+        assert_eq!(pairs(&square(2e-4, [0.5, 0.5])), 4);
+    }
+
+    /// A square that is smaller than the reach, and farther from its hole than it is large.
+    #[test]
+    fn a_face_without_edges_is_joined_to_the_face_that_has_its_points() {
+        let frame = |shell| {
+            [polygon(0, shell, &square(1.0, [0.0; 2])), polygon(0, shell, &square(1e-4, [0.5, 0.5]))].concat()
+        };
+        let small = |shell| polygon(1, shell, &square(1e-4, [0.5005, 0.5]));
+        assert_eq!(joined(2, [frame(None), small(None)].concat()).0, [0, 0]);
+        assert_eq!(joined(2, [frame(Some(3)), small(None)].concat()).0, [0, 0]);
+        assert_eq!(joined(2, [frame(Some(3)), small(Some(3))].concat()).0, [0, 0]);
+        assert_eq!(joined(2, [frame(Some(3)), small(Some(4))].concat()).0, [0, 1]);
+    }
+
+    /// Two faces beside a third one that is thinner than the reach. The edges of its long sides miss those of its
+    /// neighbours by less than its width.
+    #[test]
+    fn the_nearest_edges_are_joined_first() {
+        let rectangle = |[left, right]: [f64; 2]| [[left, 0.0], [right, 0.0], [right, 1.0], [left, 1.0]];
+        let width = 4e-4;
+        let [first, last] = [rectangle([-1.0, -1e-5]), rectangle([width + 1e-5, 1.0])];
+        let thin = rectangle([0.0, width]);
+        for order in [[0, 1, 2], [1, 0, 2], [2, 0, 1], [0, 2, 1]] {
+            let of = |face: usize| polygon(face, None, &[first, thin, last][face]);
+            let edges = order.map(of).concat();
+            let found = pairs(edges, REACH, &mut Orientations::separate(3));
+            let mut joined: Vec<[usize; 2]> = found
+                .pairs
+                .iter()
+                .map(|[a, b]| [a.surface.min(b.surface), a.surface.max(b.surface)])
+                .collect();
+            joined.sort_unstable();
+            assert_eq!(joined, [[0, 1], [1, 2]], "{order:?}");
+        }
+    }
+
+    /// Three faces have an edge in common. The one that is farther from the first is of its shell.
+    #[test]
+    fn edges_of_a_shell_are_joined_before_others_that_are_as_near() {
+        let rectangle = |[left, right]: [f64; 2]| [[left, 0.0], [right, 0.0], [right, 1.0], [left, 1.0]];
+        let edges = [
+            polygon(0, Some(1), &rectangle([-1.0, 0.0])),
+            polygon(1, Some(2), &rectangle([0.0, 1.0])),
+            polygon(2, Some(1), &[[1e-9, 0.0], [2.0, 0.5], [1e-9, 1.0]]),
+        ];
+        assert_eq!(joined(3, edges.concat()).0, [0, 1, 0]);
+    }
+
+    /// A piece without width: its long edges are joined with each other, and it is of the shell of its face. Of pieces
+    /// whose sides are known the edges run as the sides have it.
+    #[test]
+    fn pieces_of_a_face_are_of_one_shell() {
+        let edges = [
+            polygon(0, None, &square(1.0, [0.0; 2])),
+            polygon(1, None, &[[3.0, 0.0], [4.0, 0.0]]),
+            polygon(2, None, &square(1.0, [6.0, 0.0])),
+        ];
+        let of = |pieces: Vec<Pieces>| {
+            let edges = Edges { surfaces: 3, single: edges.concat(), pieces, ..Edges::default() };
+            let (pairs, orientations, _) = super::joined(edges, REACH);
+            let found = orientations.shells();
+            (pairs.pairs.len(), found.shells, found.turned)
+        };
+        let pieces = |is_turned| vec![Pieces { surfaces: [0, 1], is_turned }];
+        assert_eq!(of(Vec::new()), (1, vec![0, 1, 2], vec![false; 3]));
+        assert_eq!(of(pieces(None)), (1, vec![0, 0, 1], vec![false; 3]));
+        assert_eq!(of(pieces(Some(true))), (1, vec![0, 0, 1], vec![false, true, false]));
+    }
+}
