@@ -28,6 +28,15 @@ pub(super) struct Reach {
     pub(super) tie: f64,
 }
 
+/// One of the growing distances up to which edges are joined.
+#[derive(Debug, Clone, Copy)]
+struct Level {
+    reach: f64,
+    /// As in [`Reach`].
+    tie: f64,
+    is_last: bool,
+}
+
 /// Edges in pairs.
 #[derive(Debug, Default)]
 pub(super) struct Pairs {
@@ -217,8 +226,9 @@ impl Joints {
         let mut level = (FIRST_LEVEL * tie).max(f64::MIN_POSITIVE).min(reach);
         while !parts.is_empty() {
             let arcs = self.arcs(parts, level).into_iter().map(rising).collect();
-            parts = paired(groups(arcs, &key), Reach { reach: level, tie }, orientations, pairs);
-            if level >= reach {
+            let is_last = level >= reach;
+            parts = paired(groups(arcs, &key), Level { reach: level, tie, is_last }, orientations, pairs);
+            if is_last {
                 break;
             }
             level = (LEVEL_RATIO * level).min(reach);
@@ -276,10 +286,10 @@ impl Joints {
     }
 }
 
-/// Adds the arcs of each group in pairs; returns the others.
+/// Adds the arcs of each group in pairs up to a level; returns the others.
 fn paired(
     groups: Vec<Vec<EdgePart>>,
-    reach: Reach,
+    level: Level,
     orientations: &mut Orientations,
     pairs: &mut Vec<[EdgePart; 2]>,
 ) -> Vec<EdgePart> {
@@ -288,7 +298,7 @@ fn paired(
     let mut left = Vec::new();
     for mut group in sure.into_iter().chain(others) {
         while let Some(arc) = group.pop() {
-            match partner(&arc, &group, reach, orientations) {
+            match partner(&arc, &group, level, orientations) {
                 Some(index) => {
                     let pair = in_one_direction([arc, group.swap_remove(index)]);
                     let [a, b] = &pair;
@@ -304,12 +314,12 @@ fn paired(
 
 /// Returns the index of the arc nearest to the middle of this one, if it is near enough; of several that are as near,
 /// that of the surface nearest in the file, as a body's faces follow each other. Arcs that run the wrong way round for the
-/// sides of their surfaces, as far as these are known, come after all others: a face thinner than the reach has both its
-/// edges near those of its neighbours.
+/// sides of their surfaces, as far as these are known, come after all others, and only at the last level: a face thinner
+/// than the reach has both its edges near those of its neighbours, and an edge about as long as a level may be a point.
 fn partner(
     arc: &EdgePart,
     others: &[EdgePart],
-    Reach { reach, tie }: Reach,
+    Level { reach, tie, is_last }: Level,
     orientations: &mut Orientations,
 ) -> Option<usize> {
     let middle = arc.curve.point(0.5);
@@ -325,6 +335,9 @@ fn partner(
     let [mut along, mut against] = [Vec::new(), Vec::new()];
     for index in 0..others.len() {
         if is_against(index) { against.push(index) } else { along.push(index) }
+    }
+    if !is_last {
+        against.clear();
     }
     [along, against].into_iter().find_map(|indices| {
         let nearest = indices.iter().map(|&index| distances[index]).fold(f64::INFINITY, lower_min);
