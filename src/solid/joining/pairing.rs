@@ -166,9 +166,8 @@ impl Joints {
         let mut arcs = Vec::with_capacity(parts.len());
         for (mut part, mut cuts) in parts.into_iter().zip(cuts) {
             part.ends = part.ends.map(|end| self.clusters.of(end));
-            let extent = part.curve.points().fold(Aabb::EMPTY, Aabb::with).diagonal();
             let EdgePart { surface, shell, ends: [number, end], .. } = part;
-            if number == end && extent <= 2.0 * reach {
+            if number == end && extent(&part.curve) <= 2.0 * reach {
                 self.vanished.extend(part.ends.into_iter().zip(part.curve.ends()));
                 let points = part.curve.points();
                 self.points.extend(points.map(|point| EdgePoint { number, point, surface, shell }));
@@ -225,9 +224,13 @@ impl Joints {
         let rising = |arc: EdgePart| if arc.ends[0] > arc.ends[1] { arc.reversed() } else { arc };
         let mut level = (FIRST_LEVEL * tie).max(f64::MIN_POSITIVE).min(reach);
         while !parts.is_empty() {
-            let arcs = self.arcs(parts, level).into_iter().map(rising).collect();
+            let arcs = self.arcs(parts, level);
             let is_last = level >= reach;
-            parts = paired(groups(arcs, &key), Level { reach: level, tie, is_last }, orientations, pairs);
+            // Where edges pass each other's ends by about a level their overlap tells nothing.
+            let is_long = |arc: &EdgePart| is_last || extent(&arc.curve) >= LEVEL_RATIO * level;
+            let (long, short): (Vec<_>, Vec<_>) = arcs.into_iter().map(rising).partition(is_long);
+            parts = paired(groups(long, &key), Level { reach: level, tie, is_last }, orientations, pairs);
+            parts.extend(short);
             if is_last {
                 break;
             }
@@ -284,6 +287,11 @@ impl Joints {
         }
         corners.into_values().collect()
     }
+}
+
+/// Returns the diagonal of the box around a curve's control points.
+fn extent(curve: &Curve) -> f64 {
+    curve.points().fold(Aabb::EMPTY, Aabb::with).diagonal()
 }
 
 /// Adds the arcs of each group in pairs up to a level; returns the others.
@@ -450,6 +458,25 @@ mod tests {
                 .collect();
             joined.sort_unstable();
             assert_eq!(joined, [[0, 1], [1, 2]], "{order:?}");
+        }
+    }
+
+    /// Two faces side by side, of which one passes into the other by little: their edges that lie on each other there are
+    /// no pair.
+    #[test]
+    fn an_overlap_about_as_long_as_a_level_is_no_pair() {
+        let rectangle = |[left, right]: [f64; 2]| [[left, 0.0], [right, 0.0], [right, 1.0], [left, 1.0]];
+        for overlap in [5e-8, 9e-7, 1e-5] {
+            let edges = [
+                polygon(0, None, &rectangle([0.0, 1.0 + overlap])),
+                polygon(1, None, &rectangle([1.0, 2.0])),
+            ];
+            let mut orientations = Orientations::separate(2);
+            let found = pairs(edges.concat(), REACH, &mut orientations);
+            let sides: Vec<bool> =
+                found.pairs.iter().map(|[a, _]| (a.curve.point(0.5).x - 1.0).abs() <= overlap).collect();
+            assert_eq!(sides, [true], "{overlap}");
+            assert_eq!(orientations.turned(0, 1), Some(false));
         }
     }
 
