@@ -1,4 +1,5 @@
 // The main page: makes its parts and connects the panel, the worker, the view and the results.
+import { AlignmentByPicks } from "./alignment/byPicks.ts";
 import { AnnotationLayer } from "./annotations/layer.ts";
 import { AnnotationList } from "./annotations/list.ts";
 import { AnnotationTool } from "./annotations/tool.ts";
@@ -71,6 +72,7 @@ const measuring = new Measuring(view, (taken) => {
   if (taken !== undefined) {
     sections.endPicking();
     annotating.end();
+    aligning.end();
   }
   probing.nextClick = taken;
 });
@@ -82,11 +84,31 @@ const annotating = new AnnotationTool({
     if (taken !== undefined) {
       sections.endPicking();
       measuring.end();
+      aligning.end();
     }
     probing.nextClick = taken;
   },
   begin: ({ side, face, near }) => labels.begin({ side, face, point: near }),
 });
+const aligning = new AlignmentByPicks({
+  hit: (x, y) => {
+    const hit = view.hit(x, y);
+    return hit && { side: hit.side, face: hit.face, point: hit.near };
+  },
+  take: (taken) => {
+    if (taken !== undefined) {
+      sections.endPicking();
+      measuring.end();
+      annotating.end();
+      view.onPlace();
+    }
+    probing.nextClick = taken;
+  },
+  lay: (start) => measurement.fit(start),
+  scale: () => view.models.scale,
+  redraw: () => view.redraw(),
+});
+view.follow((viewport) => aligning.update(viewport, view.models));
 const annotationList = new AnnotationList({
   look: ({ side, face, point }) => view.approachPoint(side, face, point),
   edit: (index) => labels.edit(index),
@@ -115,7 +137,7 @@ const check = new CheckPanel({
   },
 });
 const parts: Parts = {
-  ...{ client, view, faces, tree, probing, measuring, annotating, annotationList },
+  ...{ client, view, faces, tree, probing, measuring, annotating, annotationList, aligning },
   ...{ clearance, facts, overlap, check },
   places: new PlaceView(view, probing, tree),
   views: new Views(view, canvas, () => labels.drawn),

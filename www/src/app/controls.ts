@@ -40,7 +40,7 @@ export function connect(parts: Parts, measurement: Measurement, opening: Opening
 }
 
 function connectView(parts: Parts, measurement: Measurement): void {
-  const { view, views, past, probing, measuring, annotating, client } = parts;
+  const { view, views, past, probing, measuring, annotating, aligning, client } = parts;
   element("fit").addEventListener("click", () => view.fit());
   element("canvas").addEventListener("dblclick", () => view.fit());
   element("approach").addEventListener("click", () => view.approachArrow());
@@ -62,6 +62,7 @@ function connectView(parts: Parts, measurement: Measurement): void {
         if (callback !== undefined) {
           measuring.end();
           annotating.end();
+          aligning.end();
         }
         probing.nextClick = callback && ((x, y) => callback(view.facing(x, y)));
       },
@@ -93,7 +94,7 @@ function connectMeasurement({ client, places }: Parts, measurement: Measurement)
   });
   position.onPosition(() => measurement.moved());
   onFit(
-    () => client.fit({ transform: measurement.pose().transform, scaleUnits: true }),
+    () => measurement.fit({}),
     () => client.cancelFit(),
   );
 }

@@ -3,7 +3,7 @@
 import { checkRules } from "../check/rules.ts";
 import { showMeeting } from "../clearance/meeting.ts";
 import { element } from "../common/elements.ts";
-import { clearFit, isFitting } from "../controls/bestFit.ts";
+import { clearFit, isFitting, showFitting } from "../controls/bestFit.ts";
 import * as display from "../controls/display.ts";
 import { exploded } from "../controls/explode.ts";
 import * as options from "../controls/options.ts";
@@ -20,6 +20,7 @@ import type {
   BoundReply,
   CheckOf,
   PlainDiffOptions,
+  PlainFitOptions,
   PlainOptions,
   Reply,
 } from "../worker/protocol.ts";
@@ -70,6 +71,12 @@ export class Measurement {
         ...{ side, face, limit: Math.min(above, below) },
       })),
     };
+  }
+
+  /** Moves A to where it fits B: by all of it, or from where these pairs of points or datums lay it. */
+  fit(start: Partial<Pick<PlainFitOptions, "pairs" | "datums" | "norm">>): void {
+    showFitting();
+    this.#parts.client.fit({ transform: this.pose().transform, scaleUnits: true, ...start });
   }
 
   /** Measures the volumes that the models have in common and apart, as they are placed. */

@@ -169,13 +169,14 @@ export class Opening {
 
   /** Removes what was found of the models before. */
   #forgetBefore(): void {
-    const { faces, probing, measuring, annotating, views, overlap, check } = this.#parts;
+    const { faces, probing, measuring, annotating, aligning, views, overlap, check } = this.#parts;
     faces.clear("idle", "");
     overlap.clear("");
     check.clear("");
     probing.clear();
     measuring.end();
     annotating.end();
+    aligning.end();
     views.clear();
     clearFit();
     this.#measurement.forgetFiner();

@@ -1,4 +1,5 @@
 // What the page is made of, and what its works share.
+import type { AlignmentByPicks } from "../alignment/byPicks.ts";
 import type { AnnotationList } from "../annotations/list.ts";
 import type { AnnotationTool } from "../annotations/tool.ts";
 import type { CheckPanel } from "../check/checkPanel.ts";
@@ -24,6 +25,7 @@ export interface Parts {
   measuring: Measuring;
   annotating: AnnotationTool;
   annotationList: AnnotationList;
+  aligning: AlignmentByPicks;
   places: PlaceView;
   views: Views;
   clearance: ClearancePanel;

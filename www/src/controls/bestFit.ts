@@ -18,12 +18,14 @@ let running = false;
 export function onFit(start: () => void, stop: () => void): void {
   button.addEventListener("click", () => {
     if (running) stop();
-    else {
-      setRunning(true);
-      text.textContent = "fitting…";
-      start();
-    }
+    else start();
   });
+}
+
+/** Says that a fit was started. */
+export function showFitting(): void {
+  setRunning(true);
+  text.textContent = "fitting…";
 }
 
 /** Shows the state of a fit; lengths are shown with the digits that the diagonal gives sense. */
@@ -39,9 +41,10 @@ export function showFit(reply: FitReply, diagonal: number): void {
     case "done": {
       const { rms, rmsBefore, steps, converged, ambiguous } = reply.fit;
       const end = converged ? "" : ", not converged";
-      const poor = converged ? "" : POOR_TEXT;
+      const poor = converged || steps === 0 ? "" : POOR_TEXT;
+      const how = steps === 0 ? "laid on by hand" : `${steps} steps${end}`;
       const others = ambiguous.length > 0 ? `; ${ambiguous.length} other poses fit as well` : "";
-      text.textContent = `RMS ${length(rmsBefore)} before, ${length(rms)} now (${steps} steps${end})${others}${poor}`;
+      text.textContent = `RMS ${length(rmsBefore)} before, ${length(rms)} now (${how})${others}${poor}`;
       text.dataset.poor = `${poor !== ""}`;
       break;
     }

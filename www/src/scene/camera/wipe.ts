@@ -1,8 +1,8 @@
 // A view of which a part shows one model and the rest the other one: over each other, or side by side.
 import type { OrthographicCamera, PerspectiveCamera, Scene, WebGLRenderer } from "three";
 
-/** The size of a view beside another one: what filled the free part of the whole fills a half. */
-export const BESIDE = 0.65;
+/** The size of a view beside another one: what filled the whole fills nearly a half. */
+export const BESIDE = 0.52;
 
 /** A border across the view. */
 export interface Wipe {
