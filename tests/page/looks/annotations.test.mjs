@@ -159,16 +159,19 @@ test("labels do not lie over each other, nor outside of the view", async () => {
   const view = [400, 300];
   const all = [
     [10, 10],
+    [20, 260],
     [395, 20],
     [200, 150],
     [204, 152],
     [202, 149],
     [390, 295],
   ].map((at) => ({ at, size: [90, 30] }));
-  const corners = cornersOf(all, view);
+  const legend = { corner: [0, 200], size: [60, 100] };
+  const corners = cornersOf(all, view, [legend]);
   assert.equal(corners.length, all.length);
   for (const [index, [left, top]] of corners.entries()) {
     assert.ok(left >= 0 && left + 90 <= view[0] && top >= 0 && top + 30 <= view[1], `${index}`);
+    assert.ok(left >= 60 || top + 30 <= 200, `${left} ${top}`);
     for (const [x, y] of corners.slice(0, index)) {
       assert.ok(Math.abs(x - left) >= 90 || Math.abs(y - top) >= 30, `${left} ${top}: ${x} ${y}`);
     }

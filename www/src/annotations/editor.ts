@@ -12,7 +12,7 @@ export interface EditorListener {
 /** Returns the field: Enter keeps the text, Shift and Enter begin a line, Escape leaves it as it was. */
 export function editor(text: string, { save, cancel, remove }: EditorListener): HTMLElement {
   const area = document.createElement("textarea");
-  Object.assign(area, { value: text, maxLength: MAX_TEXT, rows: 2 });
+  Object.assign(area, { value: text, maxLength: MAX_TEXT, rows: 3 });
   area.placeholder = "What is to be said of this place";
   area.setAttribute("aria-label", "Text of the annotation");
   const keep = button("Save", () => save(area.value));

@@ -12,7 +12,7 @@ import {
   setAnnotationText,
 } from "./annotations.ts";
 import { editor } from "./editor.ts";
-import { cornersOf, type Labelled, leaderEnd } from "./layout.ts";
+import { type Box, cornersOf, type Labelled, leaderEnd } from "./layout.ts";
 
 /** What is edited: an annotation by its index, or one that is not there yet. */
 type Edited = number | Omit<Annotation, "text"> | undefined;
@@ -122,7 +122,8 @@ export class AnnotationLayer {
       return at === undefined ? [] : [{ ...label, index, at, size: sizeOf(node) }];
     });
     const { clientWidth, clientHeight } = this.#root;
-    const corners = cornersOf(shown, [clientWidth, clientHeight]);
+    const over = shown.length === 0 ? [] : boxesOver(this.#root);
+    const corners = cornersOf(shown, [clientWidth, clientHeight], over);
     this.#drawn = shown.flatMap((label, place) => {
       const corner = corners[place];
       if (corner === undefined) return [];
@@ -134,6 +135,20 @@ export class AnnotationLayer {
       return text === "" ? [] : [{ at, size, corner, text, number: label.index + 1 }];
     });
   }
+}
+
+/** What has a place of its own over the view, where no label stands. */
+const OVER = ["legend", "context", "axes", "cut", "foot"] as const;
+
+/** Where these are, in pixels of the layer. */
+function boxesOver(layer: HTMLElement): Box[] {
+  const { x, y } = layer.getBoundingClientRect();
+  return OVER.flatMap((id) => {
+    const { left, top, width, height } = element(id, Element).getBoundingClientRect();
+    return width * height > 0
+      ? [{ corner: [left - x, top - y] as const, size: [width, height] as const }]
+      : [];
+  });
 }
 
 /** The radius of the point of an annotation, in pixels. */

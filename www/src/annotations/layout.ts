@@ -1,4 +1,4 @@
-// Where the labels of annotations stand: beside their points, within the view, and not over each other.
+// Where the labels of annotations stand: beside their points, within the view, and over nothing else.
 
 /** A label's point in the view and its size, in pixels. */
 export interface Labelled {
@@ -9,46 +9,55 @@ export interface Labelled {
 /** The left upper corner of a label. */
 export type Corner = readonly [left: number, top: number];
 
+/** A box in the view, in pixels. */
+export interface Box {
+  corner: Corner;
+  size: Labelled["size"];
+}
+
 /** Pixels from a point to its label, across and up, and between labels. */
 const AWAY = { across: 26, up: 22 };
 const APART = 6;
 /** Pixels between a label and the edge of the view. */
 const MARGIN = 6;
+/** Heights of itself by which a label is moved up or down to where there is room. */
+const STEPS = [0, 1, -1, 2, -2, 3, -3, 4, -4] as const;
 
 /**
- * Returns the corners of labels in a view of this size: to the right and above their points, or to the left
- * where there is no room; from the top to the bottom each below those that it would cover. O(n²).
+ * Returns the corners of labels in a view of this size: to the right and above their points, or else to the left,
+ * below, or farther up or down, where nothing is in the way; where there is no room at all, to the right and above.
+ * O(n²).
  */
 export function cornersOf(
   all: readonly Labelled[],
-  [width, height]: readonly [number, number],
+  view: readonly [width: number, height: number],
+  others: readonly Box[] = [],
 ): Corner[] {
-  const corners: Corner[] = [];
-  const placed: { corner: Corner; size: Labelled["size"] }[] = [];
-  const inOrder = [...all.keys()].sort(
-    (one, two) => (all[one]?.at[1] ?? 0) - (all[two]?.at[1] ?? 0),
+  const taken = [...others];
+  return all.map((label) => {
+    const { size } = label;
+    const tried = candidates(label, view);
+    const free = tried.find((corner) => taken.every((other) => !isOver({ corner, size }, other)));
+    const corner = free ?? tried[0] ?? [MARGIN, MARGIN];
+    taken.push({ corner, size });
+    return corner;
+  });
+}
+
+/** The places for a label, the best first. */
+function candidates({ at, size }: Labelled, view: readonly [number, number]): Corner[] {
+  const [width, height] = size;
+  const across = [at[0] + AWAY.across, at[0] - AWAY.across - width];
+  const inView = across.filter((left) => left >= MARGIN && left + width + MARGIN <= view[0]);
+  const lefts = inView.length > 0 ? inView : across.map((left) => within(left, width, view[0]));
+  return STEPS.flatMap((step) =>
+    [-AWAY.up - height, AWAY.up].flatMap((down) =>
+      lefts.map((left): Corner => {
+        const top = at[1] + down + step * (height + APART);
+        return [left, within(top, height, view[1])];
+      }),
+    ),
   );
-  for (const index of inOrder) {
-    const label = all[index];
-    if (label === undefined) continue;
-    const { at, size } = label;
-    const right = at[0] + AWAY.across;
-    const left = at[0] - AWAY.across - size[0];
-    const across = right + size[0] + MARGIN > width && left >= MARGIN ? left : right;
-    let corner: Corner = [
-      within(across, size[0], width),
-      within(at[1] - AWAY.up - size[1], size[1], height),
-    ];
-    for (const other of placed) {
-      if (!isOver({ corner, size }, other)) continue;
-      corner = [corner[0], other.corner[1] + other.size[1] + APART];
-    }
-    corners[index] = corner;
-    placed.push({ corner, size });
-    // Those below are compared from the top again.
-    placed.sort((one, two) => one.corner[1] - two.corner[1]);
-  }
-  return corners;
 }
 
 /** The end of the leader from a point: the middle of the label's nearer side. */
@@ -61,12 +70,9 @@ export function leaderEnd({ at, size }: Labelled, [left, top]: Corner): [x: numb
 const within = (at: number, length: number, end: number): number =>
   Math.max(MARGIN, Math.min(at, end - length - MARGIN));
 
-type Box = { corner: Corner; size: Labelled["size"] };
-
 const isOver = (one: Box, two: Box): boolean =>
   [0, 1].every((axis) => {
     const [from, other] = [one.corner[axis] ?? 0, two.corner[axis] ?? 0];
-    return (
-      from < other + (two.size[axis] ?? 0) + APART && other < from + (one.size[axis] ?? 0) + APART
-    );
+    const [length, otherLength] = [one.size[axis] ?? 0, two.size[axis] ?? 0];
+    return from < other + otherLength + APART && other < from + length + APART;
   });

@@ -16,5 +16,5 @@ export function connectTheme(): void {
 }
 
 function show(): void {
-  document.documentElement.style.colorScheme = choice.value === "" ? "" : choice.value;
+  document.documentElement.dataset.theme = choice.value;
 }
