@@ -24,8 +24,8 @@ const MARGIN = 6;
 const STEPS = [0, 1, -1, 2, -2, 3, -3, 4, -4] as const;
 
 /**
- * Returns the corners of labels in a view of this size: to the right and above their points, or else to the left,
- * below, or farther up or down, where nothing is in the way; where there is no room at all, to the right and above.
+ * Returns the corners of labels in a view of this size: to the right and above their points, or else to the left, right
+ * above or below, or farther up or down, where nothing is in the way; where there is no room at all, to the right and above.
  * O(n²).
  */
 export function cornersOf(
@@ -36,7 +36,7 @@ export function cornersOf(
   const taken = [...others];
   return all.map((label) => {
     const { size } = label;
-    const tried = candidates(label, view);
+    const tried = candidates(label, view).filter((corner) => !isOn({ corner, size }, label.at));
     const free = tried.find((corner) => taken.every((other) => !isOver({ corner, size }, other)));
     const corner = free ?? tried[0] ?? [MARGIN, MARGIN];
     taken.push({ corner, size });
@@ -47,9 +47,9 @@ export function cornersOf(
 /** The places for a label, the best first. */
 function candidates({ at, size }: Labelled, view: readonly [number, number]): Corner[] {
   const [width, height] = size;
-  const across = [at[0] + AWAY.across, at[0] - AWAY.across - width];
-  const inView = across.filter((left) => left >= MARGIN && left + width + MARGIN <= view[0]);
-  const lefts = inView.length > 0 ? inView : across.map((left) => within(left, width, view[0]));
+  const beside = [at[0] + AWAY.across, at[0] - AWAY.across - width];
+  const inView = beside.filter((left) => left >= MARGIN && left + width + MARGIN <= view[0]);
+  const lefts = [...inView, within(at[0] - width / 2, width, view[0])];
   return STEPS.flatMap((step) =>
     [-AWAY.up - height, AWAY.up].flatMap((down) =>
       lefts.map((left): Corner => {
@@ -69,6 +69,13 @@ export function leaderEnd({ at, size }: Labelled, [left, top]: Corner): [x: numb
 
 const within = (at: number, length: number, end: number): number =>
   Math.max(MARGIN, Math.min(at, end - length - MARGIN));
+
+/** Whether a point is beneath a box. */
+const isOn = ({ corner, size }: Box, at: Labelled["at"]): boolean =>
+  [0, 1].every((axis) => {
+    const from = corner[axis] ?? 0;
+    return (at[axis] ?? 0) >= from && (at[axis] ?? 0) <= from + (size[axis] ?? 0);
+  });
 
 const isOver = (one: Box, two: Box): boolean =>
   [0, 1].every((axis) => {
