@@ -1,10 +1,7 @@
 // The three-dimensional viewport: camera, light, and drawing on demand.
 import {
-  AmbientLight,
   type Box3,
   type Camera,
-  DirectionalLight,
-  HemisphereLight,
   type Intersection,
   NeutralToneMapping,
   type Object3D,
@@ -19,7 +16,9 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { nextTask } from "../../common/nextTask.ts";
 import { fitDistance } from "./fit.ts";
+import { followFlat } from "./flat.ts";
 import { isSame, NOWHERE, nearest, type Part, partOf } from "./free.ts";
+import { light } from "./light.ts";
 import { STANDARD_VIEWS } from "./standardViews.ts";
 import { Way } from "./way.ts";
 import { BESIDE, renderWiped, showInHalf, type Wipe } from "./wipe.ts";
@@ -101,13 +100,7 @@ export class Viewport {
     // The check waits for the driver's compiler; the shaders are three.js's own.
     this.#renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.#perspective.up.set(0, 0, 1);
-    const [key, fill] = [new DirectionalLight(0xffffff, 2.6), new DirectionalLight(0xffffff, 0.7)];
-    key.position.set(0.5, 0.8, 1);
-    fill.position.set(-1, -0.4, 0.6);
-    const sky = new HemisphereLight(0xffffff, 0x8d9399, 1.1);
-    sky.position.set(0, 0, 1);
-    this.#perspective.add(key, fill);
-    this.scene.add(this.#perspective, sky, new AmbientLight(0xffffff, 0.2));
+    light(this.scene, this.#perspective);
     this.controls = new OrbitControls(this.#perspective, canvas);
     this.controls.listenToKeyEvents(canvas);
     this.#way = new Way({
@@ -391,14 +384,7 @@ export class Viewport {
     eye.far = FAR * distance;
     eye.updateProjectionMatrix();
     eye.updateMatrixWorld();
-    const [height, aspect] = [distance * TANGENT, eye.aspect];
-    flat.position.copy(eye.position);
-    flat.quaternion.copy(eye.quaternion);
-    Object.assign(flat, { left: -height * aspect, right: height * aspect });
-    // An orthographic view has no nearest point: what lies behind the eye is shown too.
-    Object.assign(flat, { top: height, bottom: -height, near: -eye.far, far: eye.far });
-    flat.updateProjectionMatrix();
-    flat.updateMatrixWorld();
+    followFlat(flat, eye, distance * TANGENT);
   }
 
   #resize(): void {
