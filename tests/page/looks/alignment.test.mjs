@@ -65,6 +65,7 @@ test("three faces of A are laid on those of B, and A lies on B", async () => {
   await opened.until("done", () => page.locator("#picks-lay").click());
   assert.ok(await page.locator("#picks-controls").isHidden());
   assert.ok(!(await page.locator("#wipe").isChecked()));
+  assert.match(await page.locator("#fit-text").textContent(), /laid on by hand/);
   await page.locator("#where", { hasText: "The models agree" }).waitFor();
   const moved = await Promise.all(
     ["x", "y", "z"].map((axis) => page.locator(`#move-${axis}-exact`).inputValue()),

@@ -62,7 +62,9 @@ test("light or dark is the user's, and is kept with paper and logo, and in no li
   const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   await page.emulateMedia({ colorScheme: "light" });
   const light = await ground();
+  await page.locator("#help").click();
   await page.selectOption("#theme", "dark");
+  await page.getByRole("button", { name: "Close", exact: true }).click();
   const dark = await ground();
   assert.notEqual(dark, light);
   assert.ok(!/theme|paper|logo/.test(await page.evaluate(() => location.hash)));

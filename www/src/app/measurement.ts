@@ -75,7 +75,7 @@ export class Measurement {
 
   /** Moves A to where it fits B: by all of it, or from where these pairs of points or datums lay it. */
   fit(start: Partial<Pick<PlainFitOptions, "pairs" | "datums" | "norm">>): void {
-    showFitting();
+    showFitting(start.norm === "none");
     this.#parts.client.fit({ transform: this.pose().transform, scaleUnits: true, ...start });
   }
 

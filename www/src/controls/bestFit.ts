@@ -13,6 +13,8 @@ const POOR_TEXT =
   ". A poor fit: the parts differ much, or A has to be turned by hand near to where it belongs.";
 
 let running = false;
+/** Whether the fit lays A on B by what was picked alone. */
+let isByHand = false;
 
 /** Calls back when the user starts or stops a fit. */
 export function onFit(start: () => void, stop: () => void): void {
@@ -22,8 +24,9 @@ export function onFit(start: () => void, stop: () => void): void {
   });
 }
 
-/** Says that a fit was started. */
-export function showFitting(): void {
+/** Says that a fit was started; by hand, A is laid on B and not fitted. */
+export function showFitting(byHand: boolean): void {
+  isByHand = byHand;
   setRunning(true);
   text.textContent = "fitting…";
 }
@@ -41,8 +44,8 @@ export function showFit(reply: FitReply, diagonal: number): void {
     case "done": {
       const { rms, rmsBefore, steps, converged, ambiguous } = reply.fit;
       const end = converged ? "" : ", not converged";
-      const poor = converged || steps === 0 ? "" : POOR_TEXT;
-      const how = steps === 0 ? "laid on by hand" : `${steps} steps${end}`;
+      const poor = converged || isByHand ? "" : POOR_TEXT;
+      const how = isByHand ? "laid on by hand" : `${steps} steps${end}`;
       const others = ambiguous.length > 0 ? `; ${ambiguous.length} other poses fit as well` : "";
       text.textContent = `RMS ${length(rmsBefore)} before, ${length(rms)} now (${how})${others}${poor}`;
       text.dataset.poor = `${poor !== ""}`;
