@@ -1,4 +1,8 @@
 // The main page: makes its parts and connects the panel, the worker, the view and the results.
+import { AlignmentByPicks } from "./alignment/byPicks.ts";
+import { AnnotationLayer } from "./annotations/layer.ts";
+import { AnnotationList } from "./annotations/list.ts";
+import { AnnotationTool } from "./annotations/tool.ts";
 import { connect } from "./app/controls.ts";
 import { Measurement } from "./app/measurement.ts";
 import { Opening } from "./app/opening.ts";
@@ -65,8 +69,50 @@ const tree = new FaceTree({
 });
 const probing = new Probing(canvas, view, client, () => measurement.pose().transform);
 const measuring = new Measuring(view, (taken) => {
-  if (taken !== undefined) sections.endPicking();
+  if (taken !== undefined) {
+    sections.endPicking();
+    annotating.end();
+    aligning.end();
+  }
   probing.nextClick = taken;
+});
+const labels = new AnnotationLayer(() => view.redraw());
+view.follow((viewport) => labels.update(viewport, view.models));
+const annotating = new AnnotationTool({
+  hit: (x, y) => view.hit(x, y),
+  take: (taken) => {
+    if (taken !== undefined) {
+      sections.endPicking();
+      measuring.end();
+      aligning.end();
+    }
+    probing.nextClick = taken;
+  },
+  begin: ({ side, face, near }) => labels.begin({ side, face, point: near }),
+});
+const aligning = new AlignmentByPicks({
+  hit: (x, y) => {
+    const hit = view.hit(x, y);
+    return hit && { side: hit.side, face: hit.face, point: hit.near };
+  },
+  take: (taken) => {
+    if (taken !== undefined) {
+      sections.endPicking();
+      measuring.end();
+      annotating.end();
+      view.onPlace();
+    }
+    probing.nextClick = taken;
+  },
+  lay: (start) => measurement.fit(start),
+  scale: () => view.models.scale,
+  redraw: () => view.redraw(),
+});
+view.follow((viewport) => aligning.update(viewport, view.models));
+const annotationList = new AnnotationList({
+  look: ({ side, face, point }) => view.approachPoint(side, face, point),
+  edit: (index) => labels.edit(index),
+  nameOf: (side, face) => view.models.drawn[side]?.faceNames[face] ?? `${face}`,
 });
 const clearance = new ClearancePanel({
   change: () => measurement.turn(),
@@ -91,9 +137,10 @@ const check = new CheckPanel({
   },
 });
 const parts: Parts = {
-  ...{ client, view, faces, tree, probing, measuring, clearance, facts, overlap, check },
+  ...{ client, view, faces, tree, probing, measuring, annotating, annotationList, aligning },
+  ...{ clearance, facts, overlap, check },
   places: new PlaceView(view, probing, tree),
-  views: new Views(view, canvas),
+  views: new Views(view, canvas, () => labels.drawn),
   past: new History((state) => opening.restore(state)),
 };
 const measurement = new Measurement(parts);

@@ -1,19 +1,23 @@
 // The page's controls, connected to what they do.
+import { connectRules } from "../check/ruleList.ts";
 import { element } from "../common/elements.ts";
 import { onFit } from "../controls/bestFit.ts";
 import * as display from "../controls/display.ts";
+import { assemble, onExplode } from "../controls/explode.ts";
 import * as options from "../controls/options.ts";
 import * as position from "../controls/position.ts";
 import * as sections from "../controls/section.ts";
 import { onSource } from "../controls/sources.ts";
 import { onExport } from "../export/exportPanel.ts";
 import { exportAs } from "../export/exports.ts";
+import { connectReportSettings } from "../export/report/settings.ts";
 import { onShownUnit, onUnit } from "../files/units.ts";
 import * as deviation from "../inspection/deviationPanel.ts";
 import { connectBar } from "../layout/bar.ts";
 import { connectSheet } from "../layout/sheet.ts";
 import { connectShortcuts } from "../layout/shortcuts.ts";
 import { connectSteps } from "../layout/steps.ts";
+import { connectTheme } from "../layout/theme.ts";
 import { connectTooltips } from "../layout/tooltips.ts";
 import * as resultPanel from "../results/resultPanel.ts";
 import { onLimit } from "../results/verdict.ts";
@@ -24,6 +28,11 @@ import type { Parts } from "./parts.ts";
 export function connect(parts: Parts, measurement: Measurement, opening: Opening): void {
   for (const layout of [connectBar, connectSteps, connectSheet, connectShortcuts]) layout();
   connectTooltips();
+  connectRules();
+  connectTheme();
+  connectReportSettings((why) => {
+    element("export-note").textContent = why;
+  });
   connectView(parts, measurement);
   connectMeasurement(parts, measurement);
   connectFiles(parts, measurement, opening);
@@ -31,7 +40,7 @@ export function connect(parts: Parts, measurement: Measurement, opening: Opening
 }
 
 function connectView(parts: Parts, measurement: Measurement): void {
-  const { view, views, past, probing, measuring } = parts;
+  const { view, views, past, probing, measuring, annotating, aligning, client } = parts;
   element("fit").addEventListener("click", () => view.fit());
   element("canvas").addEventListener("dblclick", () => view.fit());
   element("approach").addEventListener("click", () => view.approachArrow());
@@ -50,12 +59,18 @@ function connectView(parts: Parts, measurement: Measurement): void {
       models: view.models,
       seen: () => view.seen,
       onNextFace: (callback) => {
-        if (callback !== undefined) measuring.end();
+        if (callback !== undefined) {
+          measuring.end();
+          annotating.end();
+          aligning.end();
+        }
         probing.nextClick = callback && ((x, y) => callback(view.facing(x, y)));
       },
     },
     show,
   );
+  view.onPlace = assemble;
+  onExplode(show, () => client.bodies());
   // What Escape ends first, as the choice of a face to cut by, has prevented this.
   window.addEventListener("keydown", ({ key, defaultPrevented }) => {
     if (key === "Escape" && !defaultPrevented) view.back();
@@ -79,7 +94,7 @@ function connectMeasurement({ client, places }: Parts, measurement: Measurement)
   });
   position.onPosition(() => measurement.moved());
   onFit(
-    () => client.fit({ transform: measurement.pose().transform, scaleUnits: true }),
+    () => measurement.fit({}),
     () => client.cancelFit(),
   );
 }
@@ -92,7 +107,6 @@ function connectFiles(parts: Parts, measurement: Measurement, opening: Opening):
     parts.probing.clear();
     parts.measuring.end();
     faces.clear("idle", "");
-    for (const shown of [facts, overlap, check]) shown.redraw();
     measurement.measure();
   });
   onUnit((side, unit) => opening.inUnit(side, unit));
@@ -102,7 +116,7 @@ function connectFiles(parts: Parts, measurement: Measurement, opening: Opening):
       ...{ view, views, options: measurement.options, diff: faces.result },
       ...{ pins: view.pins.probes, result: view.result, models: view.models.drawn },
       ...{ facts: facts.found, overlap: overlap.result, check: check.result },
-      tables: [faces, facts, overlap, check].flatMap(({ tables }) => tables),
+      tables: [parts.annotationList, faces, facts, overlap, check].flatMap(({ tables }) => tables),
       ...{ requestCsv: () => client.csv(), places: places.all },
     }),
   );

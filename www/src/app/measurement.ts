@@ -1,9 +1,11 @@
 // The measurement of the models as they are: its options, what is shown of it, and the finer ones
 // that a verdict needs.
+import { checkRules } from "../check/rules.ts";
 import { showMeeting } from "../clearance/meeting.ts";
 import { element } from "../common/elements.ts";
-import { clearFit, isFitting } from "../controls/bestFit.ts";
+import { clearFit, isFitting, showFitting } from "../controls/bestFit.ts";
 import * as display from "../controls/display.ts";
+import { exploded } from "../controls/explode.ts";
 import * as options from "../controls/options.ts";
 import * as position from "../controls/position.ts";
 import * as sections from "../controls/section.ts";
@@ -18,6 +20,7 @@ import type {
   BoundReply,
   CheckOf,
   PlainDiffOptions,
+  PlainFitOptions,
   PlainOptions,
   Reply,
 } from "../worker/protocol.ts";
@@ -25,10 +28,6 @@ import type { Parts } from "./parts.ts";
 
 /** Seconds after which pairs of bodies that are not searched yet are bounded once only. */
 const CHECK_SECONDS = 120;
-
-/** What is said where both models are to be checked together, and A is not where its file places it. */
-const MOVED_TOGETHER =
-  "A was moved, and a check is of both where their files place them. Undo that, or check A and B each alone.";
 
 /** The finest tolerance, in diagonals, and the factor to it from one that does not decide. */
 const FINEST = 1e-9;
@@ -74,6 +73,12 @@ export class Measurement {
     };
   }
 
+  /** Moves A to where it fits B: by all of it, or from where these pairs of points or datums lay it. */
+  fit(start: Partial<Pick<PlainFitOptions, "pairs" | "datums" | "norm">>): void {
+    showFitting(start.norm === "none");
+    this.#parts.client.fit({ transform: this.pose().transform, scaleUnits: true, ...start });
+  }
+
   /** Measures the volumes that the models have in common and apart, as they are placed. */
   overlap(maxSeconds: number): void {
     const { client, overlap, view } = this.#parts;
@@ -82,13 +87,22 @@ export class Measurement {
     else overlap.clear("Open two files first.");
   }
 
-  /** Checks all pairs of bodies, where files place them. */
+  /** Checks all pairs of bodies by the rules: of one model, or of both, A where it was moved to. */
   check(of: CheckOf, below: number): void {
     const { client, check, view } = this.#parts;
     const isThere = of === "both" ? view.models.complete : view.models.drawn[of] !== undefined;
     if (!isThere) check.clear("Open a file first.");
-    else if (of === "both" && !position.isInPlace()) check.clear(MOVED_TOGETHER);
-    else client.check(of, { below, maxSeconds: CHECK_SECONDS, scaleUnits: true });
+    else {
+      const rules = checkRules();
+      const options = {
+        below,
+        maxSeconds: CHECK_SECONDS,
+        scaleUnits: true,
+        ...(rules && { rules }),
+      };
+      const isMoved = of === "both" && !position.isInPlace();
+      client.check(of, options, isMoved ? this.pose().transform : undefined);
+    }
   }
 
   /** Measures anew after A was moved: what was found of another position is no longer shown. */
@@ -176,6 +190,7 @@ export class Measurement {
       gizmo: display.gizmoMode(),
       wipe: display.wipe(),
       fileColors: display.hasFileColors(),
+      exploded: exploded.value,
     });
     sections.showOffset(view.models);
     drawCut(view.models);

@@ -1,8 +1,10 @@
 // Opening of models: what the page begins with, files, links that name files, and what is shown
 // while they are read.
+import { clearAnnotations } from "../annotations/annotations.ts";
 import { element } from "../common/elements.ts";
 import { clearFit } from "../controls/bestFit.ts";
 import * as display from "../controls/display.ts";
+import { needsBodies, setBodies } from "../controls/explode.ts";
 import * as position from "../controls/position.ts";
 import { IN_PLACE, presets } from "../controls/presets.ts";
 import {
@@ -143,10 +145,14 @@ export class Opening {
     position.setPlacement(placement, view.models.diagonal);
     void this.#keep();
     clearOwnLimits();
+    clearAnnotations();
+    view.models.explosion.bodies = {};
+    setBodies(undefined);
     const state = this.#pending;
     this.#pending = undefined;
     if (state !== undefined) applyFormState(state, ["a", "b"]);
     setLoading(false);
+    if (needsBodies()) this.#parts.client.bodies();
     this.#measurement.hideResult();
     resultPanel.clearResult("working");
     this.#measurement.measure();
@@ -163,12 +169,14 @@ export class Opening {
 
   /** Removes what was found of the models before. */
   #forgetBefore(): void {
-    const { faces, probing, measuring, views, overlap, check } = this.#parts;
+    const { faces, probing, measuring, annotating, aligning, views, overlap, check } = this.#parts;
     faces.clear("idle", "");
     overlap.clear("");
     check.clear("");
     probing.clear();
     measuring.end();
+    annotating.end();
+    aligning.end();
     views.clear();
     clearFit();
     this.#measurement.forgetFiner();

@@ -1,4 +1,7 @@
 // What the page is made of, and what its works share.
+import type { AlignmentByPicks } from "../alignment/byPicks.ts";
+import type { AnnotationList } from "../annotations/list.ts";
+import type { AnnotationTool } from "../annotations/tool.ts";
 import type { CheckPanel } from "../check/checkPanel.ts";
 import type { ClearancePanel } from "../clearance/clearancePanel.ts";
 import type { Views } from "../export/views.ts";
@@ -20,6 +23,9 @@ export interface Parts {
   tree: FaceTree;
   probing: Probing;
   measuring: Measuring;
+  annotating: AnnotationTool;
+  annotationList: AnnotationList;
+  aligning: AlignmentByPicks;
   places: PlaceView;
   views: Views;
   clearance: ClearancePanel;

@@ -1,6 +1,7 @@
 // What the page does with the worker's replies.
 import { showMeeting } from "../clearance/meeting.ts";
 import { clearFit, isFitting, showFit } from "../controls/bestFit.ts";
+import { setBodies } from "../controls/explode.ts";
 import * as options from "../controls/options.ts";
 import * as position from "../controls/position.ts";
 import { fillShapes, setLoading, showNames } from "../controls/sources.ts";
@@ -49,6 +50,7 @@ export class Replies {
       case "failed":
         this.#ofRun(reply);
         break;
+      case "bodies":
       case "facts":
       case "overlap":
       case "check":
@@ -116,9 +118,14 @@ export class Replies {
     }
   }
 
-  #ofBodies(reply: Of<"facts" | "overlap" | "check">): void {
+  #ofBodies(reply: Of<"bodies" | "facts" | "overlap" | "check">): void {
     const { view, facts, overlap, check } = this.#parts;
     switch (reply.kind) {
+      case "bodies":
+        view.models.explosion.bodies = reply.faces;
+        setBodies(reply.faces);
+        this.#measurement.show();
+        break;
       case "facts":
         facts.show(reply, view.models.aside);
         break;

@@ -1,11 +1,15 @@
 // The panel of the check of bodies: which pairs clash, touch or come near, and what is wrong with single bodies.
+
+import { effect, signal, untracked } from "@preact/signals-core";
 import type { BodyPair, CheckResult, Vector3 } from "nurbs-hausdorff";
 import { element, fillList } from "../common/elements.ts";
 import type { ReportTable } from "../common/tables.ts";
 import { unitScale } from "../files/units.ts";
+import { onChange } from "../state/store.ts";
 import type { CheckedFaces, CheckOf, CheckReply, CheckState, Side } from "../worker/protocol.ts";
-import { bodyRow, pairRow } from "./rows.ts";
-import { faultsOf, pairText, verdictText } from "./words.ts";
+import { bodyRow, pairRow, ruleRow } from "./rows.ts";
+import { rules } from "./rules.ts";
+import { faultsOf, pairText, unkeptText, verdictText } from "./words.ts";
 
 /** Rows of each list; more are counted. */
 const MAX_ROWS = 100;
@@ -20,6 +24,8 @@ const text = element("check-text");
 const pairs = element("check-pairs");
 const bodies = element("check-bodies");
 const back = element("check-back");
+const unkept = element("check-rules-unkept");
+const outdated = element("rules-outdated");
 
 /** One or two bodies, with the place that matters and what is said there. */
 export interface ShownBodies {
@@ -37,10 +43,12 @@ export interface CheckListener {
 
 export class CheckPanel {
   readonly #listener: CheckListener;
-  #done: Done | undefined;
+  readonly #done = signal<Done | undefined>(undefined);
 
   constructor(listener: CheckListener) {
     this.#listener = listener;
+    // Also in the unit that is shown, and whenever that changes.
+    effect(() => this.#draw(this.#done.value));
     element("check-start").addEventListener("click", () => {
       if (!below.reportValidity()) return;
       this.clear("", "working");
@@ -48,6 +56,12 @@ export class CheckPanel {
     });
     element("check-cancel").addEventListener("click", () => listener.cancel());
     back.addEventListener("click", () => this.unshow());
+    onChange(
+      () => rules.value,
+      () => {
+        if (this.#done.peek() !== undefined) outdated.hidden = false;
+      },
+    );
   }
 
   /** The distance below which bodies are near, in the units of what is checked. */
@@ -58,16 +72,17 @@ export class CheckPanel {
 
   /** What was found; none before a check. */
   get result(): CheckResult | undefined {
-    return this.#done?.result;
+    return this.#done.peek()?.result;
   }
 
   /** The verdict, pairs and faulty bodies. */
   get tables(): ReportTable[] {
-    if (this.#done === undefined) return [];
-    const { of: checked, result } = this.#done;
+    const done = this.#done.peek();
+    if (done === undefined) return [];
+    const { of: checked, result } = done;
     const isOfBoth = checked === "both";
     const pairs = listedPairs(result).map((pair) => [
-      pair.state,
+      pair.intended ? `${pair.state}, meant` : pair.state,
       `${pair.a} and ${pair.b}`,
       pairText(pair, scaleOf(checked)),
     ]);
@@ -75,15 +90,20 @@ export class CheckPanel {
       const faults = faultsOf(body, isOfBoth);
       return faults.length === 0 ? [] : [["body", body.name, faults.join(", ")]];
     });
+    const broken = result.rules.map((rule) => [
+      ...["rule", rule.rule === "mustTouch" ? rule.a : `${rule.a} and ${rule.b}`],
+      unkeptText(rule, scaleOf(checked)),
+    ]);
     const subject = isOfBoth ? "A and B as one assembly" : checked.toUpperCase();
     const title = `Check of the bodies of ${subject}: ${verdictText(result)}`;
-    return [{ title, head: ["State", "Bodies", ""], rows: [...pairs, ...faulty] }];
+    return [{ title, head: ["State", "Bodies", ""], rows: [...broken, ...pairs, ...faulty] }];
   }
 
   /** Whether both models are checked together, where their files place them. */
   get isOfBoth(): boolean {
     return (
-      this.#done?.of === "both" || (section.dataset.state === "working" && of.value === "both")
+      this.#done.peek()?.of === "both" ||
+      (section.dataset.state === "working" && of.value === "both")
     );
   }
 
@@ -94,8 +114,7 @@ export class CheckPanel {
         break;
       case "done":
         this.clear("", "done");
-        this.#done = reply;
-        this.redraw();
+        this.#done.value = reply;
         break;
       case "cancelled":
         this.clear("Cancelled.");
@@ -123,22 +142,22 @@ export class CheckPanel {
     progress.value = 0;
     delete section.dataset.verdict;
     element("check-work").hidden = state !== "working";
-    this.#done = undefined;
+    this.#done.value = undefined;
     text.textContent = message;
-    for (const list of [pairs, bodies]) list.replaceChildren();
+    for (const list of [pairs, bodies, unkept]) list.replaceChildren();
+    outdated.hidden = true;
     element("check-faults").hidden = true;
   }
 
-  /** Shows the check in the unit that is shown now. */
-  redraw(): void {
-    const done = this.#done;
+  #draw(done: Done | undefined): void {
     if (done === undefined) return;
     const { result } = done;
-    this.unshow();
+    untracked(() => this.unshow());
     text.textContent = verdictText(result);
     section.dataset.verdict = `${result.clean ?? "undecided"}`;
     const isOfBoth = done.of === "both";
     const rowsOf = { isOfBoth, scale: scaleOf(done.of) };
+    unkept.replaceChildren(...result.rules.slice(0, MAX_ROWS).map((rule) => ruleRow(rule, rowsOf)));
     const indices = new Map(result.bodies.map(({ name }, index) => [name, index]));
     fillList(pairs, listedPairs(result), MAX_ROWS, (pair) =>
       pairRow(pair, rowsOf, (button, label) => {

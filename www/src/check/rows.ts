@@ -1,7 +1,8 @@
 // The rows of a check's lists: pairs of bodies, and bodies with a fault.
-import type { BodyPair, CheckedBody } from "nurbs-hausdorff";
-import { span } from "../common/elements.ts";
-import { pairText, shortName } from "./words.ts";
+import type { BodyPair, CheckedBody, UnkeptRule } from "nurbs-hausdorff";
+import { make, span } from "../common/elements.ts";
+import { addRule } from "./rules.ts";
+import { pairText, shortName, unkeptText } from "./words.ts";
 
 /** What rows are of: whether of both models together, and the scene's units in one of the check's. */
 export interface RowsOf {
@@ -17,11 +18,14 @@ export function pairRow(
 ): HTMLElement {
   const size = pairText(pair, scale);
   const { item, button } = row(
-    pair.state,
+    pair.intended ? `${pair.state}, meant` : pair.state,
     [pair.a, pair.b].map((name) => shortName(name, isOfBoth)),
     size,
   );
   button.title = `${pair.a} and ${pair.b}`;
+  button.dataset.state = pair.intended ? "meant" : pair.state;
+  // What is judged, and may be meant all the same.
+  if (pair.state === "clash" && !pair.intended) item.append(meantButton(pair));
   button.addEventListener("click", () =>
     press(button, pair.state === "clash" ? "clash" : `${pair.state}, ${size}`),
   );
@@ -41,6 +45,30 @@ export function bodyRow(
   return item;
 }
 
+/** A button that makes a rule of a clash that is meant. */
+function meantButton({ a, b }: BodyPair): HTMLElement {
+  const button = make("button", "Is meant", {
+    ...{
+      type: "button",
+      class: "meant",
+      title: "Adds a rule, and is judged by it in the next check",
+    },
+    "aria-label": `The clash of ${a} and ${b} is meant`,
+  });
+  button.addEventListener("click", () => addRule({ kind: "intended", a, b }));
+  return button;
+}
+
+/** A row of a rule that is not certainly kept. */
+export function ruleRow(rule: UnkeptRule, { isOfBoth, scale }: RowsOf): HTMLElement {
+  const names = rule.rule === "mustTouch" ? [rule.a] : [rule.a, rule.b];
+  const shown = names.map((name) => shortName(name, isOfBoth)).join(" and ");
+  const item = make("li", [span("name", shown), span("size", unkeptText(rule, scale))]);
+  item.dataset.broken = `${rule.broken}`;
+  item.title = `${rule.a} and ${rule.b}`;
+  return item;
+}
+
 function row(state: string | undefined, names: readonly string[], size: string) {
   const item = document.createElement("li");
   const button = document.createElement("button");
@@ -51,7 +79,6 @@ function row(state: string | undefined, names: readonly string[], size: string) 
     span("name", names.join(" and ")),
     span("size", size),
   );
-  if (state !== undefined) button.dataset.state = state;
   item.append(button);
   return { item, button };
 }

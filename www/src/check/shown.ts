@@ -2,7 +2,8 @@
 import type { Transform } from "nurbs-hausdorff";
 import type { FaceTree } from "../faces/faceTree.ts";
 import type { FaceClass } from "../scene/faces.ts";
-import type { ShownArrow, View } from "../scene/view.ts";
+import type { ShownArrow } from "../scene/shown/display.ts";
+import type { View } from "../scene/view.ts";
 import type { Side } from "../worker/protocol.ts";
 import { moved } from "../worker/rigid.ts";
 import type { ShownBodies } from "./checkPanel.ts";

@@ -1,5 +1,11 @@
 // The words of a check: its verdict, its pairs and its bodies.
-import { type BodyPair, type CheckedBody, type CheckResult, facePath } from "nurbs-hausdorff";
+import {
+  type BodyPair,
+  type CheckedBody,
+  type CheckResult,
+  facePath,
+  type UnkeptRule,
+} from "nurbs-hausdorff";
 import { grouped } from "../common/text/numbers.ts";
 import { listedQuantity, narrowText, shownQuantity } from "../common/text/quantities.ts";
 import { commonUnit } from "../files/units.ts";
@@ -8,15 +14,22 @@ import { commonUnit } from "../files/units.ts";
 export function verdictText(result: CheckResult): string {
   const { bodies, pairCount, pairs } = result;
   if (bodies.length === 1) return "One body: it has nothing to clash with.";
-  const count = (state: BodyPair["state"]) => pairs.filter((pair) => pair.state === state).length;
+  const of = (state: BodyPair["state"]) => pairs.filter((pair) => pair.state === state);
+  const count = (state: BodyPair["state"]) => of(state).filter((pair) => !pair.intended).length;
+  const meant = of("clash").filter((pair) => pair.intended).length;
   const all = `${grouped(pairCount)} ${pairCount === 1 ? "pair" : "pairs"}`;
   const [clashes, undecided] = [count("clash"), count("undecided")];
   const others = [
     ...(undecided > 0 && clashes > 0 ? [`${undecided} undecided`] : []),
     `${count("touching")} touching`,
     `${count("near")} near`,
+    ...(meant > 0 ? [`${meant} meant`] : []),
   ].join(", ");
   if (clashes > 0) return `CLASH: ${clashes} of ${all}; ${others}`;
+  const broken = result.rules.filter((rule) => rule.broken).length;
+  if (broken > 0) return `BROKEN: ${broken} ${broken === 1 ? "rule" : "rules"}; ${others}`;
+  const open = result.rules.length;
+  if (open > 0) return `UNDECIDED: ${open} ${open === 1 ? "rule" : "rules"}; ${others}`;
   if (undecided > 0) return `UNDECIDED: ${undecided} of ${all}; ${others}`;
   return `CLEAN: ${all}, ${others}`;
 }
@@ -39,6 +52,19 @@ export function pairText(
   }
   const apart = `${listedQuantity(shownQuantity(clearance, 1, scale))}${of("")} apart`;
   return state === "undecided" && why !== undefined ? `${apart}: ${why}` : apart;
+}
+
+/** What is not certainly as a rule asks for. */
+export function unkeptText(
+  { rule, broken, distance, clearance }: UnkeptRule,
+  scale: number,
+): string {
+  const found =
+    clearance === undefined
+      ? ""
+      : `, ${listedQuantity(shownQuantity(clearance, 1, scale))} ${commonUnit() ?? ""}`.trimEnd();
+  const what = rule === "mustTouch" ? "touches none of" : `nearer than ${distance ?? 0}`;
+  return `${broken ? "broken" : "undecided"}: ${what}${found}`;
 }
 
 /** What is wrong with a body by itself. */

@@ -21,6 +21,18 @@ export function span(name: string, text: string): HTMLElement {
   return node;
 }
 
+/** Returns an element with texts or other elements in it; attributes are given by name. */
+export function make(
+  name: string,
+  content: readonly (string | Node)[] | string = [],
+  attributes: Readonly<Record<string, string>> = {},
+): HTMLElement {
+  const node = document.createElement(name);
+  node.append(...(typeof content === "string" ? [content] : content));
+  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
+  return node;
+}
+
 /** Fills a list with rows of the first entries, and says how many more there are than `most`. */
 export function fillList<Entry>(
   list: HTMLElement,

@@ -13,17 +13,22 @@ const POOR_TEXT =
   ". A poor fit: the parts differ much, or A has to be turned by hand near to where it belongs.";
 
 let running = false;
+/** Whether the fit lays A on B by what was picked alone. */
+let isByHand = false;
 
 /** Calls back when the user starts or stops a fit. */
 export function onFit(start: () => void, stop: () => void): void {
   button.addEventListener("click", () => {
     if (running) stop();
-    else {
-      setRunning(true);
-      text.textContent = "fitting…";
-      start();
-    }
+    else start();
   });
+}
+
+/** Says that a fit was started; by hand, A is laid on B and not fitted. */
+export function showFitting(byHand: boolean): void {
+  isByHand = byHand;
+  setRunning(true);
+  text.textContent = "fitting…";
 }
 
 /** Shows the state of a fit; lengths are shown with the digits that the diagonal gives sense. */
@@ -39,9 +44,10 @@ export function showFit(reply: FitReply, diagonal: number): void {
     case "done": {
       const { rms, rmsBefore, steps, converged, ambiguous } = reply.fit;
       const end = converged ? "" : ", not converged";
-      const poor = converged ? "" : POOR_TEXT;
+      const poor = converged || isByHand ? "" : POOR_TEXT;
+      const how = isByHand ? "laid on by hand" : `${steps} steps${end}`;
       const others = ambiguous.length > 0 ? `; ${ambiguous.length} other poses fit as well` : "";
-      text.textContent = `RMS ${length(rmsBefore)} before, ${length(rms)} now (${steps} steps${end})${others}${poor}`;
+      text.textContent = `RMS ${length(rmsBefore)} before, ${length(rms)} now (${how})${others}${poor}`;
       text.dataset.poor = `${poor !== ""}`;
       break;
     }

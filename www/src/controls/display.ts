@@ -13,7 +13,7 @@ const direction = select("direction");
 const orthographic = input("orthographic");
 const gizmo = select("gizmo");
 const fileColors = input("file-colors");
-const [wiped, border] = [input("wipe"), input("wipe-at")];
+const [wiped, border, beside] = [input("wipe"), input("wipe-at"), input("beside")];
 
 /** What is shown of a model; undefined where the page decides. */
 export function visibility(side: Side): Visibility | undefined {
@@ -21,8 +21,18 @@ export function visibility(side: Side): Visibility | undefined {
   return value === "auto" ? undefined : (value as Visibility);
 }
 
-/** The border between A and B in the view, as a part of its width; undefined without one. */
-export const wipe = (): number | undefined => (wiped.checked ? border.valueAsNumber : undefined);
+/** Where A is shown alone and where B is; undefined where both are. */
+export interface Wiped {
+  /** The border, as a part of the view's width. */
+  fraction: number;
+  /** Whether each is shown whole, side by side, by one camera. */
+  isBeside: boolean;
+}
+
+export function wipe(): Wiped | undefined {
+  if (!wiped.checked) return undefined;
+  return { fraction: beside.checked ? 0.5 : border.valueAsNumber, isBeside: beside.checked };
+}
 
 /** Whether models are shown in the colours of their files. */
 export const hasFileColors = (): boolean => fileColors.checked;
@@ -48,10 +58,19 @@ export function onDisplay(onView: (view: StandardView) => void, onChange: () => 
     element("wipe-controls").hidden = !wiped.checked;
     const line = element("wipe-line");
     line.hidden = !wiped.checked;
-    line.style.left = `${100 * border.valueAsNumber}%`;
+    line.style.left = `${100 * (wipe()?.fraction ?? 0)}%`;
+    element("wipe-border").hidden = beside.checked;
     onChange();
   };
-  for (const control of [...Object.values(shown), orthographic, gizmo, fileColors, wiped, border]) {
+  for (const control of [
+    ...Object.values(shown),
+    orthographic,
+    gizmo,
+    fileColors,
+    wiped,
+    border,
+    beside,
+  ]) {
     control.addEventListener("input", changed);
   }
   changed();

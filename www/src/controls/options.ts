@@ -1,7 +1,7 @@
 // The options of a measurement that are set in the panel.
 import type { IterationOptions } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
-import type { Overlays } from "../scene/view.ts";
+import type { Overlays } from "../scene/shown/display.ts";
 import { type PlainOptions, SIDES, type Side } from "../worker/protocol.ts";
 
 type Flatness = NonNullable<IterationOptions["flatness"]>;

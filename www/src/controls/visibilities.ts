@@ -31,8 +31,10 @@ export function visibilities(
   const auto = (side: Side): Visibility =>
     side === outer || !front.includes(side) ? "glass" : "solid";
   // Lines inside a model are seen through it.
+  const isBeside = display.wipe()?.isBeside ?? false;
   const of = (side: Side): Visibility => {
-    const shown = display.visibility(side) ?? auto(side);
+    // Side by side, neither hides the other.
+    const shown = display.visibility(side) ?? (isBeside ? "solid" : auto(side));
     return lines && shown === "solid" ? "glass" : shown;
   };
   return { a: of("a"), b: of("b") };

@@ -6,6 +6,7 @@ import type {
   OverlapResult,
   Vector3,
 } from "nurbs-hausdorff";
+import { annotations } from "../annotations/annotations.ts";
 import type { ReportTable } from "../common/tables.ts";
 import { metresPerUnit } from "../files/units.ts";
 import { painted } from "../inspection/deviationPanel.ts";
@@ -62,7 +63,10 @@ export async function exportAs(format: ExportFormat, state: ExportedState): Prom
       download(`${NAME}.png`, await views.picture());
       break;
     case "gltf":
-      download(`${NAME}.glb`, await gltfOf(view.models, painted(), metresPerUnit()));
+      download(
+        `${NAME}.glb`,
+        await standing(view, () => gltfOf(view.models, painted(), metresPerUnit())),
+      );
       break;
     case "report":
       download(REPORT, await reportFrom(state));
@@ -75,7 +79,19 @@ export async function exportAs(format: ExportFormat, state: ExportedState): Prom
 
 async function reportFrom(state: ExportedState): Promise<Blob> {
   const content = { ...(await contentOf(state)), views: await state.views.all() };
-  return reportOf({ ...content, places: await placesOf(state) });
+  const places = await standing(state.view, () => placesOf(state));
+  return reportOf({ ...content, places });
+}
+
+/** Does what is about models as they stand, also while bodies are shown apart. */
+async function standing<T>({ models }: View, work: () => Promise<T>): Promise<T> {
+  const { part } = models.explosion;
+  models.explode(0);
+  try {
+    return await work();
+  } finally {
+    models.explode(part);
+  }
 }
 
 /** Pictures of the worst places, each with a mark, after which the view is where it was. */
@@ -113,7 +129,7 @@ function jsonOf(state: ExportedState): Blob {
   const names = { a: nameOf(models.a), b: nameOf(models.b) };
   const content = {
     ...{ models: names, options, state: formState(), result, faces: diff },
-    ...{ facts, overlap, check, pins },
+    ...{ facts, overlap, check, pins, annotations: annotations.peek() },
   };
   return new Blob([JSON.stringify(content, undefined, 2)], { type: "application/json" });
 }

@@ -1,4 +1,6 @@
 // The views that the user chose for the report, each with the legend that it had.
+import type { DrawnLabel } from "../annotations/layer.ts";
+import { labelled } from "../annotations/picture.ts";
 import { element } from "../common/elements.ts";
 import { sectionText } from "../controls/section.ts";
 import { painted } from "../inspection/deviationPanel.ts";
@@ -24,9 +26,12 @@ const ADD = add?.textContent ?? "";
 export class Views {
   readonly #view: View;
   readonly #canvas: HTMLCanvasElement;
+  readonly #labels: () => readonly DrawnLabel[];
   #chosen: ReportView[] = [];
 
-  constructor(view: View, canvas: HTMLCanvasElement) {
+  /** `labels` are those over the view, which the canvas does not show. */
+  constructor(view: View, canvas: HTMLCanvasElement, labels: () => readonly DrawnLabel[]) {
+    this.#labels = labels;
     this.#view = view;
     this.#canvas = canvas;
   }
@@ -61,7 +66,7 @@ export class Views {
   /** The picture of the view, PNG. */
   picture(): Promise<Blob> {
     this.#view.renderForExport();
-    return pictureOf(this.#canvas);
+    return pictureOf(labelled(this.#canvas, this.#labels()));
   }
 
   #show(): void {

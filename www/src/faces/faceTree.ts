@@ -1,4 +1,5 @@
 // All parts and faces of both models by their names, to hide, to isolate and to filter.
+import { batch, computed, effect, signal, untracked } from "@preact/signals-core";
 import { element } from "../common/elements.ts";
 import { grouped } from "../common/text/numbers.ts";
 import { onOwnLimits } from "../results/ownLimits.ts";
@@ -40,50 +41,68 @@ interface Listed {
   depth: number;
 }
 
+/** What a map says of faces: which are beyond what is allowed, and what each deviates by. */
+interface Marks {
+  changed: Sides<ReadonlySet<number>>;
+  sizes: Sides<ReadonlyMap<number, string>>;
+}
+
+const UNMARKED: Marks = { changed: {}, sizes: {} };
+
+/** The faces that are not drawn. */
+type Hidden = Record<Side, ReadonlySet<number>>;
+
+const NOTHING: Hidden = { a: new Set(), b: new Set() };
+
 export class FaceTree {
   readonly #listener: TreeListener;
-  #names: Sides<string[]> = {};
-  #items: Sides<Part["items"]> = {};
-  #changed: Sides<ReadonlySet<number>> = {};
-  #sizes: Sides<ReadonlyMap<number, string>> = {};
+  readonly #names = signal<Sides<string[]>>({});
+  readonly #items = computed((): Sides<Part["items"]> => {
+    const { a = [], b = [] } = this.#names.value;
+    return { a: partsOf(a), b: partsOf(b) };
+  });
+  readonly #marks = signal<Marks>(UNMARKED);
+  /** The marks by which rows are chosen; what rows say is changed in place: a limit that is typed stays. */
+  readonly #chosenBy = computed(() => (this.#isOnlyChanged.value ? this.#marks.value : UNMARKED));
   /** What became of parts, where revisions are compared. */
-  #states = new PartStates([]);
-  #hidden: Record<Side, Set<number>> = { a: new Set(), b: new Set() };
+  readonly #states = signal(new PartStates([]));
+  readonly #hidden = signal<Hidden>(NOTHING);
   /** The parts that are unfolded. */
-  #open = new Set<string>();
+  readonly #open = signal<ReadonlySet<string>>(new Set());
+  readonly #wanted = signal("");
+  readonly #isOnlyChanged = signal(onlyChanged.checked);
 
   constructor(listener: TreeListener) {
     this.#listener = listener;
-    for (const control of [filter, onlyChanged]) {
-      control.addEventListener("input", () => this.#draw());
-    }
-    element("tree-all").addEventListener("click", () => this.#hide({ a: new Set(), b: new Set() }));
+    filter.addEventListener("input", () => {
+      this.#wanted.value = filter.value.trim().toLowerCase();
+    });
+    onlyChanged.addEventListener("input", () => {
+      this.#isOnlyChanged.value = onlyChanged.checked;
+    });
+    element("tree-all").addEventListener("click", () => this.#hide(NOTHING));
+    effect(() => this.#draw());
+    effect(() => this.#showMarks(this.#marks.value));
     onOwnLimits(() => showLimits(list));
   }
 
   /** Shows the faces of models, all of them drawn. */
   show(models: Sides<DisplayModel>): void {
-    for (const side of SIDES) {
-      this.#names[side] = models[side]?.faceNames ?? [];
-      this.#items[side] = partsOf(this.#names[side] ?? []);
-    }
-    this.#changed = {};
-    this.#sizes = {};
-    this.#states = new PartStates([]);
-    this.#hidden = { a: new Set(), b: new Set() };
-    this.#open.clear();
-    this.#draw();
+    batch(() => {
+      this.#names.value = { a: models.a?.faceNames ?? [], b: models.b?.faceNames ?? [] };
+      this.#marks.value = UNMARKED;
+      this.#states.value = new PartStates([]);
+      this.#hidden.value = NOTHING;
+      this.#open.value = new Set();
+    });
   }
 
   /** Marks the faces that are beyond what is allowed, and says what each deviates by. */
   mark(changed: Sides<ReadonlySet<number>>, sizes: Sides<ReadonlyMap<number, string>>): void {
-    this.#changed = changed;
-    this.#sizes = sizes;
-    if (onlyChanged.checked) {
-      this.#draw();
-      return;
-    }
-    // In place: a limit that is being typed stays.
+    this.#marks.value = { changed, sizes };
+  }
+
+  #showMarks({ changed, sizes }: Marks): void {
     for (const row of list.querySelectorAll<HTMLElement>(".face")) {
       const [side, face] = [row.dataset.side as Side, Number(row.dataset.face)];
       const [look, size] = [
@@ -97,9 +116,8 @@ export class FaceTree {
 
   /** Says of each part what became of it; without parts, nothing. */
   markParts(parts: readonly PlacedPart[]): void {
-    const isEmpty = parts.length === 0 && this.#states.isEmpty;
-    this.#states = new PartStates(parts);
-    if (!isEmpty) this.#draw();
+    if (parts.length > 0 || !this.#states.peek().isEmpty)
+      this.#states.value = new PartStates(parts);
   }
 
   /** Draws these faces alone; without any, all of both models again. */
@@ -107,25 +125,24 @@ export class FaceTree {
     const others = (side: Side): Set<number> => {
       if (faces === undefined) return new Set();
       const own = new Set(faces[side]);
-      return new Set([...(this.#names[side] ?? []).keys()].filter((face) => !own.has(face)));
+      return new Set([...(this.#names.peek()[side] ?? []).keys()].filter((face) => !own.has(face)));
     };
     this.#hide({ a: others("a"), b: others("b") });
   }
 
-  #hide(hidden: Record<Side, Set<number>>): void {
-    this.#hidden = hidden;
+  #hide(hidden: Hidden): void {
     for (const side of SIDES) this.#listener.hide(side, hidden[side]);
-    this.#draw();
+    this.#hidden.value = hidden;
   }
 
   /** Draws some faces of a side or no longer. */
   #show(side: Side, faces: readonly number[], shown: boolean): void {
-    const hidden = new Set(this.#hidden[side]);
+    const hidden = new Set(this.#hidden.peek()[side]);
     for (const face of faces) {
       if (shown) hidden.delete(face);
       else hidden.add(face);
     }
-    this.#hide({ ...this.#hidden, [side]: hidden });
+    this.#hide({ ...this.#hidden.peek(), [side]: hidden });
   }
 
   /** Draws some faces of a side alone. */
@@ -141,7 +158,9 @@ export class FaceTree {
     for (const side of SIDES) {
       const kept = this.#kept(side);
       faces += kept.size;
-      rows.push(...this.#rows(this.#items[side] ?? [], { side, faces: kept, key: side }, budget));
+      rows.push(
+        ...this.#rows(this.#items.value[side] ?? [], { side, faces: kept, key: side }, budget),
+      );
     }
     if (budget.left <= 0 && faces > MAX_ROWS) {
       const more = document.createElement("li");
@@ -159,18 +178,19 @@ export class FaceTree {
 
   /** The faces of a side that the filter leaves. */
   #kept(side: Side): ReadonlySet<number> {
-    const wanted = filter.value.trim().toLowerCase();
-    const changed = onlyChanged.checked ? this.#changed[side] : undefined;
+    const [wanted, isOnlyChanged] = [this.#wanted.value, this.#isOnlyChanged.value];
+    const changed = this.#chosenBy.value.changed[side];
+    const names = this.#names.value[side];
     const isKept = (face: number, name: string) =>
-      (!onlyChanged.checked || changed?.has(face)) && name.toLowerCase().includes(wanted);
+      (!isOnlyChanged || changed?.has(face)) && name.toLowerCase().includes(wanted);
     const kept = new Set<number>();
     const visit = (items: Part["items"], above: string): void => {
       for (const item of items) {
         if (typeof item === "object") visit(item.items, `${item.path.join(SEPARATOR)}${SEPARATOR}`);
-        else if (isKept(item, above + ownName(this.#names[side]?.[item] ?? ""))) kept.add(item);
+        else if (isKept(item, above + ownName(names?.[item] ?? ""))) kept.add(item);
       }
     };
-    visit(this.#items[side] ?? [], "");
+    visit(this.#items.value[side] ?? [], "");
     return kept;
   }
 
@@ -200,14 +220,15 @@ export class FaceTree {
 
   #partRow(listed: Listed, budget: { left: number }): HTMLElement {
     const { side, part, faces, key, depth } = listed;
-    const isOpen = filter.value.trim() !== "" || onlyChanged.checked || this.#open.has(key);
+    const isFiltered = this.#wanted.value !== "" || this.#isOnlyChanged.value;
+    const isOpen = isFiltered || this.#open.value.has(key);
     const inner = { side, faces, key, depth: part.path.length };
     const rows = isOpen ? this.#rows(part.items, inner, budget) : [];
     const fullName = part.path.join(SEPARATOR);
-    const hidden = part.faces.filter((face) => this.#hidden[side].has(face)).length;
+    const hidden = part.faces.filter((face) => this.#hidden.value[side].has(face)).length;
     const { box, letter, look, alone } = rowParts({
       ...{ side, name: part.path.slice(depth).join(SEPARATOR), fullName },
-      isChanged: [...faces].some((face) => this.#changed[side]?.has(face) ?? false),
+      isChanged: [...faces].some((face) => this.#marks.peek().changed[side]?.has(face) ?? false),
       shown: hidden === 0 ? true : hidden === part.faces.length ? false : undefined,
       show: (shown) => this.#show(side, part.faces, shown),
       only: () => this.#isolate(side, part.faces),
@@ -220,15 +241,16 @@ export class FaceTree {
     unfold.setAttribute("aria-expanded", `${isOpen}`);
     unfold.setAttribute("aria-label", `Contents of ${side.toUpperCase()} ${fullName}`);
     unfold.addEventListener("click", () => {
-      if (!this.#open.delete(key)) this.#open.add(key);
-      this.#draw();
+      const open = new Set(this.#open.peek());
+      if (!open.delete(key)) open.add(key);
+      this.#open.value = open;
     });
     const count = document.createElement("span");
     count.className = "note";
     count.textContent = grouped(faces.size);
     const row = document.createElement("div");
     const state = document.createElement("span");
-    const { text, title, isSame } = this.#states.of(side, part.faces);
+    const { text, title, isSame } = this.#states.value.of(side, part.faces);
     Object.assign(state, { className: "state", textContent: text, title });
     state.dataset.same = `${isSame}`;
     row.append(unfold, box, letter, look, state, count, acts(alone));
@@ -242,11 +264,11 @@ export class FaceTree {
   }
 
   #faceRow(side: Side, face: number): HTMLElement {
-    const fullName = this.#names[side]?.[face] ?? "";
+    const fullName = this.#names.value[side]?.[face] ?? "";
     const { box, letter, look, alone } = rowParts({
       ...{ side, name: ownName(fullName), fullName },
-      isChanged: this.#changed[side]?.has(face) ?? false,
-      shown: !this.#hidden[side].has(face),
+      isChanged: this.#marks.peek().changed[side]?.has(face) ?? false,
+      shown: !this.#hidden.value[side].has(face),
       show: (shown) => this.#show(side, [face], shown),
       only: () => this.#isolate(side, [face]),
       look: () => this.#listener.look(side, [face]),
@@ -255,9 +277,19 @@ export class FaceTree {
     item.className = "face";
     const size = document.createElement("span");
     size.className = "deviation";
-    size.textContent = this.#sizes[side]?.get(face) ?? "";
+    size.textContent = this.#marks.peek().sizes[side]?.get(face) ?? "";
     Object.assign(item.dataset, { side, face });
-    item.append(box, letter, look, size, acts(limitInput(side, face, fullName), alone));
+    item.append(
+      box,
+      letter,
+      look,
+      size,
+      acts(
+        // Its own limit is changed in place.
+        untracked(() => limitInput(side, face, fullName)),
+        alone,
+      ),
+    );
     return item;
   }
 }

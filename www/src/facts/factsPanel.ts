@@ -1,4 +1,5 @@
 // The panel of facts: volume, mass, area, extents and centroid of both models and of their bodies.
+import { batch, effect, signal } from "@preact/signals-core";
 import { element, span } from "../common/elements.ts";
 import type { ReportTable } from "../common/tables.ts";
 import {
@@ -9,6 +10,7 @@ import {
   wholeText,
 } from "../common/text/quantities.ts";
 import { commonUnit, metresPerUnit, unitScale } from "../files/units.ts";
+import { field, sizeOf } from "../state/store.ts";
 import { type FactsReply, type ModelFacts, SIDES, type Sides } from "../worker/protocol.ts";
 import { type Subject, subjectsOf } from "./pairs.ts";
 import {
@@ -29,22 +31,29 @@ const start = element("facts-start", HTMLButtonElement);
 const state = element("facts-state");
 const shown = element("facts-shown");
 const choice = element("facts-of", HTMLSelectElement);
-const density = element("density", HTMLInputElement);
+const density = field("density");
 const intervals = element("facts-intervals", HTMLInputElement);
 const table = element("facts-table", HTMLTableElement);
+const hasIntervals = signal(intervals.checked);
 
 export class FactsPanel {
   readonly #ask: () => void;
   #models: Sides<ModelFacts> = {};
-  #subjects: Subject[] = [];
+  readonly #subjects = signal<readonly Subject[]>([]);
+  readonly #chosen = signal(0);
 
   /** Calls `ask` when facts are wanted of the models as they are. */
   constructor(ask: () => void) {
     this.#ask = ask;
     start.addEventListener("click", () => this.#request());
-    for (const control of [choice, density, intervals]) {
-      control.addEventListener("input", () => this.#draw());
-    }
+    choice.addEventListener("input", () => {
+      this.#chosen.value = Number(choice.value);
+    });
+    intervals.addEventListener("input", () => {
+      hasIntervals.value = intervals.checked;
+    });
+    // Also by the density and in the unit that is shown, and whenever those change.
+    effect(() => this.#draw(this.#subjects.value, this.#chosen.value));
   }
 
   #request(): void {
@@ -63,18 +72,14 @@ export class FactsPanel {
     }
     this.#models = { ...reply.models };
     if (aside !== undefined) delete this.#models[aside];
-    this.#subjects = subjectsOf(this.#models).slice(0, MAX_SUBJECTS);
-    choice.replaceChildren(
-      ...this.#subjects.map(({ title }, index) => new Option(title, `${index}`)),
-    );
-    element("facts-of-row").hidden = this.#subjects.length < 2;
+    const subjects = subjectsOf(this.#models).slice(0, MAX_SUBJECTS);
+    choice.replaceChildren(...subjects.map(({ title }, index) => new Option(title, `${index}`)));
+    element("facts-of-row").hidden = subjects.length < 2;
     shown.hidden = false;
-    this.#draw();
-  }
-
-  /** Shows the facts again in the unit that is shown now. */
-  redraw(): void {
-    if (section.dataset.state === "done") this.#draw();
+    batch(() => {
+      this.#chosen.value = 0;
+      this.#subjects.value = subjects;
+    });
   }
 
   /** Removes the facts of models that were replaced; those of the new ones are asked for where they were shown. */
@@ -84,6 +89,7 @@ export class FactsPanel {
     state.textContent = "";
     shown.hidden = true;
     this.#models = {};
+    this.#subjects.value = [];
     if (wasShown) this.#request();
   }
 
@@ -95,20 +101,23 @@ export class FactsPanel {
   /** The facts of the models and of the first bodies, each with its interval. */
   get tables(): ReportTable[] {
     if (this.found === undefined) return [];
-    return this.#subjects.slice(0, MAX_TABLES).map((subject, index) => ({
-      title: index === 0 ? "Facts of the files as they are" : `Facts: ${subject.title}`,
-      head: [unitsText(unitsNow()), "A", "B", "B − A"],
-      rows: factRows(subject, unitsNow()).map(({ name, facts, difference }) => [
-        name,
-        ...[facts.a, facts.b, difference].map((fact) =>
-          typeof fact === "object" ? wholeText(fact) : (fact ?? ""),
-        ),
-      ]),
-    }));
+    return this.#subjects
+      .peek()
+      .slice(0, MAX_TABLES)
+      .map((subject, index) => ({
+        title: index === 0 ? "Facts of the files as they are" : `Facts: ${subject.title}`,
+        head: [unitsText(unitsNow()), "A", "B", "B − A"],
+        rows: factRows(subject, unitsNow()).map(({ name, facts, difference }) => [
+          name,
+          ...[facts.a, facts.b, difference].map((fact) =>
+            typeof fact === "object" ? wholeText(fact) : (fact ?? ""),
+          ),
+        ]),
+      }));
   }
 
-  #draw(): void {
-    const subject = this.#subjects[Number(choice.value)] ?? this.#subjects[0];
+  #draw(subjects: readonly Subject[], chosen: number): void {
+    const subject = subjects[chosen] ?? subjects[0];
     if (subject === undefined) return;
     const rows = factRows(subject, unitsNow());
     const sides = SIDES.filter((side) => this.#models[side] !== undefined);
@@ -134,12 +143,12 @@ export class FactsPanel {
 
 /** The units and the density in which facts are shown now. */
 function unitsNow(): FactUnits {
-  const value = density.valueAsNumber;
+  const value = sizeOf(density.value) ?? 0;
   return {
     name: commonUnit(),
     scale: unitScale(),
     metres: metresPerUnit(),
-    density: Number.isFinite(value) && value > 0 ? value : undefined,
+    density: value > 0 ? value : undefined,
   };
 }
 
@@ -156,7 +165,7 @@ function tableRows(
   const change = factCell(difference ?? "");
   if (percent !== "") change.append(span("percent", percent));
   row.append(head, ...numbers, ...(isPair ? [change] : []));
-  if (!intervals.checked) return [row];
+  if (!hasIntervals.value) return [row];
   const texts = [
     ...sides.flatMap((side) => labelled(side.toUpperCase(), facts[side])),
     ...labelled("B − A", difference),

@@ -1,4 +1,6 @@
 // The volumes that both models have in common and apart, below the facts.
+
+import { effect, signal } from "@preact/signals-core";
 import type { Interval, OverlapResult, VolumesUnknown } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import type { ReportTable } from "../common/tables.ts";
@@ -48,9 +50,11 @@ export interface OverlapListener {
 }
 
 export class OverlapPanel {
-  #result: OverlapResult | undefined;
+  readonly #result = signal<OverlapResult | undefined>(undefined);
 
   constructor(listener: OverlapListener) {
+    // Also in the unit that is shown, and whenever that changes.
+    effect(() => this.#draw(this.#result.value));
     element("overlap-start").addEventListener("click", () => {
       const wanted = seconds.valueAsNumber;
       this.clear("", "working");
@@ -66,8 +70,7 @@ export class OverlapPanel {
         break;
       case "done":
         this.clear("", "done");
-        this.#result = reply.result;
-        this.redraw();
+        this.#result.value = reply.result;
         break;
       case "cancelled":
         this.clear("Cancelled.");
@@ -93,34 +96,32 @@ export class OverlapPanel {
     section.dataset.state = state;
     progress.value = 0;
     element("overlap-work").hidden = state !== "working";
-    this.#result = undefined;
+    this.#result.value = undefined;
     text.textContent = message;
     list.replaceChildren();
   }
 
   /** What was found; none before it is measured. */
   get result(): OverlapResult | undefined {
-    return this.#result;
+    return this.#result.peek();
   }
 
   /** The volumes with their intervals. */
   get tables(): ReportTable[] {
-    if (this.#result === undefined) return [];
-    const rows = rowsOf(this.#result).map(([name, interval]) => [name, wholeText(interval)]);
+    const { result } = this;
+    if (result === undefined) return [];
+    const rows = rowsOf(result).map(([name, interval]) => [name, wholeText(interval)]);
     return [{ title: "Volume in common, as placed", head: ["", ""], rows }];
   }
 
-  /** Shows the volumes in the unit that is shown now. */
-  redraw(): void {
-    if (this.#result === undefined) return;
-    const { volumesUnknown, hint, stop, seconds: spent } = this.#result;
+  #draw(result: OverlapResult | undefined): void {
+    if (result === undefined) return;
+    const { volumesUnknown, hint, stop, seconds: spent } = result;
     if (volumesUnknown !== undefined) {
       text.textContent = UNKNOWN[volumesUnknown];
       return;
     }
-    list.replaceChildren(
-      ...rowsOf(this.#result).flatMap(([name, interval]) => row(name, interval)),
-    );
+    list.replaceChildren(...rowsOf(result).flatMap(([name, interval]) => row(name, interval)));
     const ends = [STOPS[stop], hint ?? "", `Measured in ${duration(spent.solve)}.`];
     text.textContent = ends.filter((end) => end !== "").join(" ");
   }

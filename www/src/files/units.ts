@@ -1,7 +1,9 @@
 // The unit beside each model: what its file states, or what the user says of one that states none.
+import { batch, computed, effect, signal } from "@preact/signals-core";
 import { element } from "../common/elements.ts";
 import { setShownFactor } from "../common/text/numbers.ts";
 import { unitName } from "../common/text/units.ts";
+import { field, onChange } from "../state/store.ts";
 import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
 
 /** Lengths that files are often in, in metres. */
@@ -20,9 +22,15 @@ const selects: Record<Side, HTMLSelectElement> = {
   b: element("unit-b", HTMLSelectElement),
 };
 const note = element("units-differ");
-const shown = element("shown-unit", HTMLSelectElement);
-const units: Sides<number | null> = {};
-const sizes: Sides<number> = {};
+const shown = field("shown-unit");
+/** Metres per unit of each model, null where that is unknown, and the diagonals of their boxes. */
+const units = signal<Sides<number | null>>({});
+const sizes = signal<Sides<number>>({});
+/** The metres of A's unit where those of both are known. */
+const known = computed((): number | undefined => {
+  const { a = null, b = null } = units.value;
+  return a === null || b === null ? undefined : a;
+});
 
 for (const select of Object.values(selects)) {
   select.append(
@@ -31,32 +39,40 @@ for (const select of Object.values(selects)) {
   );
 }
 
-/** Calls back when the user wants lengths in another unit. */
-export function onShownUnit(callback: () => void): void {
-  shown.addEventListener("input", () => {
-    showFactor();
-    callback();
-  });
-}
-
-/** Shows lengths in the unit that the user wants, where that of the models is known. */
-function showFactor(): void {
-  const { a = null, b = null } = units;
-  const isKnown = a !== null && b !== null;
-  setShownFactor(isKnown && shown.value !== "" ? a / Number(shown.value) : 1);
-  element("shown-offer").hidden = !isKnown;
+// Lengths are shown in the unit that the user wants, where that of the models is known.
+effect(() => {
+  const metres = known.value;
+  setShownFactor(metres !== undefined && shown.value !== "" ? metres / Number(shown.value) : 1);
+  element("shown-offer").hidden = metres === undefined;
   const fields = `in ${modelUnit() ?? "model units"}`;
   for (const id of ["position-unit", "limit-unit"]) element(id).textContent = fields;
-}
+});
+
+effect(() => {
+  const text = textOf(units.value, sizes.value);
+  note.hidden = text === "";
+  note.textContent = text;
+});
+
+/** Calls back when the user wants lengths in another unit. */
+export const onShownUnit = (callback: () => void): void => onChange(() => shown.value, callback);
 
 /** Shows the units of models that were loaded. */
 export function showUnits(models: Sides<DisplayModel>): void {
+  batch(() => {
+    for (const side of SIDES) {
+      const model = models[side];
+      if (model === undefined) continue;
+      const { unit, box } = model;
+      const size = Math.hypot(...box.max.map((end, axis) => end - (box.min[axis] ?? 0)));
+      units.value = { ...units.value, [side]: unit };
+      sizes.value = { ...sizes.value, [side]: size };
+    }
+  });
   for (const side of SIDES) {
     const model = models[side];
     if (model === undefined) continue;
-    const { unit, source, box } = model;
-    units[side] = unit;
-    sizes[side] = Math.hypot(...box.max.map((end, axis) => end - (box.min[axis] ?? 0)));
+    const { unit, source } = model;
     const said = "file" in source ? source.unit : undefined;
     const isOpen = "file" in source && (unit === null || said !== undefined);
     const [none] = selects[side].options;
@@ -67,14 +83,10 @@ export function showUnits(models: Sides<DisplayModel>): void {
       : "As the model states it";
     selects[side].value = said === undefined ? "" : `${said}`;
   }
-  const text = textOf(units.a ?? null, units.b ?? null);
-  note.hidden = text === "";
-  note.textContent = text;
-  showFactor();
 }
 
 /** What the user has to know of the units of A and B; nothing where they are the same. */
-function textOf(a: number | null, b: number | null): string {
+function textOf({ a = null, b = null }: Sides<number | null>, sizes: Sides<number>): string {
   if (a !== null && b !== null) {
     if (unitName(a) === unitName(b)) return "";
     return `A is in ${unitName(a)} and B in ${unitName(b)}: B is converted to ${unitName(a)}.`;
@@ -106,21 +118,21 @@ export function onUnit(callback: (side: Side, metres: number | undefined) => voi
 
 /** Returns A's units in one of B's: B is converted where both are known. */
 export function unitScale(): number {
-  const { a = null, b = null } = units;
+  const { a = null, b = null } = units.value;
   return a !== null && b !== null ? b / a : 1;
 }
 
 /** Returns the metres in a unit of the scene, 1 where none is stated. */
-export const metresPerUnit = (): number => units.a ?? units.b ?? 1;
+export const metresPerUnit = (): number => units.value.a ?? units.value.b ?? 1;
 
 /** Returns the unit in which lengths are shown, or undefined where that of a model is unknown. */
 export function commonUnit(): string | undefined {
-  const known = modelUnit();
-  return known === undefined || shown.value === "" ? known : unitName(Number(shown.value));
+  const own = modelUnit();
+  return own === undefined || shown.value === "" ? own : unitName(Number(shown.value));
 }
 
 /** Returns the unit of what is typed, A's, or undefined where it is unknown of one of the models. */
 export function modelUnit(): string | undefined {
-  const { a = null, b = null } = units;
-  return a === null || b === null ? undefined : unitName(a);
+  const metres = known.value;
+  return metres === undefined ? undefined : unitName(metres);
 }

@@ -28,6 +28,7 @@ const section = element("estimates");
 const map = element("scale-map", HTMLSelectElement);
 const kind = element("scale-kind", HTMLSelectElement);
 const range = element("scale-range", HTMLInputElement);
+const rangeBelow = element("scale-range-below", HTMLInputElement);
 const steps = element("scale-steps", HTMLSelectElement);
 const band = element("scale-band", HTMLInputElement);
 const unfocus = element("focus-clear", HTMLButtonElement);
@@ -67,7 +68,7 @@ export function onScale(callback: (painting: Painting) => void): void {
     unfocus.hidden = true;
     repaint();
   });
-  for (const control of [map, range, steps, band]) {
+  for (const control of [map, range, rangeBelow, steps, band]) {
     control.addEventListener("input", () => setFocus(undefined));
   }
   unfocus.addEventListener("click", () => setFocus(undefined));
@@ -161,13 +162,18 @@ const isAbsolute = (): boolean =>
   kind.value === "absolute" || Object.values(shown?.drawn ?? {}).some(isUnsigned);
 
 function options(): ScaleOptions {
-  const end = range.valueAsNumber;
   return {
     ...{ map: map.value as ScaleMap, absolute: isAbsolute(), focus },
-    range: Number.isFinite(end) && end > 0 ? end : undefined,
+    range: endOf(range),
+    rangeBelow: endOf(rangeBelow),
     steps: Number(steps.value),
     allowed: band.checked ? allowed() : undefined,
   };
+}
+
+/** The end of the scale that is typed. */
+function endOf({ valueAsNumber: end }: HTMLInputElement): number | undefined {
+  return Number.isFinite(end) && end > 0 ? end : undefined;
 }
 
 const scaleOf = ({ extent }: ShownMaps): ColorScale => new ColorScale(extent, options());

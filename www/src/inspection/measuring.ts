@@ -52,7 +52,9 @@ export class Measuring {
     text.hidden = !on;
     text.textContent = FIRST;
     this.#take(on ? (x, y) => this.#click(this.#view.facing(x, y)) : undefined);
-    if (!on) this.#view.point();
+    // Of models as they stand.
+    if (on) this.#view.onPlace();
+    else this.#view.point();
   }
 
   #click(facing: Facing | undefined): void {

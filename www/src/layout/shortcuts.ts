@@ -53,6 +53,7 @@ function use(tool: Tool): void {
 /** Whether keys are what is written, or chosen from a list. */
 const isTyped = (target: EventTarget | null): boolean =>
   target instanceof HTMLSelectElement ||
+  target instanceof HTMLTextAreaElement ||
   (target instanceof HTMLInputElement && !["checkbox", "range"].includes(target.type));
 
 function fill(): void {

@@ -1,10 +1,11 @@
 // What is allowed of single faces where it differs from the whole's: in a control of the form, so
 // that links, undoing and kept files hold it.
-import { element } from "../common/elements.ts";
+import { computed } from "@preact/signals-core";
 import type { Allowed } from "../scene/colors/scale.ts";
+import { field, onChange } from "../state/store.ts";
 import type { Side } from "../worker/protocol.ts";
 
-const control = element("own-limits", HTMLInputElement);
+const control = field("own-limits");
 
 /** A face and what is allowed of it. */
 export interface OwnLimit extends Allowed {
@@ -17,22 +18,23 @@ const ENTRY = /^([ab])(\d{1,9}):([\d.e+-]+)\/([\d.e+-]+)$/i;
 /** `0.1`, `±0.1` or `+0.2/-0.1`, with any minus. */
 const TYPED = /^[+±]?([\d.]+(?:e[+-]?\d+)?)(?:\s*\/\s*[-−]?([\d.]+(?:e[+-]?\d+)?))?$/i;
 
-/** All faces that have limits of their own. */
-export const ownLimits = (): OwnLimit[] =>
+const all = computed((): readonly OwnLimit[] =>
   control.value.split(",").flatMap((entry) => {
     const [, side, face, above, below] = ENTRY.exec(entry) ?? [];
     const allowed = allowedBy(above, below);
     return allowed === undefined ? [] : [{ side: side as Side, face: Number(face), ...allowed }];
-  });
+  }),
+);
+
+/** All faces that have limits of their own. */
+export const ownLimits = (): readonly OwnLimit[] => all.value;
 
 /** What is allowed of a face by its own limits. */
 export const ownLimit = (side: Side, face: number): OwnLimit | undefined =>
   ownLimits().find((own) => own.side === side && own.face === face);
 
 /** Calls back when the limits of a face change. */
-export function onOwnLimits(callback: () => void): void {
-  control.addEventListener("input", callback);
-}
+export const onOwnLimits = (callback: () => void): void => onChange(() => all.value, callback);
 
 /** Sets what is allowed of a face from what the user typed; nothing removes it. Returns false for no number. */
 export function setOwnLimit(side: Side, face: number, typed: string): boolean {
@@ -45,19 +47,16 @@ export function setOwnLimit(side: Side, face: number, typed: string): boolean {
 }
 
 /** Removes the limits of all faces: the models are new. */
-export function clearOwnLimits(): void {
-  if (control.value !== "") write([]);
-}
+export const clearOwnLimits = (): void => write([]);
 
 /** The limits as the user types them. */
 export const limitText = ({ above, below }: Allowed): string =>
   above === below ? `${above}` : `+${above}/-${below}`;
 
 function write(all: readonly OwnLimit[]): void {
-  control.value = all
-    .map(({ side, face, above, below }) => `${side}${face}:${above}/${below}`)
-    .join(",");
-  control.dispatchEvent(new Event("input", { bubbles: true }));
+  control.set(
+    all.map(({ side, face, above, below }) => `${side}${face}:${above}/${below}`).join(","),
+  );
 }
 
 function allowedBy(above: string | undefined, below: string | undefined): Allowed | undefined {

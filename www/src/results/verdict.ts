@@ -1,39 +1,35 @@
 // The verdict on what the user allows: its controls, and its card.
+import { batch, computed, effect, signal } from "@preact/signals-core";
 import { element } from "../common/elements.ts";
 import { skippedFaces } from "../files/fileNotes.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
+import { field, onChange, sizeOf } from "../state/store.ts";
 import type { Side } from "../worker/protocol.ts";
 import { comparedText } from "./headline.ts";
 import { type Judged, type Judgement, judge, type Verdict } from "./judgement.ts";
-import { onOwnLimits, ownLimit, ownLimits } from "./ownLimits.ts";
+import { ownLimit, ownLimits } from "./ownLimits.ts";
 
-const input = element("limit", HTMLInputElement);
-const inputBelow = element("limit-below", HTMLInputElement);
+const limit = field("limit");
+const limitBelow = field("limit-below");
 const output = element("verdict");
 const badge = element("badge");
 const compared = element("compared");
-let current: Judged | undefined;
+/** What is judged; nothing before it is measured. */
+const judged = signal<Judged | undefined>(undefined);
+const limits = computed((): Allowed | undefined => {
+  const above = sizeOf(limit.value);
+  return above === undefined ? undefined : { above, below: sizeOf(limitBelow.value) ?? above };
+});
+
+// The card follows what is judged and what is allowed.
+effect(() => draw(judged.value, limits.value));
 
 /** Calls back when the user changes what is allowed. */
-export function onLimit(callback: () => void): void {
-  for (const one of [input, inputBelow]) {
-    one.addEventListener("input", () => {
-      draw();
-      callback();
-    });
-  }
-  onOwnLimits(() => {
-    draw();
-    callback();
-  });
-}
+export const onLimit = (callback: () => void): void =>
+  onChange(() => [limits.value, ownLimits()], callback);
 
 /** What the user allows; undefined without a number. */
-export function allowed(): Allowed | undefined {
-  const above = numberOf(input);
-  if (above === undefined) return undefined;
-  return { above, below: numberOf(inputBelow) ?? above };
-}
+export const allowed = (): Allowed | undefined => limits.value;
 
 /** What the user allows of a face. */
 export const allowedOf = (side: Side, face: number): Allowed | undefined => {
@@ -42,29 +38,30 @@ export const allowedOf = (side: Side, face: number): Allowed | undefined => {
 };
 
 /** Sets what is allowed, or with `undefined` nothing. */
-export function setAllowed(limit: number | undefined): void {
-  input.value = limit === undefined ? "" : `${limit}`;
-  inputBelow.value = "";
-  input.dispatchEvent(new Event("input", { bubbles: true }));
+export function setAllowed(above: number | undefined): void {
+  batch(() => {
+    limitBelow.set("");
+    limit.set(above === undefined ? "" : `${above}`);
+  });
 }
 
 /** Shows the verdict on a distance; without one, none. */
-export function showVerdict(judged?: Judged): void {
-  current = judged;
-  draw();
+export function showVerdict(now?: Judged): void {
+  judged.value = now;
 }
 
 /** Adds the measured faces, which can decide where the allowed deviations differ. */
 export function addMeasured(measured: NonNullable<Judged["measured"]>): void {
-  if (current !== undefined) showVerdict({ ...current, measured });
+  const now = judged.peek();
+  if (now !== undefined) showVerdict({ ...now, measured });
 }
 
 /** Whether a narrower interval would decide. */
 export function needsPrecision(): boolean {
-  const limits = allowed();
-  if (current === undefined || limits === undefined || skippedFaces() > 0) return false;
-  const [lower, upper] = current.interval;
-  return [limits, ...ownLimits()]
+  const [now, whole] = [judged.peek(), allowed()];
+  if (now === undefined || whole === undefined || skippedFaces() > 0) return false;
+  const [lower, upper] = now.interval;
+  return [whole, ...ownLimits()]
     .flatMap(({ above, below }) => [above, below])
     .some((limit) => lower <= limit && limit < upper);
 }
@@ -75,33 +72,27 @@ export function shownVerdict(): { verdict: Verdict | undefined; text: string } {
   return { verdict, text: verdict === undefined ? "" : (output.textContent ?? "") };
 }
 
-function draw(): void {
-  const limits = allowed();
-  if (current === undefined || limits === undefined) {
+function draw(now: Judged | undefined, whole: Allowed | undefined): void {
+  if (now === undefined || whole === undefined) {
     for (const node of [output, badge, compared]) node.textContent = "";
     for (const node of [output, badge]) delete node.dataset.verdict;
     output.dataset.doubt = "false";
     return;
   }
-  const { verdict, text, isDoubtful = false } = judgement(current, limits);
+  const { verdict, text, isDoubtful = false } = judgement(now, whole);
   output.textContent = text;
   output.dataset.doubt = `${isDoubtful}`;
   badge.textContent = verdict.toUpperCase();
   const distance = element("distance").textContent ?? "";
-  compared.textContent = /\d/.test(distance) ? comparedText(distance, limits, verdict) : "";
+  compared.textContent = /\d/.test(distance) ? comparedText(distance, whole, verdict) : "";
   for (const node of [output, badge]) node.dataset.verdict = verdict;
 }
 
-function judgement(judged: Judged, limits: Allowed): Judgement {
+function judgement(now: Judged, whole: Allowed): Judgement {
   const skipped = skippedFaces();
   if (skipped > 0) return { verdict: "undecided", text: skippedText(skipped) };
-  return judge(judged, [limits, ...ownLimits()]);
+  return judge(now, [whole, ...ownLimits()]);
 }
 
 const skippedText = (count: number): string =>
   `${count} ${count === 1 ? "face was" : "faces were"} skipped on reading`;
-
-function numberOf(from: HTMLInputElement): number | undefined {
-  const value = from.valueAsNumber;
-  return Number.isFinite(value) && value >= 0 ? value : undefined;
-}

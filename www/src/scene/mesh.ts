@@ -1,6 +1,6 @@
 // One model in the scene: its surface, plain or painted, its outline, its triangles and its cap.
 import {
-  type Box3,
+  Box3,
   BufferAttribute,
   BufferGeometry,
   Color,
@@ -15,10 +15,19 @@ import {
   PointsMaterial,
   SRGBColorSpace,
   type Texture,
+  Vector3,
 } from "three";
 import { concatenated } from "../common/arrays.ts";
 import type { DisplayModel, Side } from "../worker/protocol.ts";
 import { Cap } from "./cap.ts";
+import {
+  displace,
+  facesByTriangles,
+  facesOfVertices,
+  forgetAllBounds,
+  type Offsets,
+  setPositions,
+} from "./exploded/displaced.ts";
 import { type FaceClass, FaceColors } from "./faces.ts";
 import { glass, painted, rounded, satin } from "./material.ts";
 
@@ -53,6 +62,11 @@ export class ModelMesh {
   #hidden: ReadonlySet<number> = new Set();
   /** The painted triangles with their faces, of which those of hidden faces are not drawn. */
   #paintedTriangles: { indices: Uint32Array; faces: Uint32Array } | undefined;
+  /** The ways of faces, where bodies are moved apart, and where all vertices are without them. */
+  #offsets: Offsets | undefined;
+  #rest: Float32Array | undefined;
+  #paintRest: Float32Array | undefined;
+  #vertexFaces: Uint32Array | undefined;
 
   /** `map` is the colour scale of the paint. */
   constructor(model: DisplayModel, side: Side, color: string, map: Texture) {
@@ -181,12 +195,78 @@ export class ModelMesh {
   paint(geometry?: BufferGeometry, faces: Uint32Array = new Uint32Array()): void {
     this.#painted.geometry.dispose();
     if (geometry !== undefined) this.#painted.geometry = geometry;
+    this.#paintRest = geometry?.getAttribute("position").array as Float32Array | undefined;
     this.#hasPaint = geometry !== undefined;
     const indices = geometry?.getIndex()?.array;
     this.#paintedTriangles =
       indices === undefined ? undefined : { indices: indices as Uint32Array, faces };
     this.#hidePaint();
+    this.#displacePaint();
     this.#showSurface();
+  }
+
+  /** Moves faces by these ways, in the model's coordinates; without any, all are where they are. */
+  explode(offsets: Offsets | undefined): void {
+    if (offsets === this.#offsets || this.#surface instanceof Points) return;
+    this.#offsets = offsets;
+    const position = this.#surface.geometry.getAttribute("position") as BufferAttribute;
+    const positions = position.array as Float32Array;
+    this.#rest ??= positions.slice();
+    if (offsets === undefined) positions.set(this.#rest);
+    else displace(this.#rest, this.#facesOfVertices, offsets, positions);
+    position.needsUpdate = true;
+    this.#displacePaint();
+    forgetAllBounds(this.group);
+  }
+
+  #displacePaint(): void {
+    const [rest, triangles] = [this.#paintRest, this.#paintedTriangles];
+    if (rest === undefined || triangles === undefined) return;
+    const { geometry } = this.#painted;
+    if (this.#offsets === undefined) {
+      if (geometry.getAttribute("position").array !== rest) setPositions(geometry, rest);
+      return;
+    }
+    const positions = new Float32Array(rest.length);
+    const faces = facesByTriangles(rest.length / 3, triangles.indices, triangles.faces);
+    displace(rest, faces, this.#offsets, positions);
+    setPositions(geometry, positions);
+  }
+
+  get #facesOfVertices(): Uint32Array {
+    const { positions, indices, faces } = this.model.tessellation;
+    this.#vertexFaces ??= facesOfVertices(positions.length / 3, indices, faces);
+    return this.#vertexFaces;
+  }
+
+  /** The face that a vertex is of. */
+  faceOf(vertex: number): number {
+    return this.#facesOfVertices[vertex] ?? 0;
+  }
+
+  /** The way of a face, where bodies are moved apart. */
+  offsetOf(face: number): Offsets[number] {
+    return this.#offsets?.[face];
+  }
+
+  /** Whether a face is drawn. */
+  draws(face: number): boolean {
+    return this.group.visible && !this.#hidden.has(face);
+  }
+
+  /** The box of faces where they are if bodies are not moved apart, in scene coordinates. */
+  restBox(faces: readonly number[]): Box3 {
+    const { positions, indices, faces: ranges } = this.model.tessellation;
+    const rest = this.#rest ?? positions;
+    const box = new Box3();
+    const point = new Vector3();
+    for (const face of faces) {
+      const { firstIndex = 0, indexCount = 0 } = ranges[face] ?? {};
+      for (let at = firstIndex; at < firstIndex + indexCount; at++) {
+        box.expandByPoint(point.fromArray(rest, 3 * (indices[at] ?? 0)));
+      }
+    }
+    return box.applyMatrix4(this.group.matrix);
   }
 
   /** Colours every face by its class, instead of all paint; without classes, ends that. */

@@ -3,7 +3,6 @@ import type { Vector3 as Point } from "nurbs-hausdorff";
 import {
   Box3,
   Group,
-  type Intersection,
   Matrix4,
   type Mesh,
   type Plane,
@@ -15,9 +14,11 @@ import type { MapDisplay } from "../worker/map/display.ts";
 import { type DisplayModel, type Draft, SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import type { Viewport } from "./camera/viewport.ts";
 import { DraftModel } from "./draft.ts";
+import { Explosion } from "./exploded/explosion.ts";
 import type { FaceClass } from "./faces.ts";
 import { ModelMesh, type Visibility } from "./mesh.ts";
 import { deviationGeometry } from "./overlays/deviation.ts";
+import { type FirstHit, firstHit } from "./picking.ts";
 import type { Pose } from "./pose.ts";
 import { type Cut, cutOf, type Section } from "./section.ts";
 
@@ -231,12 +232,34 @@ export class Models {
     viewport: Viewport,
     clientX: number,
     clientY: number,
-  ): { side: Side; near: Point } | undefined {
+  ): { side: Side; face: number; near: Point } | undefined {
     const found = this.#hit(viewport, clientX, clientY);
     if (found === undefined) return undefined;
     const { side, hit, mesh } = found;
+    const face = mesh.faceOf(hit.face?.a ?? hit.index ?? 0);
     const local = mesh.target.worldToLocal(hit.point.clone());
-    return { side, near: local.add(new Vector3(...mesh.model.tessellation.origin)).toArray() };
+    const offset = mesh.offsetOf(face);
+    if (offset !== undefined) local.sub(offset);
+    const near = local.add(new Vector3(...mesh.model.tessellation.origin)).toArray();
+    return { side, face, near };
+  }
+
+  /** Where a point of a face is drawn, from the model's own coordinates; undefined where it is not. */
+  pointOf(side: Side, face: number, point: Point): Vector3 | undefined {
+    const mesh = this.#meshes[side];
+    if (mesh === undefined || this.#undrawn.includes(side) || !mesh.draws(face)) return undefined;
+    const at = new Vector3(...point).sub(new Vector3(...mesh.model.tessellation.origin));
+    const offset = mesh.offsetOf(face);
+    if (offset !== undefined) at.add(offset);
+    return at.applyMatrix4(mesh.group.matrix);
+  }
+
+  /** Bodies that are moved apart. */
+  readonly explosion = new Explosion();
+
+  /** Moves bodies apart, from the middle of all: from 0, where they stand, to 1. */
+  explode(part: number): void {
+    this.explosion.move(this.#meshes, part);
   }
 
   /** The point that the view's ray hits first, with the surface's normal there, in the scene. */
@@ -252,26 +275,8 @@ export class Models {
     return normal && { point: hit.point.clone(), normal };
   }
 
-  #hit(
-    viewport: Viewport,
-    clientX: number,
-    clientY: number,
-  ): { side: Side; hit: Intersection; mesh: ModelMesh } | undefined {
-    const visible = SIDES.filter((side) => this.#meshes[side]?.group.visible);
-    const targets = visible.flatMap((side) => this.#meshes[side]?.target ?? []);
-    const hits = viewport
-      .hits(clientX, clientY, targets)
-      .filter(({ point }) => this.planes.every((plane) => plane.distanceToPoint(point) >= 0));
-    const sideOf = (object: unknown) =>
-      visible.find((side) => this.#meshes[side]?.target === object);
-    // What is seen through is meant only where nothing else is.
-    const hit =
-      hits.find(({ object }) => this.#meshes[sideOf(object) ?? "a"]?.visibility === "solid") ??
-      hits[0];
-    const side = sideOf(hit?.object);
-    const mesh = side && this.#meshes[side];
-    if (hit === undefined || side === undefined || mesh === undefined) return undefined;
-    return { side, hit, mesh };
+  #hit(viewport: Viewport, clientX: number, clientY: number): FirstHit | undefined {
+    return firstHit(this.#meshes, this.planes, viewport, [clientX, clientY]);
   }
 
   /** The names of the models' shapes or files. */

@@ -3,8 +3,7 @@ import type { DiffResult, DistanceResult, Vector3 as Point } from "nurbs-hausdor
 import { Box3, Vector3 } from "three";
 import { agrees } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
-import { heldText } from "../common/text/numbers.ts";
-import { type Change, classesOf, classOf } from "../faces/changes.ts";
+import type { Change } from "../faces/changes.ts";
 import { Pins } from "../inspection/pins/pins.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
 import { type DisplayModel, type Draft, SIDES, type Side, type Sides } from "../worker/protocol.ts";
@@ -15,14 +14,14 @@ import { cssColor } from "./colors/css.ts";
 import type { ColorScale } from "./colors/scale.ts";
 import { ScaleTexture } from "./colors/scaleTexture.ts";
 import type { FaceClass } from "./faces.ts";
-import { Gizmo, type GizmoMode, type OnGizmo } from "./gizmo.ts";
-import type { Visibility } from "./mesh.ts";
+import { Gizmo, type OnGizmo } from "./gizmo.ts";
 import { Models } from "./models.ts";
 import { Arrow, type ArrowTexts } from "./overlays/arrow.ts";
-import { ProjectionLines } from "./overlays/projectionLines.ts";
 import { arrowOf } from "./overlays/resultArrow.ts";
 import type { Pose } from "./pose.ts";
-import type { Section } from "./section.ts";
+import { type Around, ChangedFaces } from "./shown/changedFaces.ts";
+import type { Display, Overlays, ShownArrow } from "./shown/display.ts";
+import { ShownMaps } from "./shown/maps.ts";
 
 /** The radius of the view around the arrow, in lengths of the arrow, and its minimum, in diagonals. */
 const APPROACH_RADIUS = 2;
@@ -31,32 +30,6 @@ const MIN_APPROACH_RADIUS = 1e-5;
 const PLACE_RADIUS = 0.12;
 /** The radius of the view around a face, in diagonals of its box: a little more than its sphere's. */
 const FACE_RADIUS = 0.6;
-
-/** What is drawn in addition to the models. */
-export interface Overlays {
-  deviation: boolean;
-  lines: boolean;
-  triangles: boolean;
-}
-
-/** An arrow between two points of a result, or a mark where both are the same. */
-export interface ShownArrow {
-  from: Point;
-  to: Point;
-  texts: ArrowTexts;
-}
-
-/** How the models are shown. */
-export interface Display {
-  visibility: Record<Side, Visibility>;
-  orthographic: boolean;
-  section: Section | undefined;
-  gizmo: GizmoMode;
-  /** The part of the view, from the left, that shows A only, and the rest B. */
-  wipe: number | undefined;
-  /** Whether what is not painted has the colours of its file. */
-  fileColors: boolean;
-}
 
 export class View {
   readonly pins = new Pins();
@@ -67,18 +40,16 @@ export class View {
     [element("label-from"), element("label-to")],
     cssColor("accent"),
   );
-  readonly #lines = {
-    a: new ProjectionLines(this.#scale.texture),
-    b: new ProjectionLines(this.#scale.texture),
-  };
+  readonly #maps = new ShownMaps(this.models, this.#scale);
+  readonly #changed = new ChangedFaces(this.models, this.#arrow);
   readonly #viewport: Viewport | undefined;
   readonly #gizmo: Gizmo | undefined;
+  /** What lies over the view and follows points of the models. */
+  readonly #followers: ((viewport: Viewport) => void)[] = [];
+  /** Called where a place is shown, which is one of models as they stand. */
+  onPlace: () => void = () => {};
   #overlays: Overlays = { deviation: false, lines: false, triangles: false };
-  /** The unit of the deviations drawn. */
-  #unit = 1;
   #result: DistanceResult | undefined;
-  #diff: DiffResult | undefined;
-  #diffSide: Side | undefined;
   /** Whether bodies are shown alone, of which the result is not. */
   #isOfBodies = false;
   /** The box of the files that are being read, as the camera was placed for it. */
@@ -108,21 +79,22 @@ export class View {
 
   private constructor(canvas: HTMLCanvasElement, onGizmo: OnGizmo, viewport: Viewport | undefined) {
     if (viewport === undefined) return;
-    viewport.scene.add(
-      this.models.group,
-      this.#arrow.group,
-      this.#lines.a.lines,
-      this.#lines.b.lines,
-    );
+    viewport.scene.add(this.models.group, this.#arrow.group, ...this.#maps.objects);
     this.#viewport = viewport;
     viewport.keepClear(...["legend", "context", "cut", "foot"].map((id) => element(id)));
     this.#gizmo = new Gizmo(viewport, canvas, onGizmo);
     const cube = new ViewCube(element("axes", SVGSVGElement), (view) => this.look(view));
     viewport.onDraw = () => {
       this.#arrow.update(viewport);
-      this.pins.update(viewport, this.models.center, this.models.planes);
+      this.pins.update(viewport, this.models);
+      for (const follow of this.#followers) follow(viewport);
       cube.update(viewport.camera);
     };
+  }
+
+  /** Calls back before each drawing, to move what follows points of the models. */
+  follow(callback: (viewport: Viewport) => void): void {
+    this.#followers.push(callback);
   }
 
   /** Shows models, each in place of the one before. */
@@ -176,7 +148,7 @@ export class View {
   }
 
   /** The point of a model at a position in the window, in that model's coordinates. */
-  hit(clientX: number, clientY: number): { side: Side; near: Point } | undefined {
+  hit(clientX: number, clientY: number): ReturnType<Models["hit"]> {
     if (this.#viewport === undefined || this.#gizmo?.dragging) return undefined;
     return this.models.hit(this.#viewport, clientX, clientY);
   }
@@ -240,6 +212,7 @@ export class View {
 
   /** Zooms to a point of a result, and shows an arrow from it to its foot. */
   approach(from: Point, to: Point, texts: ArrowTexts, normal?: Vector3): void {
+    this.onPlace();
     this.#arrow.show(from, to, texts, this.models.center);
     const radius = Math.max(
       APPROACH_RADIUS * this.#arrow.length,
@@ -250,6 +223,7 @@ export class View {
 
   /** Shows an arrow between two points of a result, or that of the result again. */
   point(arrow?: ShownArrow): void {
+    if (arrow !== undefined) this.onPlace();
     if (arrow === undefined) this.#showArrow();
     else this.#arrow.show(arrow.from, arrow.to, arrow.texts, this.models.center);
     this.#viewport?.draw();
@@ -286,9 +260,13 @@ export class View {
       for (const face of faces[side] ?? []) box.union(this.models.faceBox(side, face));
     }
     if (box.isEmpty()) return;
-    const size = FACE_RADIUS * box.getSize(new Vector3()).length();
-    const radius = Math.max(size, MIN_APPROACH_RADIUS * this.models.diagonal);
-    this.#viewport?.approach(box.getCenter(new Vector3()), radius);
+    const size = box.getSize(new Vector3()).length();
+    this.#approach({ center: box.getCenter(new Vector3()), size });
+  }
+
+  #approach({ center, size }: Around): void {
+    const radius = Math.max(FACE_RADIUS * size, MIN_APPROACH_RADIUS * this.models.diagonal);
+    this.#viewport?.approach(center, radius);
   }
 
   approachArrow(): void {
@@ -300,9 +278,27 @@ export class View {
     this.#viewport?.approach(this.#arrow.middle, radius);
   }
 
+  /** Looks at a point of a face from near, in the model's own coordinates. */
+  approachPoint(side: Side, face: number, point: Point): void {
+    const at = this.models.pointOf(side, face, point);
+    if (at !== undefined) this.#viewport?.approach(at, PLACE_RADIUS * this.models.diagonal);
+  }
+
+  /** Moves bodies apart; the result's arrow is one of models as they stand. */
+  #explode(part: number): void {
+    const before = this.models.explosion.part;
+    if (part === 0 && before === 0) return;
+    this.models.explode(part);
+    if (part > 0) this.#arrow.hide();
+    else if (!this.#changed.active && !this.#isOfBodies) this.#showArrow();
+    this.#viewport?.refit(this.models.box);
+    this.#viewport?.draw();
+  }
+
   show(pose: Pose, overlays: Overlays, display: Display): void {
     this.#overlays = overlays;
     this.models.pose(pose);
+    this.#explode(display.exploded);
     this.models.setDisplay(display.visibility, overlays.triangles);
     this.models.fileColors = display.fileColors;
     this.models.cutOpen(display.section);
@@ -313,12 +309,13 @@ export class View {
         wipe === undefined
           ? undefined
           : {
-              fraction: wipe,
+              ...wipe,
               only: (left) => this.models.only(left === undefined ? undefined : left ? "a" : "b"),
             };
     }
     if (this.#gizmo !== undefined) {
-      this.#gizmo.mode = display.gizmo;
+      // Handles are of one view.
+      this.#gizmo.mode = display.wipe?.isBeside ? "none" : display.gizmo;
       this.#gizmo.place(pose, this.models.center);
     }
   }
@@ -326,35 +323,27 @@ export class View {
   /** Shows the arrow of a result; `replaced` removes the deviation of the one before. */
   showResult(result: DistanceResult, replaced: boolean): void {
     this.#result = result;
-    if (this.#diff === undefined && !this.#isOfBodies) this.#showArrow();
-    if (replaced) this.#hideMaps();
+    if (!this.#changed.active && !this.#isOfBodies) this.#showArrow();
+    if (replaced) this.#maps.hide();
     this.#viewport?.draw();
   }
 
   /** Shows the deviations of models, whose largest distance is `largest`. */
   showMaps(maps: Sides<MapDisplay>, scale: ColorScale, largest: number): void {
-    const { deviation, lines } = this.#overlays;
-    this.#unit = largest;
-    this.#scale.show(scale, largest);
-    this.models.paint(deviation ? maps : {}, largest);
-    for (const side of SIDES) {
-      const map = maps[side];
-      if (lines && map) this.#lines[side].show(map, largest, this.models.center);
-      else this.#lines[side].hide();
-    }
+    this.#maps.show(maps, { scale, largest }, this.#overlays);
     this.#viewport?.draw();
   }
 
   /** Recolours the deviation shown. */
   rescale(scale: ColorScale): void {
-    this.#scale.show(scale, this.#unit);
+    this.#maps.rescale(scale);
     this.#viewport?.draw();
   }
 
   hideResult(): void {
     this.#result = undefined;
     if (!this.#isOfBodies) this.#showArrow();
-    this.#hideMaps();
+    this.#maps.hide();
     this.#viewport?.draw();
   }
 
@@ -363,14 +352,8 @@ export class View {
    * without a comparison, ends that.
    */
   showFaces(diff: DiffResult | undefined, side?: Side): void {
-    this.#diff = diff;
-    this.#diffSide = side;
-    this.models.alone = diff === undefined ? undefined : side;
-    this.models.classify(
-      diff === undefined ? {} : { a: classesOf(diff, "a"), b: classesOf(diff, "b") },
-    );
+    this.#changed.show(diff, side);
     if (diff === undefined) this.#showArrow();
-    else this.#arrow.hide();
     this.#viewport?.draw();
   }
 
@@ -382,51 +365,19 @@ export class View {
 
   /** Zooms to one face of the comparison shown and greys all others; without one, shows all again. */
   selectFace(change: Change | undefined): void {
-    const diff = this.#diff;
-    if (diff === undefined) return;
-    if (change === undefined) {
-      this.showFaces(diff, this.#diffSide);
-      return;
-    }
-    const { side, difference, kind } = change;
-    this.models.alone = side;
-    const { a, b } = difference.witness;
-    const plain: Sides<FaceClass[]> = { a: [], b: [] };
-    this.models.classify({ ...plain, [side]: only(difference.face, classOf(kind)) });
-    const [from, to] = side === "a" ? [a.point, b.point] : [b.point, a.point];
-    const { lower, upper } = difference;
-    const texts = { length: heldText([lower, upper], diff.diagonal), from: "", to: "" };
-    this.#arrow.show(from, to, texts, this.models.center);
-    const box = this.models.faceBox(side, difference.face);
-    for (const point of [from, to]) {
-      box.expandByPoint(new Vector3(...point).sub(this.models.center));
-    }
-    const radius = Math.max(
-      FACE_RADIUS * box.getSize(new Vector3()).length(),
-      MIN_APPROACH_RADIUS * this.models.diagonal,
-    );
-    this.#viewport?.approach(box.getCenter(new Vector3()), radius);
+    const around = this.#changed.select(change);
+    if (around === undefined) this.#viewport?.draw();
+    else this.#approach(around);
   }
 
   /** The arrow of the result, in the direction in which the distance is attained. */
   #showArrow(): void {
-    if (this.#result === undefined || agrees(this.#result)) {
+    const isApart = this.models.explosion.part > 0;
+    if (this.#result === undefined || isApart || agrees(this.#result)) {
       this.#arrow.hide();
       return;
     }
     const { from, to, texts } = arrowOf(this.#result);
     this.#arrow.show(from, to, texts, this.models.center);
   }
-
-  #hideMaps(): void {
-    this.models.paint({}, 1);
-    for (const lines of Object.values(this.#lines)) lines.hide();
-  }
-}
-
-/** The classes of a model of whose faces only one has a class of its own. */
-function only(face: number, own: FaceClass): FaceClass[] {
-  const classes: FaceClass[] = [];
-  classes[face] = own;
-  return classes;
 }

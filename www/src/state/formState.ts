@@ -1,10 +1,5 @@
 // The values of all controls that have a name, as the text of the page's address.
-
-type Control = HTMLInputElement | HTMLSelectElement;
-
-const controls = (): Control[] => [
-  ...document.querySelectorAll<Control>("input[name], select[name]"),
-];
+import { type Control, controls, currentValue, put } from "./store.ts";
 
 /** Returns the values that differ from the page's own, as parameters of an address. */
 export function formState(): string {
@@ -22,11 +17,7 @@ export function applyFormState(text: string, excluded: readonly string[] = []): 
   for (const control of controls()) {
     if (excluded.includes(control.name)) continue;
     const value = parameters.get(control.name) ?? defaultOf(control);
-    if (value === currentValue(control) || !takes(control, value)) continue;
-    if (control instanceof HTMLInputElement && isCheckBox(control))
-      control.checked = value === "on";
-    else control.value = value;
-    control.dispatchEvent(new Event("input", { bubbles: true }));
+    if (value !== currentValue(control) && takes(control, value)) put(control, value);
   }
 }
 
@@ -39,19 +30,11 @@ function takes(control: Control, value: string): boolean {
   return !isNumber || value === "" || Number.isFinite(Number(value));
 }
 
-const isCheckBox = (control: Control): boolean => control.type === "checkbox";
-
-const switched = (on: boolean): string => (on ? "on" : "");
-
-function currentValue(control: Control): string {
-  if (control instanceof HTMLSelectElement || !isCheckBox(control)) return control.value;
-  return switched(control.checked);
-}
-
 /** The value that the page begins with; a list of models has none. */
 function defaultOf(control: Control): string {
   if (control instanceof HTMLInputElement) {
-    return isCheckBox(control) ? switched(control.defaultChecked) : control.defaultValue;
+    if (control.type !== "checkbox") return control.defaultValue;
+    return control.defaultChecked ? "on" : "";
   }
   if (control.dataset.models !== undefined) return "";
   const options = [...control.options];

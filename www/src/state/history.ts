@@ -13,8 +13,18 @@ const CAMERA_DIGITS = 5;
 
 /** Controls whose values are about one pair of models. */
 const OF_PAIR = [
-  ...["a", "b", "limit", "limit-below", "own-limits", "below", "range", "section-at"],
-  ...["section-free", "section-tilt", "section-turn"],
+  ...[
+    "a",
+    "b",
+    "limit",
+    "limit-below",
+    "own-limits",
+    "below",
+    "range",
+    "range-below",
+    "section-at",
+  ],
+  ...["section-free", "section-tilt", "section-turn", "annotations", "check-rules"],
   ...["x", "y", "z", "turn-x", "turn-y", "turn-z"],
 ];
 
@@ -138,4 +148,5 @@ function withoutPair(state: string): string {
 
 /** Whether the browser's own undo applies. */
 const isTextField = (target: EventTarget | null): boolean =>
-  target instanceof HTMLInputElement && target.type === "number";
+  target instanceof HTMLTextAreaElement ||
+  (target instanceof HTMLInputElement && target.type === "number");

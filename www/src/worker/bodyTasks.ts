@@ -1,7 +1,9 @@
 // The tasks about bodies: their facts, the volume that both models have in common, and the check of all
 // pairs of bodies.
+import type { Transform } from "nurbs-hausdorff";
 import type { Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
 import { Latest } from "./latest.ts";
+import { placedModel } from "./models/placed.ts";
 import {
   type CheckedFaces,
   type CheckOf,
@@ -14,6 +16,7 @@ import {
   type Reply,
   SIDES,
   type Sides,
+  type Source,
 } from "./protocol.ts";
 
 export class BodyTasks {
@@ -21,6 +24,7 @@ export class BodyTasks {
   readonly #facts: Latest<FactsState>;
   readonly #overlap: Latest<OverlapState>;
   readonly #check: Latest<CheckState>;
+  #sources: Sides<Source> = {};
 
   constructor(engine: Hausdorff, reply: (reply: Reply) => void) {
     this.#engine = engine;
@@ -56,23 +60,52 @@ export class BodyTasks {
     this.#overlap.cancel();
   }
 
-  /** Checks all pairs of bodies of one model, or of both as one assembly. */
-  check(models: Sides<NurbsModel>, of: CheckOf, options: PlainCheckOptions): Promise<void> {
+  /** Notes what models were read from. */
+  replaced(sources: Sides<Source>): void {
+    this.#sources = { ...this.#sources, ...sources };
+  }
+
+  /** The faces of each body of the models that there are. */
+  async bodies(models: Sides<NurbsModel>): Promise<Sides<number[][]>> {
+    const found: Sides<number[][]> = {};
+    for (const side of SIDES) {
+      const bodies = await models[side]?.bodies();
+      if (bodies !== undefined) found[side] = bodies.map(({ faces }) => faces);
+    }
+    return found;
+  }
+
+  /** Checks all pairs of bodies of one model, or of both as one assembly, A where it was moved to. */
+  check(
+    models: Sides<NurbsModel>,
+    of: CheckOf,
+    { options, transform }: { options: PlainCheckOptions; transform: Transform | undefined },
+  ): Promise<void> {
     const sides = of === "both" ? SIDES : [of];
     return this.#check.run(async (signal, report) => {
       report({ state: "working", fraction: 0 });
       const onProgress = (fraction: number) => report({ state: "working", fraction });
-      const checked = sides.flatMap((side) => models[side] ?? []);
-      const names = sides.map((side) => side.toUpperCase());
-      const result = await this.#engine.check(checked, {
-        ...{ ...options, signal, onProgress },
-        ...(checked.length > 1 && { names }),
-      });
-      const bodies: CheckedFaces[] = [];
-      for (const side of sides) {
-        for (const { faces } of (await models[side]?.bodies()) ?? []) bodies.push({ side, faces });
+      const { a } = this.#sources;
+      const placed =
+        transform === undefined || a === undefined
+          ? undefined
+          : await placedModel(this.#engine, a, transform);
+      const all: Sides<NurbsModel> = placed === undefined ? models : { ...models, a: placed };
+      try {
+        const checked = sides.flatMap((side) => all[side] ?? []);
+        const names = sides.map((side) => side.toUpperCase());
+        const result = await this.#engine.check(checked, {
+          ...{ ...options, signal, onProgress },
+          ...(checked.length > 1 && { names }),
+        });
+        const bodies: CheckedFaces[] = [];
+        for (const side of sides) {
+          for (const { faces } of (await all[side]?.bodies()) ?? []) bodies.push({ side, faces });
+        }
+        return { state: "done", of, result, bodies };
+      } finally {
+        placed?.dispose();
       }
-      return { state: "done", of, result, bodies };
     });
   }
 

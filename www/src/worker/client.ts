@@ -143,6 +143,11 @@ export class Client {
     this.#post({ kind: "cancelClearance" });
   }
 
+  /** Requests the faces of each body of the models. */
+  bodies(): void {
+    this.#post({ kind: "bodies" });
+  }
+
   /** Requests the facts of the models and of their bodies. */
   facts(): void {
     this.#post({ kind: "facts" });
@@ -157,9 +162,9 @@ export class Client {
     this.#post({ kind: "cancelOverlap" });
   }
 
-  /** Requests the check of all pairs of bodies. */
-  check(of: CheckOf, options: PlainCheckOptions): void {
-    this.#post({ kind: "check", of, options });
+  /** Requests the check of all pairs of bodies; `transform` moves A where both are one assembly. */
+  check(of: CheckOf, options: PlainCheckOptions, transform?: Transform): void {
+    this.#post({ kind: "check", of, options, ...(transform && { transform }) });
   }
 
   cancelCheck(): void {

@@ -109,11 +109,14 @@ export type Request =
   | { kind: "cancelFit" }
   | { kind: "clearance"; options: PlainGapOptions }
   | { kind: "cancelClearance" }
+  /** Asks for the faces of each body. */
+  | { kind: "bodies" }
   /** Asks for the facts of the models and of their bodies. */
   | { kind: "facts" }
   | { kind: "overlap"; options: PlainOverlapOptions }
   | { kind: "cancelOverlap" }
-  | { kind: "check"; of: CheckOf; options: PlainCheckOptions }
+  /** `transform` moves A where both are checked as one assembly. */
+  | { kind: "check"; of: CheckOf; options: PlainCheckOptions; transform?: Transform }
   | { kind: "cancelCheck" }
   /** `near` is in the model's own coordinates; `scale` is A's units in one of B's. */
   | { kind: "probe"; id: number; side: Side; near: Vector3; transform: Transform; scale: number }
@@ -234,6 +237,8 @@ export type Reply =
   | DiffReply
   | FitReply
   | BoundReply
+  /** The faces of each body of the models. */
+  | { kind: "bodies"; faces: Sides<number[][]> }
   | { kind: "ready"; engine: EngineState; shapes: ShapeInfo[] }
   /** A library is fetched that a file needs. */
   | { kind: "loading"; text: string }

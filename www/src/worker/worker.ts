@@ -57,6 +57,7 @@ function take(started: Started, data: Request): void {
     case "restore":
       loaded = loaded.then(() => restore(started, data.sources));
       break;
+    case "bodies":
     case "facts":
     case "overlap":
     case "cancelOverlap":
@@ -75,9 +76,16 @@ type Of<Kind extends Request["kind"]> = Extract<Request, { kind: Kind }>;
 /** Takes what is about bodies. */
 function takeOfBodies(
   { measurements: { models }, bodyTasks }: Started,
-  data: Of<"facts" | "overlap" | "cancelOverlap" | "check" | "cancelCheck">,
+  data: Of<"bodies" | "facts" | "overlap" | "cancelOverlap" | "check" | "cancelCheck">,
 ): void {
   switch (data.kind) {
+    case "bodies":
+      // Models that are replaced meanwhile have no bodies to be moved.
+      void bodyTasks.bodies({ ...models }).then(
+        (faces) => reply({ kind: "bodies", faces }),
+        () => {},
+      );
+      break;
     case "facts":
       void bodyTasks.facts({ ...models });
       break;
@@ -88,7 +96,9 @@ function takeOfBodies(
       bodyTasks.cancelOverlap();
       break;
     case "check":
-      void bodyTasks.check({ ...models }, data.of, data.options);
+      void bodyTasks.check({ ...models }, data.of, {
+        ...{ options: data.options, transform: data.transform },
+      });
       break;
     case "cancelCheck":
       bodyTasks.cancelCheck();
@@ -145,6 +155,7 @@ async function replace(
     });
     comparisons.drop();
     bodyTasks.drop();
+    bodyTasks.replaced(sources);
     measurements.replace(models);
     const transfer = Object.values(display).flatMap(({ tessellation, outline }) => [
       tessellation.positions.buffer,
@@ -159,7 +170,10 @@ async function replace(
   }
 }
 
-async function restore({ engine, measurements }: Started, sources: Sides<Source>): Promise<void> {
+async function restore(
+  { engine, measurements, bodyTasks }: Started,
+  sources: Sides<Source>,
+): Promise<void> {
   try {
     // What was loaded since is newer.
     const missing = Object.fromEntries(
@@ -167,6 +181,7 @@ async function restore({ engine, measurements }: Started, sources: Sides<Source>
     );
     const { models } = await load(engine, missing, { onLibrary: () => {}, onDraft: () => {} });
     measurements.replace(models);
+    bodyTasks.replaced(missing);
     reply({ kind: "restored" });
   } catch (error) {
     fail(error);

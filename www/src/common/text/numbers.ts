@@ -1,4 +1,5 @@
 // Formatting of numbers.
+import { signal } from "@preact/signals-core";
 
 /** Decimal digits that float64 represents faithfully. */
 const SIGNIFICANT_DIGITS = 15;
@@ -7,22 +8,22 @@ const MAX_DIGITS = 100;
 /** Digits of a distance below the models' order of magnitude. */
 const RELATIVE_DIGITS = 5;
 
-/** What lengths are multiplied by where they are shown. */
-let factor = 1;
+/** What lengths are multiplied by where they are shown: effects that write lengths follow it. */
+const factor = signal(1);
 /** The relative rounding of a product in float64, and of what is added to stay outside of it. */
 const ROUNDING = 2 ** -51;
 
 /** Shows lengths in a unit of which one of the models' units has so many. */
 export function setShownFactor(shownUnits: number): void {
-  factor = shownUnits;
+  factor.value = shownUnits;
 }
 
 /** A length of the models in the unit in which lengths are shown. */
-export const shownLength = (length: number): number => length * factor;
+export const shownLength = (length: number): number => length * factor.value;
 
 /** An interval in the unit shown: wider by the rounding of that, or with `inside` narrower. */
 function shownInterval(lower: number, upper: number, inside = false): [number, number] {
-  if (factor === 1) return [lower, upper];
+  if (factor.value === 1) return [lower, upper];
   const [low, high] = [shownLength(lower), shownLength(upper)];
   const side = inside ? -1 : 1;
   const ends: [number, number] = [low * (1 - side * ROUNDING), high * (1 + side * ROUNDING)];
@@ -180,4 +181,4 @@ export function duration(seconds: number): string {
 }
 
 /** An integer with its digits in groups of three. */
-export const grouped = (count: number): string => count.toLocaleString("en");
+export const grouped = (count: number): string => `${count}`.replace(/\B(?=(\d{3})+$)/g, ",");

@@ -1,16 +1,5 @@
 // Elements of the report, which is a document of its own.
-
-/** Returns an element with texts or other elements in it; attributes are given by name. */
-export function make(
-  name: string,
-  content: readonly (string | Node)[] | string = [],
-  attributes: Readonly<Record<string, string>> = {},
-): HTMLElement {
-  const node = document.createElement(name);
-  node.append(...(typeof content === "string" ? [content] : content));
-  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
-  return node;
-}
+import { make } from "../../common/elements.ts";
 
 /** Returns a table with a head; numbers stand to the right. */
 export function table(head: readonly string[], rows: readonly (readonly string[])[]): HTMLElement {
@@ -34,18 +23,4 @@ export function terms(all: readonly (readonly [term: string, text: string])[]): 
     "dl",
     all.flatMap(([term, text]) => (text === "" ? [] : [make("dt", term), make("dd", text)])),
   );
-}
-
-const SVG = "http://www.w3.org/2000/svg";
-
-/** Returns an element of a drawing. */
-export function draw(
-  name: string,
-  attributes: Readonly<Record<string, string | number>>,
-  text = "",
-): SVGElement {
-  const node = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, `${value}`);
-  node.textContent = text;
-  return node;
 }

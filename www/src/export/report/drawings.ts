@@ -1,7 +1,7 @@
 // The report's drawings: the legend of a picture, and the histogram with its axes.
+import { draw } from "../../common/drawing.ts";
 import { BINS, binsOf } from "../../inspection/histogram.ts";
 import { type Legend, ticksOf } from "../../inspection/legend.ts";
-import { draw } from "./dom.ts";
 
 /** The sizes of the drawings in their own units. */
 const LEGEND = { width: 150, height: 260, bar: 16, top: 12 };

@@ -1,10 +1,11 @@
 // A report to print: verdict, files, pictures with their legends, worst places, faces and figures.
-import { element } from "../../common/elements.ts";
+import { element, make } from "../../common/elements.ts";
 import type { ReportTable } from "../../common/tables.ts";
 import type { ReportView } from "../views.ts";
-import { make, table, terms } from "./dom.ts";
+import { table, terms } from "./dom.ts";
 import { histogramDrawing, legendDrawing } from "./drawings.ts";
-import { STYLE } from "./style.ts";
+import { chosenPaper, hasSection, logo } from "./settings.ts";
+import { styleFor } from "./style.ts";
 
 type Terms = readonly (readonly [term: string, text: string])[];
 
@@ -28,7 +29,7 @@ export interface ReportContent {
 export function reportOf(content: ReportContent): Blob {
   const page = document.implementation.createHTMLDocument(titleOf());
   page.documentElement.lang = "en";
-  page.head.append(make("meta", [], { charset: "utf-8" }), make("style", STYLE));
+  page.head.append(make("meta", [], { charset: "utf-8" }), make("style", styleFor(chosenPaper())));
   page.body.append(...sections(content));
   return new Blob(["<!doctype html>\n", page.documentElement.outerHTML], { type: "text/html" });
 }
@@ -36,15 +37,21 @@ export function reportOf(content: ReportContent): Blob {
 const value = (id: string): string => element(id, HTMLInputElement).value.trim();
 const text = (id: string): string => element(id).textContent?.trim() ?? "";
 
-const titleOf = (): string =>
-  `Comparison${value("report-part") === "" ? "" : `: ${value("report-part")}`}`;
+const titleOf = (): string => {
+  const title = value("report-title") || "Comparison";
+  return `${title}${value("report-part") === "" ? "" : `: ${value("report-part")}`}`;
+};
 
 function* sections(content: ReportContent) {
   const { views, places, verdict, files, faces, pins, tables, settings } = content;
   yield make("p", [make("button", "Print, or save as PDF", { onclick: "print()" })], {
     class: "screen",
   });
-  yield make("h1", titleOf());
+  const picture = logo();
+  yield make("header", [
+    make("h1", titleOf()),
+    ...(picture === undefined ? [] : [make("img", [], { src: picture, alt: "" })]),
+  ]);
   yield terms([
     ["Part", value("report-part")],
     ["Operator", value("report-operator")],
@@ -62,9 +69,11 @@ function* sections(content: ReportContent) {
     { class: "card", "data-verdict": verdict.verdict ?? "" },
   );
   for (const { title, terms: of } of files) yield* [make("h2", title), terms(of)];
-  yield make("h2", "Views");
-  for (const view of views) yield figure(view);
-  if (places.length > 0) {
+  if (hasSection("views")) {
+    yield make("h2", "Views");
+    for (const view of views) yield figure(view);
+  }
+  if (places.length > 0 && hasSection("places")) {
     yield make("h2", "Worst places");
     yield make(
       "div",
@@ -75,21 +84,24 @@ function* sections(content: ReportContent) {
     );
   }
   const legend = views.find((view) => view.legend !== undefined)?.legend;
-  if (legend !== undefined) {
+  if (legend !== undefined && hasSection("histogram")) {
     yield make("h2", "Deviation over the area (estimates)");
     const drawing = make("figure", [make("figcaption", legend.title)]);
     drawing.append(histogramDrawing(legend));
     yield* [drawing, element("statistics").cloneNode(true), make("p", text("beyond-limit"))];
   }
-  if (faces.rows.length > 0) yield* [make("h2", "Faces"), table(faces.head, faces.rows)];
-  if (pins.length > 0) {
+  if (faces.rows.length > 0 && hasSection("faces"))
+    yield* [make("h2", "Faces"), table(faces.head, faces.rows)];
+  if (pins.length > 0 && hasSection("points")) {
     yield* [make("h2", "Points"), table(["Point", "Place", "Deviation"], pins)];
   }
-  for (const { title, head, rows } of tables) {
+  for (const { title, head, rows } of hasSection("tables") ? tables : []) {
     yield* [make("h2", title), ...(rows.length > 0 ? [table(head, rows)] : [])];
   }
-  yield* [make("h2", "Settings"), terms(settings)];
-  yield* [make("h2", "Details"), element("facts").cloneNode(true)];
+  if (hasSection("settings")) {
+    yield* [make("h2", "Settings"), terms(settings)];
+    yield* [make("h2", "Details"), element("facts").cloneNode(true)];
+  }
   yield make("footer", `Made by nurbs-hausdorff ${VERSION} · ${text("engine")}`);
 }
 

@@ -1,8 +1,17 @@
-// The report's style: pages of A4 on which no figure and no row is broken.
-export const STYLE = `
-  @page { size: A4; margin: 16mm; }
-  body { font: 13px/1.45 system-ui, sans-serif; max-width: 178mm; margin: 2rem auto; padding: 0 1rem; color: #16202b; background: white; }
+// The report's style: pages on which no figure and no row is broken.
+
+/** The papers, with the width of what is between their margins. */
+const WIDTHS = { A4: "178mm", letter: "184mm" } as const;
+
+export type Paper = keyof typeof WIDTHS;
+
+/** Returns the style for a paper. */
+export const styleFor = (paper: Paper): string => `
+  @page { size: ${paper}; margin: 16mm; }
+  body { font: 13px/1.45 system-ui, sans-serif; max-width: ${WIDTHS[paper]}; margin: 2rem auto; padding: 0 1rem; color: #16202b; background: white; }
   h1 { font-size: 1.4rem; margin: 0 0 .4rem; } h2 { font-size: 1.05rem; margin: 1.4rem 0 .4rem; break-after: avoid; }
+  header { display: flex; justify-content: space-between; gap: 8mm; align-items: start; }
+  header img { max-height: 16mm; max-width: 60mm; }
   figure, tr, dl, .card { break-inside: avoid; }
   .card { border: 2px solid #55646f; border-radius: 8px; padding: .6rem 1rem; margin: .8rem 0; }
   .card[data-verdict="pass"] { border-color: #0f7038; } .card[data-verdict="fail"] { border-color: #b3142f; }

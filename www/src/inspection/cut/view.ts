@@ -16,7 +16,8 @@ new ResizeObserver(() => {
 export function drawCut(models: Models): void {
   const { cut } = models;
   const shown = painted();
-  if (cut === undefined || shown === undefined) {
+  // Bodies that are moved apart have no deviations there.
+  if (cut === undefined || shown === undefined || models.explosion.part > 0) {
     showCut(undefined);
     return;
   }

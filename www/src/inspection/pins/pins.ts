@@ -1,9 +1,10 @@
 // Points of the models with their distances: the one under the pointer, and those pinned.
-import { type Plane, Vector3 } from "three";
+import { Vector3 } from "three";
 import { element } from "../../common/elements.ts";
 import { distanceText, shownLength, signedText } from "../../common/text/numbers.ts";
 import { commonUnit } from "../../files/units.ts";
 import type { Viewport } from "../../scene/camera/viewport.ts";
+import type { Models } from "../../scene/models.ts";
 import type { Probe } from "../../worker/protocol.ts";
 
 const layer = element("pins");
@@ -61,13 +62,13 @@ export class Pins {
     return this.#pins.map(({ probe }) => probe);
   }
 
-  /** Moves the labels to their points on the screen; `center` is the scene's origin. */
-  update(viewport: Viewport, center: Vector3, planes: readonly Plane[]): void {
+  /** Moves the labels to their points on the screen. */
+  update(viewport: Viewport, { center, planes, explosion }: Models): void {
     for (const { probe, node } of this.#pins) {
       const point = new Vector3(...probe.point).sub(center);
-      // What a section cuts away has no pin.
-      const cut = planes.some((plane) => plane.distanceToPoint(point) < 0);
-      const at = cut ? undefined : viewport.project(point);
+      // What a section cuts away has no pin, and points are of models as they stand.
+      const cut = explosion.part > 0 || planes.some((plane) => plane.distanceToPoint(point) < 0);
+      const at = cut ? undefined : viewport.project(point, probe.side);
       node.hidden = at === undefined;
       if (at !== undefined) place(node, at);
     }

@@ -33,8 +33,10 @@ export function onPointer(canvas: HTMLCanvasElement, onPoint: OnPoint, onLeave: 
     if (moved <= CLICK_TOLERANCE) onPoint(event.clientX, event.clientY, true);
   });
   // The keyboard pins the point in the middle of the view.
-  canvas.addEventListener("keydown", ({ key }) => {
-    if (key !== "Enter") return;
+  canvas.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter") return;
+    // A field that this opens begins no line by it.
+    event.preventDefault();
     const { left, top, width, height } = canvas.getBoundingClientRect();
     onPoint(left + width / 2, top + height / 2, true);
   });

@@ -28,8 +28,10 @@ export class Probing {
       client.probe(this.#newest, side, near, transformOf(), view.models.scale);
       return this.#newest;
     };
-    const request = (clientX: number, clientY: number, pin: boolean) => {
-      if (pin && this.#nextClick !== undefined) {
+    const request = (clientX: number, clientY: number, click: boolean) => {
+      // A pin is of models as they stand.
+      const pin = click && view.models.explosion.part === 0;
+      if (click && this.#nextClick !== undefined) {
         this.#nextClick(clientX, clientY);
         return;
       }

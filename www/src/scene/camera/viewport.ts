@@ -1,10 +1,7 @@
 // The three-dimensional viewport: camera, light, and drawing on demand.
 import {
-  AmbientLight,
   type Box3,
   type Camera,
-  DirectionalLight,
-  HemisphereLight,
   type Intersection,
   NeutralToneMapping,
   type Object3D,
@@ -19,8 +16,12 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { nextTask } from "../../common/nextTask.ts";
 import { fitDistance } from "./fit.ts";
+import { followFlat } from "./flat.ts";
 import { isSame, NOWHERE, nearest, type Part, partOf } from "./free.ts";
+import { light } from "./light.ts";
 import { STANDARD_VIEWS } from "./standardViews.ts";
+import { Way } from "./way.ts";
+import { BESIDE, renderWiped, showInHalf, type Wipe } from "./wipe.ts";
 
 const FIELD_OF_VIEW = 32;
 /** The tangent of half the field of view. */
@@ -37,8 +38,6 @@ const FAR = 50;
 /** Device pixels per CSS pixel; more cost time without a visible gain. */
 const MAX_PIXEL_RATIO = 2;
 const CONTEXT = { antialias: true, alpha: true, stencil: true } as const;
-/** Milliseconds of the camera's way to another view. */
-const WAY = 280;
 /** Milliseconds after which a drawing no longer waits for its shaders. */
 const MAX_COMPILATION = 3000;
 
@@ -46,14 +45,6 @@ const MAX_COMPILATION = 3000;
 interface Fitted {
   box: Box3;
   direction: Vector3;
-}
-
-/** A border across the view. */
-export interface Wipe {
-  /** The part of the view that is left of it. */
-  fraction: number;
-  /** Shows what belongs left of it, right of it, or with `undefined` everywhere. */
-  only: (left: boolean | undefined) => void;
 }
 
 export class Viewport {
@@ -74,7 +65,7 @@ export class Viewport {
   #compiling = 0;
   /** The part of the view, from the left, that shows one model; undefined where all is shown. */
   #wipe: Wipe | undefined;
-  #way = 0;
+  readonly #way: Way;
   /** The view's width and height, in CSS pixels. */
   #size: readonly [number, number] = [0, 0];
   /** What lies over the view, and where. */
@@ -109,19 +100,20 @@ export class Viewport {
     // The check waits for the driver's compiler; the shaders are three.js's own.
     this.#renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.#perspective.up.set(0, 0, 1);
-    const [key, fill] = [new DirectionalLight(0xffffff, 2.6), new DirectionalLight(0xffffff, 0.7)];
-    key.position.set(0.5, 0.8, 1);
-    fill.position.set(-1, -0.4, 0.6);
-    const sky = new HemisphereLight(0xffffff, 0x8d9399, 1.1);
-    sky.position.set(0, 0, 1);
-    this.#perspective.add(key, fill);
-    this.scene.add(this.#perspective, sky, new AmbientLight(0xffffff, 0.2));
+    light(this.scene, this.#perspective);
     this.controls = new OrbitControls(this.#perspective, canvas);
     this.controls.listenToKeyEvents(canvas);
+    this.#way = new Way({
+      ...{ camera: this.#perspective, target: this.controls.target },
+      onStep: () => {
+        this.controls.update();
+        this.draw();
+      },
+    });
     this.controls.addEventListener("change", () => this.draw());
     // The user's hand ends the camera's own way.
     this.controls.addEventListener("start", () => {
-      cancelAnimationFrame(this.#way);
+      this.#way.end();
       this.#fitted = undefined;
     });
     canvas.addEventListener("webglcontextlost", () => this.onContext(false));
@@ -179,8 +171,21 @@ export class Viewport {
 
   /** Draws one model left of a fraction of the view and the other one right of it. */
   set wipe(wipe: Wipe | undefined) {
+    const isOther = (wipe?.isBeside ?? false) !== this.#isBeside;
     this.#wipe = wipe;
+    if (isOther && this.#sized) this.#arrange();
     this.draw();
+  }
+
+  get #isBeside(): boolean {
+    return this.#wipe?.isBeside ?? false;
+  }
+
+  /** The side that alone is shown at a place of the window; undefined where both are. */
+  sideAt(clientX: number): "a" | "b" | undefined {
+    if (this.#wipe === undefined) return undefined;
+    const { left, width } = this.#canvas.getBoundingClientRect();
+    return clientX - left < this.#wipe.fraction * width ? "a" : "b";
   }
 
   /** Where the camera and its target are, to show the same view again. */
@@ -192,7 +197,7 @@ export class Viewport {
   set place([x = 0, y = 0, z = 0, ...target]: number[]) {
     if (![x, y, z, ...target].every(Number.isFinite)) return;
     if (!this.#sized) this.#resize();
-    cancelAnimationFrame(this.#way);
+    this.#way.end();
     this.#fitted = undefined;
     this.#perspective.position.set(x, y, z);
     this.controls.target.set(target[0] ?? 0, target[1] ?? 0, target[2] ?? 0);
@@ -214,15 +219,21 @@ export class Viewport {
   pixelAt(point: Vector3): number {
     const { position } = this.#perspective;
     const at = this.#camera === this.#perspective ? point : this.controls.target;
-    return (2 * position.distanceTo(at) * TANGENT) / this.#canvas.clientHeight;
+    const pixel = (2 * position.distanceTo(at) * TANGENT) / this.#canvas.clientHeight;
+    return this.#isBeside ? pixel / BESIDE : pixel;
   }
 
-  /** The position of a point of the scene in pixels of the canvas; undefined behind the camera. */
-  project(point: Vector3): [x: number, y: number] | undefined {
+  /**
+   * The position of a point of the scene in pixels of the canvas; undefined behind the camera. Side by
+   * side, that of the side's part.
+   */
+  project(point: Vector3, side: "a" | "b" = "a"): [x: number, y: number] | undefined {
     const { x, y, z } = point.clone().project(this.#camera);
     const { clientWidth, clientHeight } = this.#canvas;
     if (Math.abs(z) > 1) return undefined;
-    return [(0.5 + 0.5 * x) * clientWidth, (0.5 - 0.5 * y) * clientHeight];
+    const width = this.#isBeside ? clientWidth / 2 : clientWidth;
+    const left = this.#isBeside && side === "b" ? width : 0;
+    return [left + (0.5 + 0.5 * x) * width, (0.5 - 0.5 * y) * clientHeight];
   }
 
   /**
@@ -234,7 +245,12 @@ export class Viewport {
     this.#updateCameras();
     this.scene.updateMatrixWorld();
     const { left, top, width, height } = this.#canvas.getBoundingClientRect();
-    const at = new Vector2((2 * (clientX - left)) / width - 1, 1 - (2 * (clientY - top)) / height);
+    const own = this.#isBeside ? width / 2 : width;
+    const from = this.#isBeside && this.sideAt(clientX) === "b" ? own : 0;
+    const at = new Vector2(
+      (2 * (clientX - left - from)) / own - 1,
+      1 - (2 * (clientY - top)) / height,
+    );
     const ray = new Raycaster();
     ray.setFromCamera(at, this.#camera);
     return ray.intersectObjects(objects, false);
@@ -246,9 +262,14 @@ export class Viewport {
     // Later sizes are observed: reading one here would lay out the page at once.
     if (!this.#sized) this.#resize();
     const distance = this.#settle((free) => fitDistance(this.#perspective, direction, box, free));
-    this.#look(box.getCenter(new Vector3()), direction, distance, atOnce);
+    this.#way.to({ target: box.getCenter(new Vector3()), direction, distance }, atOnce);
     this.#fitted = { box: box.clone(), direction: direction.clone() };
     this.#before = undefined;
+  }
+
+  /** Shows the whole box, from where it was seen, if all was shown before; a place from near stays. */
+  refit(box: Box3): void {
+    if (this.#fitted !== undefined) this.fit(box, this.#fitted.direction, true);
   }
 
   /** Shows what was seen before a place was shown from near. */
@@ -264,7 +285,7 @@ export class Viewport {
     const target = new Vector3(...place.slice(3));
     const direction = eye.sub(target);
     const distance = direction.length();
-    this.#look(target, direction.normalize(), distance);
+    this.#way.to({ target, direction: direction.normalize(), distance }, false);
   }
 
   /**
@@ -277,7 +298,8 @@ export class Viewport {
     const { left, right, top, bottom } = part;
     const [across, down] = [(width - left - right) / 2, (height - top - bottom) / 2];
     for (const camera of [this.#perspective, this.#orthographic]) {
-      camera.setViewOffset(width, height, across, down, width, height);
+      if (!this.#isBeside) camera.setViewOffset(width, height, across, down, width, height);
+      else showInHalf(camera, this.#size);
     }
     return distance;
   }
@@ -294,7 +316,7 @@ export class Viewport {
     this.#before ??= { place: this.place, fitted: this.#fitted };
     this.#fitted = undefined;
     this.#arrange();
-    this.#look(center, direction, radius / SINE);
+    this.#way.to({ target: center, direction, distance: radius / SINE }, false);
   }
 
   /** The point that the camera looks at, and the direction from there to it. */
@@ -347,22 +369,12 @@ export class Viewport {
   render(): void {
     this.#updateCameras();
     this.onDraw();
-    if (this.#wipe === undefined) this.#renderer.render(this.scene, this.#camera);
-    else this.#renderWiped(this.#wipe);
-  }
-
-  #renderWiped({ fraction, only }: Wipe): void {
-    const { clientWidth, clientHeight } = this.#canvas;
-    const border = Math.round(fraction * clientWidth);
-    this.#renderer.setScissorTest(true);
-    for (const left of [true, false]) {
-      const [from, width] = left ? [0, border] : [border, clientWidth - border];
-      this.#renderer.setScissor(from, 0, width, clientHeight);
-      only(left);
-      this.#renderer.render(this.scene, this.#camera);
+    const [scene, camera] = [this.scene, this.#camera];
+    if (this.#wipe === undefined) this.#renderer.render(scene, camera);
+    else {
+      const { clientWidth, clientHeight } = this.#canvas;
+      renderWiped(this.#renderer, { scene, camera }, [clientWidth, clientHeight], this.#wipe);
     }
-    only(undefined);
-    this.#renderer.setScissorTest(false);
   }
 
   #updateCameras(): void {
@@ -372,48 +384,7 @@ export class Viewport {
     eye.far = FAR * distance;
     eye.updateProjectionMatrix();
     eye.updateMatrixWorld();
-    const [height, aspect] = [distance * TANGENT, eye.aspect];
-    flat.position.copy(eye.position);
-    flat.quaternion.copy(eye.quaternion);
-    Object.assign(flat, { left: -height * aspect, right: height * aspect });
-    // An orthographic view has no nearest point: what lies behind the eye is shown too.
-    Object.assign(flat, { top: height, bottom: -height, near: -eye.far, far: eye.far });
-    flat.updateProjectionMatrix();
-    flat.updateMatrixWorld();
-  }
-
-  /** Moves the camera to where it sees a target from a direction at a distance. */
-  #look(target: Vector3, direction: Vector3, distance: number, atOnce = false): void {
-    cancelAnimationFrame(this.#way);
-    const eye = target.clone().addScaledVector(direction, distance);
-    // What is nowhere cannot be looked at, and a camera that is nowhere would not come back.
-    if (![...eye.toArray(), ...target.toArray()].every(Number.isFinite)) return;
-    const { position } = this.#perspective;
-    const [fromEye, fromTarget] = [position.clone(), this.controls.target.clone()];
-    const begin = performance.now();
-    const still = atOnce || fromEye.equals(fromTarget) || isStill();
-    const step = () => {
-      const part = still ? 1 : Math.min(1, (performance.now() - begin) / WAY);
-      // Starts and ends slowly.
-      const eased = part * part * (3 - 2 * part);
-      this.controls.target.lerpVectors(fromTarget, target, eased);
-      position.lerpVectors(fromEye, eye, eased);
-      // Around the target rather than through it.
-      const around = lerp(fromEye.distanceTo(fromTarget), distance, eased);
-      position.sub(this.controls.target);
-      // Halfway to the opposite side, no direction is left.
-      if (position.lengthSq() === 0) position.copy(direction);
-      position.setLength(around).add(this.controls.target);
-      // The same view is the same wherever the way to it began.
-      if (part === 1) {
-        this.controls.target.copy(target);
-        position.copy(eye);
-      }
-      this.controls.update();
-      this.draw();
-      if (part < 1) this.#way = requestAnimationFrame(step);
-    };
-    step();
+    followFlat(flat, eye, distance * TANGENT);
   }
 
   #resize(): void {
@@ -427,8 +398,3 @@ export class Viewport {
     this.#arrange();
   }
 }
-
-const lerp = (from: number, to: number, part: number): number => from + part * (to - from);
-
-/** Whether the user wants no motion. */
-const isStill = (): boolean => matchMedia("(prefers-reduced-motion: reduce)").matches;

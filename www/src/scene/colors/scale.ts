@@ -48,8 +48,10 @@ export interface ScaleOptions {
   map: ScaleMap;
   /** Whether distances are shown instead of signed deviations. */
   absolute: boolean;
-  /** The end of the scale; undefined for the largest distance. */
+  /** The upper end of the scale; undefined for the largest distance. */
   range: number | undefined;
+  /** How far the scale reaches below 0; undefined for as far as above. */
+  rangeBelow?: number | undefined;
   /** The number of steps of one colour each; 0 for a continuous scale. */
   steps: number;
   /** Deviations within this are of one colour. */
@@ -68,7 +70,8 @@ export class ColorScale {
   constructor({ lowest, highest, largest, floor }: Extent, options: ScaleOptions) {
     const end = options.range ?? (Math.max(largest, floor) || Number.MIN_VALUE);
     const none = highest <= floor && lowest >= -floor;
-    this.low = options.absolute || (lowest >= -floor && !none) ? 0 : -end;
+    const below = options.rangeBelow ?? end;
+    this.low = options.absolute || (lowest >= -floor && !none) ? 0 : -below;
     this.high = !options.absolute && highest <= floor && !none ? 0 : end;
     this.#floor = floor;
     this.#options = options;
@@ -85,9 +88,10 @@ export class ColorScale {
     if (size <= this.#floor) return ROUNDING;
     if (!signed && !absolute) return UNSIGNED;
     const value = stepped(shown, this.low, this.high, this.#steps);
-    const end = Math.max(-this.low, this.high);
-    if (map === "rainbow") return at(RAINBOW, absolute ? value / end : 0.5 + (0.5 * value) / end);
-    return absolute ? at(SEQUENTIAL, value / end) : at(DIVERGING, 0.5 + (0.5 * value) / end);
+    // Each side of 0 has all colours of its half, whichever way the scale reaches farther.
+    const part = value < 0 ? value / -this.low : value / (this.high || 1);
+    if (map === "rainbow") return at(RAINBOW, absolute ? part : 0.5 + 0.5 * part);
+    return absolute ? at(SEQUENTIAL, part) : at(DIVERGING, 0.5 + 0.5 * part);
   }
 
   /** A rainbow is in steps always: its order is not that of brightness. */
