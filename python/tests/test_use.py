@@ -59,6 +59,15 @@ def test_faces_have_paths_and_colours():
     assert model.face_colors == [(1.0, 0.5, 0.0), None]
 
 
+def test_documents_go_back_and_forth_with_colours_and_shells():
+    data = json.loads(nh.model(sheet()).to_json())
+    [face] = data["surfaces"]
+    data["surfaces"] = [{**face, "color": [1.0, 0.5, 0.0], "shell": 4}, face]
+    again = json.loads(nh.model(data).to_json())
+    assert [face.get("shell") for face in again["surfaces"]] == [4, None]
+    assert [face.get("color") for face in again["surfaces"]] == [[1.0, 0.5, 0.0], None]
+
+
 def test_wrong_arguments_are_refused_by_a_code():
     for part, code in [
         (3.0, "ARGUMENT_INVALID"),

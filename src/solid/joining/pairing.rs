@@ -64,6 +64,13 @@ pub(super) struct EdgePart {
 }
 
 impl EdgePart {
+    /// Returns whether the part may be joined at a level that is not the last. Where edges pass each other's ends by less
+    /// than the reach, their overlap tells nothing; what is a whole edge on its own is one though it be shorter.
+    fn may_be_joined(&self, level: f64, reach: f64) -> bool {
+        let (extent, is_whole) = (extent(&self.curve), (self.range[0] - self.range[1]).abs() == 1.0);
+        extent >= LEVEL_RATIO * level && (is_whole || extent > 2.0 * reach)
+    }
+
     /// Returns the same part from its other end.
     fn reversed(self) -> Self {
         let (curve, forward) = (self.curve.reversed(), !self.forward);
@@ -226,8 +233,7 @@ impl Joints {
         while !parts.is_empty() {
             let arcs = self.arcs(parts, level);
             let is_last = level >= reach;
-            // Where edges pass each other's ends by about a level their overlap tells nothing.
-            let is_long = |arc: &EdgePart| is_last || extent(&arc.curve) >= LEVEL_RATIO * level;
+            let is_long = |arc: &EdgePart| is_last || arc.may_be_joined(level, reach);
             let (long, short): (Vec<_>, Vec<_>) = arcs.into_iter().map(rising).partition(is_long);
             parts = paired(groups(long, &key), Level { reach: level, tie, is_last }, orientations, pairs);
             parts.extend(short);
@@ -461,12 +467,12 @@ mod tests {
         }
     }
 
-    /// Two faces side by side, of which one passes into the other by little: their edges that lie on each other there are
-    /// no pair.
+    /// Two faces side by side, of which one passes into the other by less than the reach: their edges that lie on each
+    /// other there are no pair.
     #[test]
-    fn an_overlap_about_as_long_as_a_level_is_no_pair() {
+    fn an_overlap_shorter_than_the_reach_is_no_pair() {
         let rectangle = |[left, right]: [f64; 2]| [[left, 0.0], [right, 0.0], [right, 1.0], [left, 1.0]];
-        for overlap in [5e-8, 9e-7, 1e-5] {
+        for overlap in [5e-8, 9e-7, 1e-5, 9e-4] {
             let edges = [
                 polygon(0, None, &rectangle([0.0, 1.0 + overlap])),
                 polygon(1, None, &rectangle([1.0, 2.0])),

@@ -48,6 +48,7 @@ const plate = () => ({
   trim: [outer(), circle(true)],
   faceName: "plate",
   kind: "plane",
+  shell: 7,
 });
 
 /** The interchange JSON of surfaces given as plain arrays like those above. */
