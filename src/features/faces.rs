@@ -14,8 +14,8 @@ pub(crate) enum Faces<'a> {
     Patches {
         /// The patches.
         patches: &'a PatchSet,
-        /// The normal of each surface that lies in a plane, and of each patch that does, from their first use on.
-        planes: [Vec<OnceLock<Option<NormalCone>>>; 2],
+        /// The normal of each that lies in a plane, from its first use on.
+        planes: Vec<OnceLock<Option<NormalCone>>>,
     },
     /// Triangles, whose corners are off by at most the length.
     Triangles(&'a FacetTarget, f64),
@@ -24,16 +24,14 @@ pub(crate) enum Faces<'a> {
 impl<'a> Faces<'a> {
     /// Makes the faces of patches; nothing is computed yet.
     pub(crate) fn of_patches(patches: &'a PatchSet) -> Self {
-        let surfaces = patches.iter().map(|patch| patch.surface + 1).max().unwrap_or(0);
-        let planes = [surfaces, patches.len()].map(|count| (0..count).map(|_| OnceLock::new()).collect());
-        Self::Patches { patches, planes }
+        Self::Patches { patches, planes: (0..patches.len()).map(|_| OnceLock::new()).collect() }
     }
 
     /// Returns a cone about the normals at the points of a part of an arc, to the side of the face's normal; `None`
     /// where that is not shown. The part is given by fractions of the arc.
     pub(super) fn cone(&self, arc: &Arc, [start, end]: [f64; 2]) -> Option<NormalCone> {
         match self {
-            Self::Patches { patches, planes: [of_surfaces, of_patches] } => {
+            Self::Patches { patches, planes } => {
                 let EdgePlace { index, axis, end: side } = arc.place;
                 let at = |fraction: f64| (1.0 - fraction) * arc.range[0] + fraction * arc.range[1];
                 let (low, high) =
@@ -44,14 +42,8 @@ impl<'a> Faces<'a> {
                     Axis::V => ParamBox::new([low, high], fixed),
                 };
                 let patch = patches.patch(index as usize);
-                let of_surface = || {
-                    let all = patches.iter().filter(|other| other.surface == patch.surface);
-                    NormalCone::of_surface(&all.collect::<Vec<_>>())
-                };
-                let of_patch = || NormalCone::of_sided_plane(&patch);
-                let plane = *of_patches.get(index as usize)?.get_or_init(|| {
-                    of_surfaces.get(patch.surface)?.get_or_init(of_surface).or_else(of_patch)
-                });
+                let of_plane = || NormalCone::of_sided_plane(&patch);
+                let plane = *planes.get(index as usize)?.get_or_init(of_plane);
                 plane.or_else(|| NormalCone::of_part(&patch, part))
             }
             &Self::Triangles(facets, error) => NormalCone::of_facet(facets, arc.place.index, error),

@@ -124,24 +124,6 @@ impl NormalCone {
         Some(Self { axis, ..plane })
     }
 
-    /// As [`Self::of_sided_plane`], of a surface whose patches all lie in the plane of one that has a side: the others may
-    /// be so narrow that their own normals are not known, or fold. O(patches).
-    pub(crate) fn of_surface(patches: &[Patch<'_>]) -> Option<Self> {
-        patches.iter().find_map(|patch| {
-            let cone = Self::of_sided_plane(patch)?;
-            let (_, _, start) = Self::plane(patch)?;
-            let (origin, own) = (patch.center + start, control_error(patch));
-            let is_in_plane = |other: &Patch<'_>| {
-                let permitted = own + control_error(other);
-                other.local_points().all(|point| {
-                    let from = other.center + point - origin;
-                    from.dot(cone.axis).abs() <= permitted + cone.angle * from.length()
-                })
-            };
-            patches.iter().all(is_in_plane).then_some(cone)
-        })
-    }
-
     /// Returns bounds on the angle, in radians from 0 to π, between every normal of this cone and every one of the other
     /// one, which is turned over if it is to the other side.
     pub(crate) fn turns(&self, other: &Self, is_turned: bool) -> [f64; 2] {
