@@ -114,6 +114,7 @@ def plot(answers, target):
 
     matplotlib.use("svg")
     matplotlib.rcParams["svg.hashsalt"] = "edits"
+    matplotlib.rcParams["svg.fonttype"] = "none"
     from matplotlib import pyplot
 
     names = (*RISING[:4], "chamfer", "hausdorff")

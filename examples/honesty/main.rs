@@ -43,6 +43,10 @@
 //! With `--zones`, scans with noise and bumps are fitted to such shapes in the largest distance: of 120 motions of the
 //! box, drawn and descended to, none may lay all points nearer than `zone.lower`.
 //!
+//! With `--scores`, such shapes are scored before themselves, moved a little, and before others, one in four as triangles:
+//! parts of areas with like counterparts are compared with samples and cells of the other surface, and parts and lengths of
+//! feature edges with samples of all sides, whose turns are those of the directions into both faces.
+//!
 //! With `--collapsed`, all control points of most surfaces lie on a point, on a line, in a plane or in
 //! parallel rows, exactly or within rounding; otherwise one pair in 26 is of these.
 //!
@@ -72,6 +76,7 @@ use clap::Parser;
 use fuzzer::check::{Outcome, check, check_attack, check_collapsed, check_reparametrized, check_trimmed};
 use fuzzer::clearance::{Subjects, check_clearance};
 use fuzzer::facets::check_facets;
+use fuzzer::scores::check_score;
 use fuzzer::solids::{Shapes, check_solid};
 use fuzzer::zones::check_zone;
 use nurbs_hausdorff::internals::facets::audit_facet_searches;
@@ -102,6 +107,9 @@ struct Arguments {
     /// Checks the least largest distances of scans over boxes of motions.
     #[arg(long, conflicts_with_all = ["trimmed", "collapsed", "clearance", "facets", "reparametrized", "solids"])]
     zones: bool,
+    /// Checks parts of areas and of feature edges of scores.
+    #[arg(long, conflicts_with_all = ["trimmed", "collapsed", "clearance", "facets", "reparametrized", "solids", "zones"])]
+    scores: bool,
     /// Draws models of collapsed control nets.
     #[arg(long, conflicts_with = "trimmed")]
     collapsed: bool,
@@ -178,14 +186,19 @@ fn main() -> ExitCode {
     let seeds = arguments.seed..arguments.seed + arguments.pairs;
     let summary = Mutex::new(Summary::default());
     let subjects = arguments.clearance.then(|| Subjects::new(true));
-    let shapes = (arguments.solids || arguments.zones).then(Shapes::new);
+    let shapes = (arguments.solids || arguments.zones || arguments.scores).then(Shapes::new);
     let audit = arguments.facets.then(audit_facet_searches);
     seeds.into_par_iter().for_each(|seed| {
         // Ordinary pairs and the attack's families by turns.
         let outcome = if let Some(subjects) = &subjects {
             check_clearance(seed, subjects)
         } else if let Some(shapes) = &shapes {
-            if arguments.zones { check_zone(seed, shapes) } else { check_solid(seed, shapes) }
+            let check = match (arguments.zones, arguments.scores) {
+                (true, _) => check_zone,
+                (_, true) => check_score,
+                _ => check_solid,
+            };
+            check(seed, shapes)
         } else if arguments.facets {
             check_facets(seed)
         } else if arguments.trimmed {

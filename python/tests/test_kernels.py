@@ -4,7 +4,10 @@ Neither build123d nor CadQuery is light, and their versions of OCP differ: each 
 of its own, `pip install build123d pyvista pytest` and `pip install cadquery pytest`.
 """
 
+import math
 import pickle
+import re
+from pathlib import Path
 
 import pytest
 
@@ -12,6 +15,33 @@ import nurbs_hausdorff as nh
 
 #: A plate of 40 x 30 x 10 with a bore of radius 4 through it, and how far that is moved.
 SIZE, RADIUS, SHIFT = (40.0, 30.0, 10.0), 4.0, 0.01
+
+
+#: How far the bore of a scored plate is moved.
+FAR = 0.5
+
+
+def ratio_of_moved_bores():
+    """The volume of the intersection of two plates with moved bores over that of their union."""
+    disc = math.pi * RADIUS**2
+    both = 2 * RADIUS**2 * math.acos(FAR / 2 / RADIUS) - FAR / 2 * math.sqrt(4 * RADIUS**2 - FAR**2)
+    plate = SIZE[0] * SIZE[1]
+    return (plate - (2 * disc - both)) / (plate - both)
+
+
+def holds(found, expected):
+    return found.lower <= expected <= found.upper
+
+
+def is_score_of_a_moved_bore(found):
+    """Whether the numbers of a plate with a moved bore are those of the formulas."""
+    assert found.converged and holds(found.candidate.valid, 1) and found.candidate.bodies == 1
+    assert holds(found.hausdorff.distance, FAR) and holds(found.volume.ratio, 1)
+    assert holds(found.iou, ratio_of_moved_bores()) and found.iou.upper - found.iou.lower < 5e-3
+    length = 4 * sum(SIZE) + 2 * 2 * math.pi * RADIUS
+    assert holds(found.edge_length.candidate, length) and holds(found.edge_length.truth, length)
+    assert found.thresholds[0].f1.upper < 1 and found.thresholds[0].edge_f1.upper < 1
+    return True
 
 
 def named(message, side):
@@ -65,6 +95,28 @@ def test_a_moved_bore_of_cadquery_is_named_on_both_sides():
     for part, side in ((moved, "actual"), (bored, "expected")):
         (bore,) = [i for i, face in enumerate(part.val().Faces()) if face.geomType() == "CYLINDER"]
         assert bore in named(str(raised.value), side)
+
+
+def test_shapes_of_build123d_are_scored():
+    b3d = pytest.importorskip("build123d")
+
+    def plate(x):
+        return b3d.Box(*SIZE) - b3d.Pos(x, 0, 0) * b3d.Cylinder(RADIUS, SIZE[2])
+
+    assert is_score_of_a_moved_bore(nh.score(plate(5 + FAR), plate(5), thresholds=[0.1]))
+
+
+def test_shapes_of_cadquery_are_scored_by_the_four_lines_of_the_readme(capsys):
+    pytest.importorskip("cadquery")
+    readme = Path(__file__).parents[1] / "README.md"
+    if not readme.exists():
+        pytest.skip("the tests are not beside the repository")
+    blocks = re.findall(r"```python\n(.*?)```", readme.read_text(), re.DOTALL)
+    [block] = [block for block in blocks if "cadquery" in block]
+    names = {}
+    exec(compile(block, str(readme), "exec"), names)
+    assert is_score_of_a_moved_bore(names["found"])
+    assert len(block.strip().splitlines()) == 4 and capsys.readouterr().out
 
 
 def test_stacks_and_assemblies_of_cadquery_are_read():

@@ -18,6 +18,7 @@ mod hint;
 mod info;
 mod iteration;
 mod options;
+mod outlook;
 mod overlap;
 mod points;
 mod prepared;

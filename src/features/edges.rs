@@ -51,7 +51,7 @@ impl<'a> FeatureEdges<'a> {
     fn piece(&self, of: (u32, Curve, [f64; 2], u32)) -> Piece {
         let edge = &self.edges[of.0 as usize];
         let part = ArcPart { curve: &of.1, range: of.2 };
-        let sharpness = sharpness(self.faces, edge, &part, self.angle);
+        let sharpness = sharpness(&self.faces, edge, &part, self.angle);
         let piece = Piece::new(of, sharpness, &self.transform, self.error);
         match sharpness {
             Sharpness::NoNormal if piece.length.upper <= self.least => {

@@ -6,22 +6,32 @@ use crate::facets::FacetTarget;
 use crate::normals::NormalCone;
 use crate::param_box::ParamBox;
 use crate::solid::{Arc, EdgePlace};
+use std::sync::OnceLock;
 
 /// The faces of a model.
-#[derive(Clone, Copy)]
 pub(crate) enum Faces<'a> {
     /// Patches, whose edges are sides of their parameters.
-    Patches(&'a PatchSet),
+    Patches {
+        /// The patches.
+        patches: &'a PatchSet,
+        /// The normal of each that lies in a plane, from its first use on.
+        planes: Vec<OnceLock<Option<NormalCone>>>,
+    },
     /// Triangles, whose corners are off by at most the length.
     Triangles(&'a FacetTarget, f64),
 }
 
-impl Faces<'_> {
+impl<'a> Faces<'a> {
+    /// Makes the faces of patches; nothing is computed yet.
+    pub(crate) fn of_patches(patches: &'a PatchSet) -> Self {
+        Self::Patches { patches, planes: (0..patches.len()).map(|_| OnceLock::new()).collect() }
+    }
+
     /// Returns a cone about the normals at the points of a part of an arc, to the side of the face's normal; `None`
     /// where that is not shown. The part is given by fractions of the arc.
     pub(super) fn cone(&self, arc: &Arc, [start, end]: [f64; 2]) -> Option<NormalCone> {
-        match *self {
-            Self::Patches(patches) => {
+        match self {
+            Self::Patches { patches, planes } => {
                 let EdgePlace { index, axis, end: side } = arc.place;
                 let at = |fraction: f64| (1.0 - fraction) * arc.range[0] + fraction * arc.range[1];
                 let (low, high) =
@@ -32,9 +42,11 @@ impl Faces<'_> {
                     Axis::V => ParamBox::new([low, high], fixed),
                 };
                 let patch = patches.patch(index as usize);
-                NormalCone::of_sided_plane(&patch).or_else(|| NormalCone::of_part(&patch, part))
+                let of_plane = || NormalCone::of_sided_plane(&patch);
+                let plane = *planes.get(index as usize)?.get_or_init(of_plane);
+                plane.or_else(|| NormalCone::of_part(&patch, part))
             }
-            Self::Triangles(facets, error) => NormalCone::of_facet(facets, arc.place.index, error),
+            &Self::Triangles(facets, error) => NormalCone::of_facet(facets, arc.place.index, error),
         }
     }
 }

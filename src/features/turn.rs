@@ -29,7 +29,7 @@ pub(super) struct ArcPart<'a> {
 }
 
 /// Returns what is known of a part of an edge (lemma E1 of docs/score.md).
-pub(super) fn sharpness(faces: Faces<'_>, edge: &JoinedArc, part: &ArcPart<'_>, angle: f64) -> Sharpness {
+pub(super) fn sharpness(faces: &Faces<'_>, edge: &JoinedArc, part: &ArcPart<'_>, angle: f64) -> Sharpness {
     let Some(other) = &edge.other else { return Sharpness::Sharp };
     let Some(cone) = faces.cone(&edge.one, part.range) else { return Sharpness::NoNormal };
     let Hull { aabb, middle, radius } = hull(part.curve);
@@ -49,7 +49,7 @@ pub(super) fn sharpness(faces: Faces<'_>, edge: &JoinedArc, part: &ArcPart<'_>, 
 
 /// A part of an edge with the arc of the other face.
 struct Near<'a> {
-    faces: Faces<'a>,
+    faces: &'a Faces<'a>,
     other: &'a Arc,
     aabb: Aabb,
     radius: f64,

@@ -8,6 +8,9 @@ use glam::DVec3;
 /// A part of B is halved while it is larger than this part of A's.
 const HALVED_RATIO: f64 = 0.5;
 
+/// A part of B that bends by more than this part of the threshold is halved.
+const BENT_PART: f64 = 0.25;
+
 /// The parts of B that are looked at for a part of A before it is left undecided.
 const MAX_VISITS: usize = 2048;
 
@@ -122,11 +125,9 @@ impl<'a> Likenesses<'a> {
             Likeness::Unlike => false,
             Likeness::Alike => {
                 looked.is_open = true;
-                // A point of it within reach of all of the part is within reach of its middle.
-                let reach = self.reach.threshold() * self.reach.threshold();
-                let may_be = node.shape.aabb.min_distance_squared(shape.middle) <= reach;
-                let near = may_be.then(|| self.target.near_point(node, shape.middle)).flatten();
-                near.is_some_and(|near| self.is_in_reach(shape, |point| near.distance_squared(point)))
+                self.is_covered(shape, node)
+                    || self.halves_are_near(shape, cone, node, looked)
+                    || self.has_near_point(shape, node)
             }
             Likeness::Open => {
                 let is_large = node.shape.radius > HALVED_RATIO * shape.radius;
@@ -140,6 +141,36 @@ impl<'a> Likenesses<'a> {
                 false
             }
         }
+    }
+
+    /// Returns whether all points of a part are within the threshold of a part of a patch, by the quadrilateral that the
+    /// latter covers (lemma N5).
+    fn is_covered(&self, shape: &Shape, node: &Node) -> bool {
+        let Some(quad) = self.target.quad(node) else { return false };
+        let left = self.reach.certain() - quad.off();
+        left > 0.0 && self.are_within(shape, left, |point| quad.distance_squared(point))
+    }
+
+    /// Looks at the halves of a part that bends too much for its quadrilateral to say much, if those may still be as large
+    /// as the part of A.
+    fn halves_are_near(&self, shape: &Shape, cone: &NormalCone, node: &Node, looked: &mut Looked) -> bool {
+        let is_plane =
+            self.target.quad(node).is_some_and(|quad| quad.off() <= BENT_PART * self.reach.certain());
+        if is_plane || node.shape.radius <= HALVED_RATIO * shape.radius || looked.visits >= MAX_VISITS {
+            return false;
+        }
+        let Some(halves) = self.target.halves(node) else { return false };
+        halves.iter().any(|half| self.node_is_near(shape, cone, half, looked))
+    }
+
+    /// Returns whether all points of a part are within the threshold of one point of a part of a patch, which is then within
+    /// that of the middle.
+    fn has_near_point(&self, shape: &Shape, node: &Node) -> bool {
+        let reach = self.reach.threshold() * self.reach.threshold();
+        let may_be = shape.radius <= self.reach.threshold()
+            && node.shape.aabb.min_distance_squared(shape.middle) <= reach;
+        let near = may_be.then(|| self.target.near_point(node, shape.middle)).flatten();
+        near.is_some_and(|near| self.is_in_reach(shape, |point| near.distance_squared(point)))
     }
 
     /// Compares the normals of two parts, and returns that they are unlike where they are out of reach of each other.
@@ -160,10 +191,14 @@ impl<'a> Likenesses<'a> {
 
     /// Returns whether all points of a part are within the threshold of a convex set, by the squared distance from it.
     fn is_in_reach(&self, shape: &Shape, distance_squared: impl Fn(DVec3) -> f64) -> bool {
-        let left = self.reach.certain();
+        self.are_within(shape, self.reach.certain(), distance_squared)
+    }
+
+    /// The same for a length in place of the threshold without its rounding.
+    fn are_within(&self, shape: &Shape, left: f64, distance_squared: impl Fn(DVec3) -> f64) -> bool {
         let permitted = left * left * (1.0 - gamma(DISTANCE_ROUNDINGS));
         left > 0.0
-            && distance_squared(shape.middle) <= permitted
-            && shape.largest(distance_squared) <= permitted
+            && !shape.points.is_empty()
+            && shape.points.iter().all(|&point| distance_squared(point) <= permitted)
     }
 }

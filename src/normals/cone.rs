@@ -45,6 +45,16 @@ impl NormalCone {
     /// Returns the cone about the normal of the plane that a patch lies in, up to the rounding of its control points;
     /// `None` where it lies in none, or in several. O(p q).
     pub(crate) fn of_plane(patch: &Patch<'_>) -> Option<Self> {
+        let (axis, sine, start) = Self::plane(patch)?;
+        let error = control_error(patch);
+        let off = patch.local_points().map(|point| (point - start).dot(axis).abs()).fold(0.0, upper_max);
+        (off <= error && sine <= MAX_SINE)
+            .then_some(Self { axis, angle: ANGLE_PER_SINE * sine + ANGLE_ROUNDING })
+    }
+
+    /// Returns the unit normal of the plane of three control points that are far from each other, an upper bound on the sine
+    /// by which their errors turn it, and the first of them, about the patch's centre.
+    fn plane(patch: &Patch<'_>) -> Option<(DVec3, f64, DVec3)> {
         let points: Vec<DVec3> = patch.local_points().collect();
         let &start = points.first()?;
         let farthest = |length: &dyn Fn(DVec3) -> f64| {
@@ -56,15 +66,9 @@ impl NormalCone {
         let across = |point: DVec3| (point - start).reject_from_normalized(direction);
         let side = across(farthest(&|point| across(point).length_squared()));
         let axis = direction.cross(side.try_normalize()?).try_normalize()?;
-        let radius = points.iter().map(|point| point.length()).fold(0.0, upper_max);
-        let [each, more] = CONTROL_ROUNDINGS;
-        let degrees = (patch.degree[0] + patch.degree[1]) as f64;
-        let error = gamma(each * degrees + more) * (radius + patch.center.length());
-        let off = points.iter().map(|point| (*point - start).dot(axis).abs()).fold(0.0, upper_max);
         // Three points that are off by the error turn their plane by at most this about either edge.
-        let sine = 4.0 * error / side.length() + 4.0 * error / along.length();
-        (off <= error && sine <= MAX_SINE)
-            .then_some(Self { axis, angle: ANGLE_PER_SINE * sine + ANGLE_ROUNDING })
+        let error = control_error(patch);
+        Some((axis, 4.0 * error / side.length() + 4.0 * error / along.length(), start))
     }
 
     /// Returns the cone about the normal of a triangle whose corners are off by at most `error`; `None` for one whose
@@ -101,6 +105,14 @@ impl NormalCone {
         let spread = self.angle + other.angle + ANGLE_ROUNDING;
         [between - spread, if between + spread > FRAC_PI_2 { FRAC_PI_2 } else { between + spread }]
     }
+}
+
+/// Returns an upper bound on the errors of a patch's control points by reading and dividing them.
+fn control_error(patch: &Patch<'_>) -> f64 {
+    let radius = patch.local_points().map(DVec3::length).fold(0.0, upper_max);
+    let [each, more] = CONTROL_ROUNDINGS;
+    let degrees = (patch.degree[0] + patch.degree[1]) as f64;
+    gamma(each * degrees + more) * (radius + patch.center.length())
 }
 
 /// Angles between normals with their sides.

@@ -58,11 +58,6 @@ impl Shape {
         Self { points, aabb, middle, radius, cone }
     }
 
-    /// Returns the largest value of a convex function over the part, or more: it is at one of the points.
-    pub(crate) fn largest(&self, convex: impl Fn(DVec3) -> f64) -> f64 {
-        self.points.iter().map(|&point| convex(point)).fold(0.0, upper_max)
-    }
-
     /// Returns whether two parts are certainly farther from each other than `reach`: their boxes, or their extents along
     /// the line between their middles.
     pub(crate) fn is_beyond(&self, other: &Self, reach: f64) -> bool {

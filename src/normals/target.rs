@@ -1,5 +1,6 @@
 //! Model B in parts with boxes and cones, halved when they are first needed.
 
+use super::quad::Quad;
 use super::{NormalCone, Shape};
 use crate::axis::Axis;
 use crate::bezier::Patch;
@@ -24,6 +25,7 @@ pub(crate) struct Node {
     part: ParamBox,
     depth: u32,
     pub(super) shape: Shape,
+    quad: OnceLock<Option<Quad>>,
     halves: OnceLock<Option<Box<[Node; 2]>>>,
 }
 
@@ -118,6 +120,13 @@ impl<'a> NormalTarget<'a> {
         node.halves.get_or_init(halves).as_deref()
     }
 
+    /// Returns the quadrilateral that a part of a patch covers, but for a distance; `None` where there is none.
+    pub(super) fn quad<'n>(&self, node: &'n Node) -> Option<&'n Quad> {
+        let Self::Patches { target, .. } = self else { return None };
+        let degree = || target.patches.patch(node.patch as usize).degree;
+        node.quad.get_or_init(|| Quad::of(&node.shape.points, degree())).as_ref()
+    }
+
     /// Returns some point of a part of a patch, one near to a point.
     pub(super) fn near_point(&self, node: &Node, point: DVec3) -> Option<DVec3> {
         let Self::Patches { target, .. } = self else { return None };
@@ -142,7 +151,7 @@ impl<'a> NormalTarget<'a> {
 impl Node {
     fn new(patch: &Patch<'_>, index: u32, part: ParamBox, depth: u32) -> Self {
         let shape = Shape::of_part(patch, part, None);
-        Self { patch: index, part, depth, shape, halves: OnceLock::new() }
+        Self { patch: index, part, depth, shape, quad: OnceLock::new(), halves: OnceLock::new() }
     }
 
     /// Returns the axis along which the part is longer; `None` for one that is halved no further.

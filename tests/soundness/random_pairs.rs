@@ -6,6 +6,7 @@ use crate::fuzzer::check::{
 };
 use crate::fuzzer::clearance::{Subjects, check_clearance};
 use crate::fuzzer::facets::check_facets;
+use crate::fuzzer::scores::check_score;
 use crate::fuzzer::solids::{Shapes, check_solid};
 use crate::fuzzer::zones::check_zone;
 use nurbs_hausdorff::result::Lemma;
@@ -146,6 +147,21 @@ fn no_motion_of_a_box_is_better_than_the_least_zone() {
     let drawn = outcomes.iter().filter(|outcome| outcome.refusal.is_none()).count() as u64;
     let proven = outcomes.iter().filter(|outcome| outcome.converged).count() as u64;
     assert!(drawn > ZONES / 2 && proven > ZONES / 8, "{drawn} drawn, {proven} proven");
+}
+
+/// Scores of shapes whose parts with like counterparts and of feature edges are compared with samples.
+const SCORES: u64 = 10;
+
+#[test]
+fn parts_of_scores_are_those_of_samples() {
+    let shapes = Shapes::new();
+    let outcomes: Vec<Outcome> =
+        (1..=SCORES).into_par_iter().map(|seed| check_score(seed, &shapes)).collect();
+    for outcome in &outcomes {
+        assert!(outcome.violations.is_empty(), "{:?}", outcome.violations);
+    }
+    let drawn = outcomes.iter().filter(|outcome| outcome.refusal.is_none()).count() as u64;
+    assert!(drawn > SCORES / 2, "{drawn} drawn");
 }
 
 #[test]

@@ -14,6 +14,7 @@ pub(crate) mod pairs;
 mod partners;
 mod refits;
 mod reparametrized;
+pub(crate) mod scores;
 mod sheet;
 pub(crate) mod solids;
 mod surfaces;

@@ -16,6 +16,7 @@ pub use rules::{CheckRules, NamesOfPair, RequiredDistance, Rule, UnkeptRule};
 use self::options::Limits;
 use self::rules::Bound;
 use super::bodies::unique_name;
+use super::overlap::Patience;
 use super::section::Section;
 use super::{BodyKind, Computation, Engine, OverlapOptions, PreparedModel, Seconds, SelfOverlap, Stop};
 use crate::bvh::Aabb;
@@ -295,7 +296,7 @@ impl Engine {
             max_cells: Some(VOLUME_CELLS),
             ..OverlapOptions::default()
         };
-        let found = self.overlap_of(a, b, &options, monitor).await?;
+        let found = self.overlap_of(a, b, &options, Patience::LONG, monitor).await?;
         if found.stop == Stop::Cancelled {
             return Err(Error::Cancelled);
         }

@@ -10,6 +10,7 @@ pub use volumes::OverlapVolumes;
 
 use super::direction::Direction;
 use super::hint::hint;
+use super::outlook::Outlook;
 use super::section::is_over;
 use super::{Computation, Engine, PreparedModel, Seconds, Stop};
 use crate::error::{Error, Result};
@@ -64,10 +65,25 @@ pub struct OverlapResult {
     pub seconds: Seconds,
 }
 
-/// The number of pieces after which a search ends if its width no longer falls, first as the bodies lie and then after
-/// the motion. Coincident boundaries are separated only once pieces are small enough, so that the second search needs
-/// more patience: its width falls late, and at once.
-const PATIENCE: [usize; 2] = [8192, 131_072];
+/// How long a search goes on whose width hardly falls.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Patience {
+    /// The number of pieces after which a search ends if its width no longer falls, first as the bodies lie and then after
+    /// the motion. Coincident boundaries are separated only once pieces are small enough, so that the second search needs
+    /// more patience: its width falls late, and at once.
+    stalled: [usize; 2],
+    /// The number of pieces from which on the first search ends if it is not to be expected to reach its goal within the
+    /// budget.
+    hopeless: usize,
+}
+
+impl Patience {
+    /// Of a question about volumes: the whole budget.
+    pub(super) const LONG: Self = Self { stalled: [8192, 131_072], hopeless: usize::MAX };
+
+    /// Of a question that has others beside it.
+    pub(super) const SHORT: Self = Self { stalled: [1024, 131_072], hopeless: 1024 };
+}
 
 impl Engine {
     /// Returns intervals that contain the volumes of A ∩ B, A ∪ B, A \ B and B \ A, for A moved by the options'
@@ -89,7 +105,7 @@ impl Engine {
         options: &'a OverlapOptions,
     ) -> Computation<'a, OverlapResult> {
         Computation::new(move |mut watched| {
-            Box::pin(async move { self.overlap_of(a, b, options, watched.monitor()).await })
+            Box::pin(async move { self.overlap_of(a, b, options, Patience::LONG, watched.monitor()).await })
         })
     }
 
@@ -98,6 +114,7 @@ impl Engine {
         a: &PreparedModel,
         b: &PreparedModel,
         options: &OverlapOptions,
+        patience: Patience,
         monitor: &mut dyn Monitor,
     ) -> Result<OverlapResult> {
         options.validate()?;
@@ -136,14 +153,16 @@ impl Engine {
         let larger = volumes[0].larger(volumes[1]).lower;
         let width = options.relative_width() * larger;
         let is_late = || is_over(started, options.max_seconds);
-        let mut budget = Budget { started, max_seconds: options.max_seconds, left: options.most_cells() };
+        let (left, outlook) = (options.most_cells(), Outlook::new(patience.hopeless));
+        let mut budget = Budget { started, max_seconds: options.max_seconds, left, outlook };
         let pair = Pair::new([first, second], width, false);
-        let mut search = Search::new(&pair, &solids, PATIENCE[0], &is_late);
+        let mut search = Search::new(&pair, &solids, patience.stalled[0], &is_late);
         result.stop = run(&mut search, width, &mut budget, &mut progress).await?;
         let mut common = search.volume();
         if search.has_stalled() && !is_late() {
+            budget.outlook = Outlook::new(usize::MAX);
             let pair = Pair::new(placed(), width, true);
-            let mut search = Search::new(&pair, &solids, PATIENCE[1], &is_late);
+            let mut search = Search::new(&pair, &solids, patience.stalled[1], &is_late);
             result.stop = run(&mut search, width, &mut budget, &mut progress).await?;
             common = common.within(search.volume());
         }
@@ -170,6 +189,7 @@ struct Budget {
     max_seconds: Option<f64>,
     /// The number of pieces.
     left: usize,
+    outlook: Outlook,
 }
 
 /// Searches until the volume is known to this width or a budget ends the search.
@@ -179,14 +199,14 @@ async fn run(
     budget: &mut Budget,
     progress: &mut Progress<'_>,
 ) -> Result<Stop> {
-    let first = search.width();
+    let (first, most) = (search.width(), budget.left as f64);
     loop {
         let before = search.pieces();
         if !search.advance(width) {
             return Ok(Stop::Precision);
         }
         budget.left = budget.left.saturating_sub(search.pieces() - before);
-        if budget.left == 0 {
+        if budget.left == 0 || budget.outlook.is_hopeless(search.pieces(), search.width(), [width, most]) {
             return Ok(Stop::Cells);
         }
         if is_over(budget.started, budget.max_seconds) {

@@ -6,6 +6,7 @@ use super::placement::{Placed, Placement};
 use super::requirements::{is_missed, judged, verdict};
 use super::result::{Difference, FaceCounts, HausdorffScore, Score, ScoredModel, SurfaceScore};
 use super::{ScoreNumber, ScoreOptions, options};
+use crate::engine::overlap::Patience;
 use crate::engine::section::{Section, seconds_left};
 use crate::engine::statistics::{Asked, Sums};
 use crate::engine::{
@@ -335,7 +336,8 @@ impl<'a> Pair<'a> {
             ..OverlapOptions::default()
         };
         let mut section = Section { whole: monitor, part: OVERLAP_PART };
-        let result = self.engine.overlap_of(self.candidate, self.truth, &options, &mut section).await?;
+        let [a, b] = [self.candidate, self.truth];
+        let result = self.engine.overlap_of(a, b, &options, Patience::SHORT, &mut section).await?;
         known.narrow(ScoreNumber::Iou, result.ratio);
         found.iou = result.ratio;
         Ok(())

@@ -9,6 +9,7 @@ use crate::area::Area;
 use crate::certified::{AuditReport, Pair};
 use crate::engine::direction::Direction;
 use crate::engine::hint::hint;
+use crate::engine::outlook::Outlook;
 use crate::engine::section::is_over;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds};
 use crate::error::{Error, Result};
@@ -48,6 +49,10 @@ const OPEN_ROUNDINGS: f64 = 2.5;
 /// The part of an interval's permitted width that is left to the parts where rounding takes all of it:
 /// the search then ends without convergence.
 const LEAST_ROOM: f64 = 0.125;
+
+/// The parts from which on none is halved for a limit whose part beyond is not to be expected to become narrow: where faces
+/// are just as far as the limit.
+const PATIENCE: usize = 8192;
 
 /// The number of parts between two checkpoints, and where there is a limit of time, which each of them looks at.
 const PARTS_AT_ONCE: usize = 4096;
@@ -233,6 +238,7 @@ impl Search<'_> {
         let first = |range: Range<usize>| cover.first(range, &|| self.is_late());
         let mut parts = bounded(cover.len(), self.at_once(), progress, first).await?;
         let mut cells = parts.len();
+        let mut outlooks = vec![Outlook::new(PATIENCE); self.asked.limits.len()];
         loop {
             let sums = self.sums(&parts, known);
             known = sums.total;
@@ -245,9 +251,10 @@ impl Search<'_> {
             if (self.asked.is_enough)(&sums) {
                 return Ok((parts, (sums, false, cells)));
             }
-            let mut halved = self.halved(&parts, cover.rounding(), &sums, LEVEL_PART);
+            let open = self.open_limits(&sums, &mut outlooks, cells);
+            let mut halved = self.halved(&parts, cover.rounding(), (&sums, &open), LEVEL_PART);
             if halved.is_empty() {
-                halved = self.halved(&parts, cover.rounding(), &sums, 0.0);
+                halved = self.halved(&parts, cover.rounding(), (&sums, &open), 0.0);
             }
             halved.truncate(self.asked.options.max_cells.saturating_sub(cells) / 2);
             if self.is_late() || self.halve(cover, &mut parts, &halved, &mut cells, progress).await? == 0 {
@@ -300,10 +307,27 @@ impl Search<'_> {
         beyond.part.upper - beyond.part.lower > self.asked.options.part_tolerance
     }
 
+    /// Returns the limits whose parts beyond are wider than requested, and may be expected to become narrow.
+    fn open_limits(&self, sums: &Sums, outlooks: &mut [Outlook], cells: usize) -> Vec<f64> {
+        let goal = [self.asked.options.part_tolerance, self.asked.options.max_cells as f64];
+        let limit = |(beyond, outlook): (&Beyond, &mut Outlook)| {
+            let width = beyond.part.upper - beyond.part.lower;
+            let is_open = self.is_open(beyond) && !outlook.is_hopeless(cells, width, goal);
+            is_open.then_some(beyond.limit)
+        };
+        sums.beyond.iter().zip(outlooks).filter_map(limit).collect()
+    }
+
     /// Returns the parts that widen the intervals which are too wide, those that widen them most first. Any
     /// choice is valid: it decides only the number of parts. Parts near percentiles are left alone where they have
     /// `level` of the tolerance of parts together.
-    fn halved<T: Weighted>(&self, parts: &[T], rounding: f64, sums: &Sums, level: f64) -> Vec<usize> {
+    fn halved<T: Weighted>(
+        &self,
+        parts: &[T],
+        rounding: f64,
+        (sums, limits): (&Sums, &[f64]),
+        level: f64,
+    ) -> Vec<usize> {
         let wide = |of: &Interval| of.upper - of.lower > self.tolerance;
         let share = |part: &T| part.weight().upper / sums.total.upper;
         let mut urgency = vec![0.0; parts.len()];
@@ -324,7 +348,7 @@ impl Search<'_> {
             };
             take_widest(parts, width, kept, &mut urgency);
         }
-        for &Beyond { limit, .. } in sums.beyond.iter().filter(|beyond| self.is_open(beyond)) {
+        for &limit in limits {
             let width = |part: &T| {
                 let Spread { lower, upper, .. } = part.spread();
                 // Halves of a part that is as narrow as its rounding are as open.

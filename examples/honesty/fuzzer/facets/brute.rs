@@ -107,7 +107,7 @@ pub(super) fn points(model: &Drawn, pose: RigidTransform, rng: &mut Rng) -> Vec<
 /// Returns the distance of a point from a triangle: from its plane where the foot lies on the inner
 /// side of all edges, else from the nearest edge. The plane is taken through the nearest point of the
 /// edges, as the normal of a sliver is inaccurate.
-fn to_triangle(corners: &[DVec3; 3], point: DVec3) -> f64 {
+pub(in crate::fuzzer) fn to_triangle(corners: &[DVec3; 3], point: DVec3) -> f64 {
     let [a, b, c] = *corners;
     let edges = [(a, b), (b, c), (c, a)];
     let on_edge = |(p, q): (DVec3, DVec3)| {

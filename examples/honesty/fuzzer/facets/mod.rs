@@ -4,6 +4,7 @@ mod brute;
 mod draw;
 
 use super::check::Outcome;
+pub(in crate::fuzzer) use brute::to_triangle;
 use brute::{Brute, Within, points};
 use draw::{Drawn, FacetPair};
 use fastrand::Rng;

@@ -2,6 +2,7 @@
 
 use super::shares::{Shares, largest_open};
 use crate::engine::PreparedModel;
+use crate::engine::outlook::Outlook;
 use crate::engine::section::is_over;
 use crate::error::Result;
 use crate::facets::{Facet, PreparedFacets};
@@ -15,6 +16,9 @@ use crate::threads::parallel::map_ranges;
 use glam::DVec3;
 use std::ops::Range;
 use web_time::Instant;
+
+/// The pieces from which on a search ends that is not to be expected to become narrow.
+const PATIENCE: usize = 2048;
 
 /// The number of pieces between two checkpoints.
 const PIECES_AT_ONCE: usize = 1024;
@@ -60,7 +64,7 @@ pub(super) fn feature_edges(
         None => {
             let bezier = model.bezier();
             let edges = Edges::of_surfaces(bezier, |surface| model.pieces().origin(surface));
-            (Faces::Patches(&bezier.patches), edges, bezier.point_error)
+            (Faces::of_patches(&bezier.patches), edges, bezier.point_error)
         }
     };
     let corners = |triangle: u32| match model.facets().map(|facets| facets.target.facet(triangle)) {
@@ -138,6 +142,8 @@ impl<'a> Search<'a> {
             pieces.extend(map_ranges(page.len(), compared).into_iter().flatten());
             progress.checkpoint(0.0).await?;
         }
+        let mut outlook = Outlook::new(PATIENCE);
+        let limits = [self.asked.part_tolerance, self.asked.max_pieces as f64];
         loop {
             let part = Shares::of(pieces.iter().map(|(piece, likeness)| (piece.length(), *likeness))).part();
             let length = length(&pieces);
@@ -147,8 +153,9 @@ impl<'a> Search<'a> {
                 part.upper - part.lower <= tolerance && is_known || length.upper <= self.asked.least;
             // While no piece is certainly a feature this is 0: pieces are halved until one is, or none can be.
             let permitted = tolerance * length.lower;
-            let is_over =
-                is_over(self.started, self.asked.max_seconds) || self.counterparts.reach().is_hopeless();
+            let is_over = is_over(self.started, self.asked.max_seconds)
+                || outlook.is_hopeless(pieces.len(), part.upper - part.lower, limits)
+                || self.counterparts.reach().is_hopeless();
             if is_narrow || is_over || !self.halve(&mut pieces, permitted, progress).await? {
                 return Ok((part, length, is_narrow));
             }

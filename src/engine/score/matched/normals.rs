@@ -4,6 +4,7 @@ use super::shares::{Shares, largest_open};
 use crate::area::Area;
 use crate::certified::{Audit, AuditReport, Pair};
 use crate::engine::PreparedModel;
+use crate::engine::outlook::Outlook;
 use crate::engine::section::is_over;
 use crate::engine::statistics::{Cells, Cover, audit, bounded, halve_page};
 use crate::error::{Error, Result};
@@ -17,6 +18,9 @@ use web_time::Instant;
 
 /// The part of the threshold within which distances are not looked at more closely.
 const SUFFICIENT_PART: f64 = 0.125;
+
+/// The parts from which on a search ends that is not to be expected to become narrow.
+const PATIENCE: usize = 4096;
 
 /// The number of parts between two checkpoints, where there is a limit of time.
 const PARTS_AT_ONCE: usize = 256;
@@ -131,14 +135,18 @@ impl Search<'_> {
             Some(parts.into_iter().map(|part| self.compared(cover, part)).collect())
         };
         let mut parts: Vec<Compared<C::Part>> = bounded(cover.len(), PARTS_AT_ONCE, progress, first).await?;
+        let mut outlook = Outlook::new(PATIENCE);
+        let limits = [self.asked.part_tolerance, self.asked.max_cells as f64];
         loop {
             let areas = parts.iter().map(|(part, likeness)| {
                 let Area { lower, upper } = part.weight();
                 (Interval { lower, upper }, *likeness)
             });
             let part = Shares::of(areas).part();
-            let is_narrow = part.upper - part.lower <= self.asked.part_tolerance;
+            let width = part.upper - part.lower;
+            let is_narrow = width <= self.asked.part_tolerance;
             if is_narrow
+                || outlook.is_hopeless(parts.len(), width, limits)
                 || self.likenesses.reach().is_hopeless()
                 || !self.halve(cover, &mut parts, progress).await?
             {
@@ -147,7 +155,7 @@ impl Search<'_> {
         }
     }
 
-    /// Halves the largest open parts, and returns whether there were any and the budgets permit it.
+    /// Halves the parts that widen the interval most, and returns whether there were any and the budgets permit it.
     async fn halve<C: Cover>(
         &self,
         cover: &C,
@@ -156,9 +164,10 @@ impl Search<'_> {
     ) -> Result<bool> {
         let mut count = 0;
         let total: f64 = parts.iter().map(|(part, _)| part.weight().upper).sum();
-        let open = |(part, likeness): &Compared<C::Part>| match likeness {
-            Likeness::Open => part.weight().upper,
-            Likeness::Alike | Likeness::Unlike => 0.0,
+        // An area that is not known well widens the part as an open one does.
+        let open = |(part, likeness): &Compared<C::Part>| {
+            let Area { lower, upper } = part.weight();
+            if *likeness == Likeness::Open { upper } else { upper - lower }
         };
         let room = self.asked.max_cells.saturating_sub(parts.len());
         let chosen = largest_open(parts.iter().map(open), self.asked.part_tolerance * total, room);

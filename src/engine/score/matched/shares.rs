@@ -43,7 +43,8 @@ impl Shares {
     }
 }
 
-/// Returns the pieces of the largest open sizes, at most `room`: the others have less than the `permitted` size together.
+/// Returns the pieces of the largest sizes that are not known, at most `room`: the others have less than the `permitted`
+/// size together.
 pub(super) fn largest_open(open: impl Iterator<Item = f64>, permitted: f64, room: usize) -> Vec<usize> {
     let mut open: Vec<(f64, usize)> = open.zip(0..).filter(|(size, _)| *size > 0.0).collect();
     sort_by_number(&mut open, |one| -one.0);
