@@ -82,7 +82,7 @@ impl Patience {
     pub(super) const LONG: Self = Self { stalled: [8192, 131_072], hopeless: usize::MAX };
 
     /// Of a question that has others beside it.
-    pub(super) const SHORT: Self = Self { stalled: [1024, 131_072], hopeless: 1024 };
+    pub(super) const SHORT: Self = Self { stalled: [8192, 131_072], hopeless: 16_384 };
 }
 
 impl Engine {

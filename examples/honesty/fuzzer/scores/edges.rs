@@ -112,16 +112,18 @@ fn samples(surface: &Surface, feature: f64, joined: f64) -> Vec<Sample> {
             let along = (step as f64 + 0.5) / STEPS as f64;
             let point = side.point(surface, along);
             let length = 0.5 * polygons[index][step].distance(polygons[index][step + 1]);
-            let other = (0..sides.len()).filter(|&other| other != index).find_map(|other| {
+            // The other side of a thin face may be within the distance as well.
+            let others = (0..sides.len()).filter(|&other| other != index).filter_map(|other| {
                 let coarse =
                     polygons[other].iter().map(|at| at.distance(point)).fold(f64::INFINITY, f64::min);
                 let reach = 2.0
                     * polygons[other].windows(2).map(|pair| pair[0].distance(pair[1])).fold(0.0, f64::max);
                 let near = (coarse <= reach + joined)
                     .then(|| sides[other].nearest(surface, point, &polygons[other]));
-                near.filter(|(_, distance)| *distance <= joined).map(|(at, _)| (other, at))
+                near.filter(|(_, distance)| *distance <= joined).map(|(at, distance)| (other, at, distance))
             });
-            let turn = other.and_then(|(other, at)| {
+            let other = others.min_by(|(.., one), (.., other)| one.total_cmp(other));
+            let turn = other.and_then(|(other, at, _)| {
                 let (one, two) = (side.inward(surface, along)?, sides[other].inward(surface, at)?);
                 Some(PI - one.cross(two).length().atan2(one.dot(two)))
             });
