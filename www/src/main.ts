@@ -2,7 +2,7 @@
 import { AlignmentByPicks } from "./alignment/byPicks.ts";
 import { AnnotationLayer } from "./annotations/layer.ts";
 import { AnnotationList } from "./annotations/list.ts";
-import { AnnotationTool } from "./annotations/tool.ts";
+import { annotationTool } from "./annotations/tool.ts";
 import { connect } from "./app/controls.ts";
 import { Measurement } from "./app/measurement.ts";
 import { Opening } from "./app/opening.ts";
@@ -14,13 +14,13 @@ import { ClearancePanel } from "./clearance/clearancePanel.ts";
 import { element } from "./common/elements.ts";
 import { nextTask } from "./common/nextTask.ts";
 import * as position from "./controls/position.ts";
-import * as sections from "./controls/section.ts";
 import { Views } from "./export/views.ts";
 import { FacesPanel } from "./faces/facesPanel.ts";
 import { FaceTree } from "./faces/faceTree.ts";
 import { FactsPanel } from "./facts/factsPanel.ts";
 import { OverlapPanel } from "./facts/overlapPanel.ts";
 import { Measuring } from "./inspection/measuring.ts";
+import type { Take } from "./inspection/pickingTool.ts";
 import { Probing } from "./inspection/pins/probing.ts";
 import { PlaceView } from "./inspection/places/placeView.ts";
 import * as warnings from "./results/warnings.ts";
@@ -68,26 +68,15 @@ const tree = new FaceTree({
   look: (side, faces) => view.approachFaces({ [side]: faces }),
 });
 const probing = new Probing(canvas, view, client, () => measurement.pose().transform);
-const measuring = new Measuring(view, (taken) => {
-  if (taken !== undefined) {
-    sections.endPicking();
-    annotating.end();
-    aligning.end();
-  }
-  probing.nextClick = taken;
-});
+const take: Take = (click) => {
+  probing.nextClick = click;
+};
+const measuring = new Measuring(view, take);
 const labels = new AnnotationLayer(() => view.redraw());
 view.follow((viewport) => labels.update(viewport, view.models));
-const annotating = new AnnotationTool({
+const annotating = annotationTool({
   hit: (x, y) => view.hit(x, y),
-  take: (taken) => {
-    if (taken !== undefined) {
-      sections.endPicking();
-      measuring.end();
-      aligning.end();
-    }
-    probing.nextClick = taken;
-  },
+  take,
   begin: ({ side, face, near }) => labels.begin({ side, face, point: near }),
 });
 const aligning = new AlignmentByPicks({
@@ -95,15 +84,8 @@ const aligning = new AlignmentByPicks({
     const hit = view.hit(x, y);
     return hit && { side: hit.side, face: hit.face, point: hit.near };
   },
-  take: (taken) => {
-    if (taken !== undefined) {
-      sections.endPicking();
-      measuring.end();
-      annotating.end();
-      view.onPlace();
-    }
-    probing.nextClick = taken;
-  },
+  take,
+  onPlace: () => view.onPlace(),
   lay: (start) => measurement.fit(start),
   scale: () => view.models.scale,
   redraw: () => view.redraw(),

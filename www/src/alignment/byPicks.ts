@@ -2,6 +2,7 @@
 import { effect } from "@preact/signals-core";
 import type { Datum, PointPair } from "nurbs-hausdorff";
 import { element, make } from "../common/elements.ts";
+import { PickingTool, type Take } from "../inspection/pickingTool.ts";
 import type { Viewport } from "../scene/camera/viewport.ts";
 import type { Models } from "../scene/models.ts";
 import { field } from "../state/store.ts";
@@ -20,26 +21,37 @@ import {
 
 export interface PicksListener {
   hit: (x: number, y: number) => Pick | undefined;
-  /** What the next clicks are for; `undefined` when they are for nothing special any more. */
-  take: (taken: ((x: number, y: number) => void) | undefined) => void;
+  take: Take;
+  /** Shows the models as they stand. */
+  onPlace: () => void;
   /** Lays A on B; with `fits` it is then fitted in the freedoms that are left. */
   lay: (start: ({ pairs: PointPair[] } | { datums: Datum[] }) & { norm: "none" | "mean" }) => void;
   scale: () => number;
   redraw: () => void;
 }
 
-const button = element("align-picks", HTMLButtonElement);
 const strip = element("picks-controls");
 const layer = element("picks");
 
 export class AlignmentByPicks {
   readonly #listener: PicksListener;
+  readonly #tool: PickingTool;
   /** The fields of the view as they were before, by their names. */
   #before: readonly (readonly [name: string, value: string])[] = [];
 
   constructor(listener: PicksListener) {
     this.#listener = listener;
-    button.addEventListener("click", () => this.#turn(!this.active));
+    this.#tool = new PickingTool({
+      button: element("align-picks", HTMLButtonElement),
+      take: listener.take,
+      click: (x, y) => this.#click(x, y),
+      turned: (on) => this.#turned(on),
+      back: () => {
+        const has = picks.peek().length > 0;
+        if (has) removeLast();
+        return has;
+      },
+    });
     element("picks-kind", HTMLSelectElement).addEventListener("input", ({ target }) => {
       picks.value = [];
       kind.value = (target as HTMLSelectElement).value as PickKind;
@@ -57,35 +69,27 @@ export class AlignmentByPicks {
       });
     }
     effect(() => this.#show(picks.value, asked.value, isEnough.value));
-    window.addEventListener("keydown", (event) => {
-      if (event.key !== "Escape" || event.defaultPrevented || !this.active) return;
-      event.preventDefault();
-      if (picks.peek().length > 0) removeLast();
-      else this.end();
-    });
   }
 
   /** Whether clicks on the view pick what A is laid on B by. */
   get active(): boolean {
-    return button.getAttribute("aria-pressed") === "true";
+    return this.#tool.active;
   }
 
   end(): void {
-    if (this.active) this.#turn(false);
+    this.#tool.end();
   }
 
-  #turn(on: boolean): void {
-    button.setAttribute("aria-pressed", `${on}`);
+  #turned(on: boolean): void {
     strip.hidden = !on;
-    element("canvas").classList.toggle("picking", on);
     picks.value = [];
     if (on) {
+      this.#listener.onPlace();
       this.#before = ["wipe", "beside"].map((name) => [name, field(name).value] as const);
       for (const [name] of this.#before) field(name).set("on");
     } else {
       for (const [name, value] of this.#before) field(name).set(value);
     }
-    this.#listener.take(on ? (x, y) => this.#click(x, y) : undefined);
   }
 
   #click(x: number, y: number): void {

@@ -40,7 +40,7 @@ export function connect(parts: Parts, measurement: Measurement, opening: Opening
 }
 
 function connectView(parts: Parts, measurement: Measurement): void {
-  const { view, views, past, probing, measuring, annotating, aligning, client } = parts;
+  const { view, views, past, probing, client } = parts;
   element("fit").addEventListener("click", () => view.fit());
   element("canvas").addEventListener("dblclick", () => view.fit());
   element("approach").addEventListener("click", () => view.approachArrow());
@@ -58,13 +58,9 @@ function connectView(parts: Parts, measurement: Measurement): void {
     {
       models: view.models,
       seen: () => view.seen,
-      onNextFace: (callback) => {
-        if (callback !== undefined) {
-          measuring.end();
-          annotating.end();
-          aligning.end();
-        }
-        probing.nextClick = callback && ((x, y) => callback(view.facing(x, y)));
+      facing: (x, y) => view.facing(x, y),
+      take: (click) => {
+        probing.nextClick = click;
       },
     },
     show,

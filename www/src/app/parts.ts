@@ -1,7 +1,6 @@
 // What the page is made of, and what its works share.
 import type { AlignmentByPicks } from "../alignment/byPicks.ts";
 import type { AnnotationList } from "../annotations/list.ts";
-import type { AnnotationTool } from "../annotations/tool.ts";
 import type { CheckPanel } from "../check/checkPanel.ts";
 import type { ClearancePanel } from "../clearance/clearancePanel.ts";
 import type { Views } from "../export/views.ts";
@@ -10,6 +9,7 @@ import type { FaceTree } from "../faces/faceTree.ts";
 import type { FactsPanel } from "../facts/factsPanel.ts";
 import type { OverlapPanel } from "../facts/overlapPanel.ts";
 import type { Measuring } from "../inspection/measuring.ts";
+import type { PickingTool } from "../inspection/pickingTool.ts";
 import type { Probing } from "../inspection/pins/probing.ts";
 import type { PlaceView } from "../inspection/places/placeView.ts";
 import type { View } from "../scene/view.ts";
@@ -23,7 +23,7 @@ export interface Parts {
   tree: FaceTree;
   probing: Probing;
   measuring: Measuring;
-  annotating: AnnotationTool;
+  annotating: PickingTool;
   annotationList: AnnotationList;
   aligning: AlignmentByPicks;
   places: PlaceView;

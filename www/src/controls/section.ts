@@ -1,6 +1,7 @@
 // The controls of the section: along an axis or by any normal, its offset and tilt.
 import { Vector3 } from "three";
 import { element } from "../common/elements.ts";
+import { PickingTool, type Take } from "../inspection/pickingTool.ts";
 import type { Models } from "../scene/models.ts";
 import { extentOf, type Section } from "../scene/section.ts";
 
@@ -43,8 +44,9 @@ export interface SectionListener {
   models: Models;
   /** What the view looks at, and the direction from there to the eye. */
   seen: () => Facing | undefined;
-  /** Calls back with the next place of a model that is clicked; `undefined` ends that. */
-  onNextFace: (callback: ((facing: Facing | undefined) => void) | undefined) => void;
+  /** The place of a model at a position in the window, and its normal. */
+  facing: (x: number, y: number) => Facing | undefined;
+  take: Take;
 }
 
 /** The section plane; undefined without one. */
@@ -88,29 +90,18 @@ export function onSection(listener: SectionListener, onChange: () => void): void
     position.dispatchEvent(new Event("input", { bubbles: true }));
   });
   asSeen.addEventListener("click", () => setFree(listener, listener.seen()));
-  const pick = (isPicking: boolean) => {
-    byFace.setAttribute("aria-pressed", `${isPicking}`);
-    element("canvas").classList.toggle("picking", isPicking);
-    const picked = (facing: Facing | undefined) => {
+  const byClick = new PickingTool({
+    button: byFace,
+    take: listener.take,
+    click: (x, y) => {
+      const facing = listener.facing(x, y);
       // A click beside the models picks no face: the next one may.
       if (facing === undefined) return;
-      pick(false);
+      byClick.end();
       setFree(listener, facing, BENEATH);
-    };
-    listener.onNextFace(isPicking ? picked : undefined);
-  };
-  byFace.addEventListener("click", () => pick(byFace.getAttribute("aria-pressed") !== "true"));
-  window.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape" || byFace.getAttribute("aria-pressed") !== "true") return;
-    event.preventDefault();
-    pick(false);
+    },
   });
   changed();
-}
-
-/** Ends the choice of a face to cut by. */
-export function endPicking(): void {
-  if (byFace.getAttribute("aria-pressed") === "true") byFace.click();
 }
 
 /** Shows where the section is, in model units: along its axis, or from the point that it goes through. */

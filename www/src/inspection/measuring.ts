@@ -5,6 +5,7 @@ import { element } from "../common/elements.ts";
 import { distanceText, signedText } from "../common/text/numbers.ts";
 import { commonUnit } from "../files/units.ts";
 import type { View } from "../scene/view.ts";
+import { PickingTool, type Take } from "./pickingTool.ts";
 
 /** A place of a model in the scene. */
 interface Facing {
@@ -12,7 +13,6 @@ interface Facing {
   normal: Vector3;
 }
 
-const button = element("measure", HTMLButtonElement);
 const text = element("measure-text");
 
 const FIRST = "Click a first point. Esc ends measuring.";
@@ -20,38 +20,33 @@ const SECOND = "Click a second point.";
 
 export class Measuring {
   readonly #view: View;
-  readonly #take: (taken: ((x: number, y: number) => void) | undefined) => void;
+  readonly #tool: PickingTool;
   #first: Facing | undefined;
 
-  /** Gives `take` what the next clicks are for, and `undefined` when they are no longer. */
-  constructor(view: View, take: (taken: ((x: number, y: number) => void) | undefined) => void) {
+  constructor(view: View, take: Take) {
     this.#view = view;
-    this.#take = take;
-    button.addEventListener("click", () => this.#turn(!this.active));
-    window.addEventListener("keydown", (event) => {
-      if (event.key !== "Escape" || event.defaultPrevented || !this.active) return;
-      event.preventDefault();
-      this.end();
+    this.#tool = new PickingTool({
+      button: element("measure", HTMLButtonElement),
+      take,
+      click: (x, y) => this.#click(view.facing(x, y)),
+      turned: (on) => this.#turned(on),
     });
   }
 
   /** Whether clicks on the view measure. */
   get active(): boolean {
-    return button.getAttribute("aria-pressed") === "true";
+    return this.#tool.active;
   }
 
   /** Ends measuring, and shows the result's arrow again. */
   end(): void {
-    if (this.active) this.#turn(false);
+    this.#tool.end();
   }
 
-  #turn(on: boolean): void {
-    button.setAttribute("aria-pressed", `${on}`);
-    element("canvas").classList.toggle("picking", on);
+  #turned(on: boolean): void {
     this.#first = undefined;
     text.hidden = !on;
     text.textContent = FIRST;
-    this.#take(on ? (x, y) => this.#click(this.#view.facing(x, y)) : undefined);
     // Of models as they stand.
     if (on) this.#view.onPlace();
     else this.#view.point();
