@@ -18,8 +18,8 @@ use std::sync::Arc;
 /// model: three digits below the default tolerance.
 const MAX_DEVIATION: f64 = 1e-9;
 
-/// The part of the areas summed over the rim of a piece below which their sum may be of rounding: parameters of a piece
-/// are rounded to about 1e-16 of their size, and its width may be as little as 1e-9 of that.
+/// The largest part of the sum of the areas' sizes at the rim of a piece that rounding may make of their own sum: parameters
+/// are rounded to about 1e-16 of their size, and a piece may be as narrow as 1e-9 of it.
 const TURNING_ROUNDING: f64 = 1e-6;
 
 /// The points of each side of a piece whose polygon in the plane of parameters tells which way it turns.
@@ -35,17 +35,33 @@ pub(crate) struct FacePieces {
     origins: Arc<[(usize, ParameterMap)]>,
     /// The pieces of each face.
     faces: Vec<Range<usize>>,
-    /// The name of each face.
-    face_names: Vec<Option<String>>,
-    /// Whether the normal of each face is opposite to that of its surface; empty for facets.
-    reversed: Vec<bool>,
-    /// The colour of each face; empty for facets.
-    face_colors: Vec<Option<[f64; 3]>>,
-    /// The shell of each face in its source; empty for facets.
-    shells: Vec<Option<u32>>,
+    /// What is known of each face beside its surface.
+    of_faces: Vec<FaceNotes>,
     /// An upper bound on the Hausdorff distance between each face and its pieces, the
     /// largest over all faces.
     deviation: f64,
+}
+
+/// What is known of a face beside its surface; of facets the name alone.
+#[derive(Debug, Clone, Default)]
+struct FaceNotes {
+    name: Option<String>,
+    /// Whether its normal is opposite to that of its surface.
+    reversed: bool,
+    color: Option<[f64; 3]>,
+    /// Its shell in its source.
+    shell: Option<u32>,
+}
+
+impl FaceNotes {
+    fn of(face: &Face<'_>) -> Self {
+        let (reversed, color, shell) = (face.is_reversed(), face.color(), face.shell());
+        Self { name: face.name().map(str::to_owned), reversed, color, shell }
+    }
+
+    fn of_all(model: &Model) -> Vec<Self> {
+        model.faces().map(|face| Self::of(&face)).collect()
+    }
 }
 
 /// The faces of a model that can be cut.
@@ -66,15 +82,11 @@ impl FacePieces {
     /// [`crate::Error::FaceNotCut`].
     pub(crate) fn new(model: &Model) -> Result<(Self, Cow<'_, Model>)> {
         if !model.is_trimmed() {
-            let face_names = model.faces().map(|face| face.name().map(str::to_owned)).collect();
             let count = model.surfaces().len();
             let pieces = Self {
                 origins: (0..count).map(|face| (face, ParameterMap::Identity)).collect(),
                 faces: (0..count).map(|face| face..face + 1).collect(),
-                face_names,
-                reversed: model.faces().map(|face| face.is_reversed()).collect(),
-                face_colors: model.faces().map(|face| face.color()).collect(),
-                shells: model.faces().map(|face| face.shell()).collect(),
+                of_faces: FaceNotes::of_all(model),
                 deviation: 0.0,
             };
             return Ok((pieces, Cow::Borrowed(model)));
@@ -87,8 +99,8 @@ impl FacePieces {
     /// Returns the pieces of a model of facets: a face of each of these names, without patches.
     pub(crate) fn of_facets(face_names: Vec<Option<String>>) -> Self {
         let faces = vec![0..0; face_names.len()];
-        let (reversed, face_colors, shells) = (Vec::new(), Vec::new(), Vec::new());
-        Self { origins: Arc::new([]), faces, face_names, reversed, face_colors, shells, deviation: 0.0 }
+        let of_faces = face_names.into_iter().map(|name| FaceNotes { name, ..FaceNotes::default() });
+        Self { origins: Arc::new([]), faces, of_faces: of_faces.collect(), deviation: 0.0 }
     }
 
     /// Returns some of the pieces, which are those of these faces; both are in order, and numbered anew.
@@ -106,10 +118,7 @@ impl FacePieces {
         Self {
             origins: origins.into(),
             faces: ranges,
-            face_names: faces.iter().map(|&face| self.face_names[face].clone()).collect(),
-            reversed: faces.iter().map(|&face| self.reversed[face]).collect(),
-            face_colors: faces.iter().map(|&face| self.face_color(face)).collect(),
-            shells: faces.iter().map(|&face| self.shells.get(face).copied().flatten()).collect(),
+            of_faces: faces.iter().map(|&face| self.of_faces[face].clone()).collect(),
             deviation: self.deviation,
         }
     }
@@ -152,7 +161,6 @@ impl FacePieces {
 
     /// Makes the pieces of all faces, with the untrimmed model.
     fn of_cuts(model: &Model, cuts: Vec<Untrimmed>) -> Result<(Self, Model)> {
-        let face_names = model.faces().map(|face| face.name().map(str::to_owned)).collect();
         let (mut origins, mut faces, mut deviation) = (Vec::new(), Vec::new(), 0.0_f64);
         let mut surfaces: Vec<NurbsSurface> = Vec::new();
         for (face, untrimmed) in cuts.into_iter().enumerate() {
@@ -165,10 +173,7 @@ impl FacePieces {
             faces.push(first..surfaces.len());
         }
         let name = model.name().map(str::to_owned);
-        let face_colors = model.faces().map(|face| face.color()).collect();
-        let reversed = model.faces().map(|face| face.is_reversed()).collect();
-        let (shells, origins) = (model.faces().map(|face| face.shell()).collect(), origins.into());
-        let pieces = Self { origins, faces, face_names, reversed, face_colors, shells, deviation };
+        let pieces = Self { origins: origins.into(), faces, of_faces: FaceNotes::of_all(model), deviation };
         Ok((pieces, Model::new(name, surfaces)?))
     }
 
@@ -194,19 +199,18 @@ impl FacePieces {
 
     /// Returns the colour of a face, if it has one.
     pub(crate) fn face_color(&self, face: usize) -> Option<[f64; 3]> {
-        self.face_colors.get(face).copied().flatten()
+        self.of_faces.get(face).and_then(|notes| notes.color)
     }
 
     /// Returns where a piece comes from.
     pub(crate) fn origin(&self, piece: usize) -> SurfaceOrigin {
         let face = self.face(piece);
-        let is_turned = self.turning(piece).map(|area| area < 0.0);
-        SurfaceOrigin { face, is_turned, shell: self.shells.get(face).copied().flatten() }
+        SurfaceOrigin { face, is_turned: self.turns_over(piece), shell: self.of_faces[face].shell }
     }
 
     /// Returns the name of a face, if it has one.
     pub(crate) fn face_name(&self, face: usize) -> Option<&str> {
-        self.face_names[face].as_deref()
+        self.of_faces[face].name.as_deref()
     }
 
     /// Returns, for each piece, the parts of the samples and cells along both parameters of
@@ -238,23 +242,20 @@ impl FacePieces {
     /// Returns whether the normal of a piece, that of its parameters, is opposite to its face's: the face may be
     /// reversed, and the map of a piece's parameters may turn the plane over.
     pub(crate) fn is_turned(&self, piece: usize) -> bool {
-        self.reversed[self.face(piece)] != self.turning(piece).is_some_and(|area| area < 0.0)
+        self.of_faces[self.face(piece)].reversed != self.turns_over(piece).unwrap_or_default()
     }
 
-    /// Returns an area that is negative where the map of a piece's parameters turns the plane over; none of a piece so thin
-    /// that rounding might decide it.
-    fn turning(&self, piece: usize) -> Option<f64> {
-        let (_, map) = &self.origins[piece];
+    /// Returns whether the map of a piece's parameters turns the plane over; none of a piece so thin that rounding might
+    /// decide it.
+    fn turns_over(&self, piece: usize) -> Option<bool> {
+        let (_, map @ ParameterMap::Ruled(_)) = &self.origins[piece] else { return Some(false) };
         let corner = |s: f64, t: f64| map.face_parameters([s, t]);
         let steps = || (0..RIM_STEPS).map(|step| f64::from(step) / f64::from(RIM_STEPS));
-        let rim: Vec<[f64; 2]> = match map {
-            ParameterMap::Identity => return Some(1.0),
-            ParameterMap::Ruled(_) => (steps().map(|s| corner(s, 0.0)))
-                .chain(steps().map(|t| corner(1.0, t)))
-                .chain(steps().map(|s| corner(1.0 - s, 1.0)))
-                .chain(steps().map(|t| corner(0.0, 1.0 - t)))
-                .collect(),
-        };
+        let rim: Vec<[f64; 2]> = (steps().map(|s| corner(s, 0.0)))
+            .chain(steps().map(|t| corner(1.0, t)))
+            .chain(steps().map(|s| corner(1.0 - s, 1.0)))
+            .chain(steps().map(|t| corner(0.0, 1.0 - t)))
+            .collect();
         let next = rim.iter().skip(1).chain(rim.first());
         let [first_u, first_v] = rim[0];
         let corner_area = |([u, v], [to_u, to_v]): (&[f64; 2], &[f64; 2])| {
@@ -262,7 +263,8 @@ impl FacePieces {
         };
         let areas: Vec<f64> = rim.iter().zip(next).map(corner_area).collect();
         let largest = areas.iter().map(|area| area.abs()).sum::<f64>();
-        Some(areas.iter().sum::<f64>()).filter(|area| area.abs() > TURNING_ROUNDING * largest)
+        let area = areas.iter().sum::<f64>();
+        (area.abs() > TURNING_ROUNDING * largest).then_some(area < 0.0)
     }
 
     /// Returns the parameters of a face for those of one of its pieces.
@@ -274,7 +276,7 @@ impl FacePieces {
     pub(crate) fn surface_point(&self, piece: usize, parameters: [f64; 2], point: DVec3) -> SurfacePoint {
         let [u, v] = self.face_parameters(piece, parameters);
         let surface = self.face(piece);
-        let face_name = self.face_names[surface].clone();
+        let face_name = self.of_faces[surface].name.clone();
         SurfacePoint {
             face: surface,
             face_name,

@@ -20,7 +20,8 @@ pub(crate) fn is_to_side(patch: &Patch<'_>, side: DVec3) -> Option<bool> {
 const SUM_ROUNDINGS: f64 = 16.0;
 
 /// Returns a unit vector and an upper bound on the tangent of its angle with the normal `S_s × S_t` at each point
-/// of a part of [0, 1]², which is nowhere 0; `None` where that is not shown, as at a pole, and where a normal refutes it. O(degree³).
+/// of a part of [0, 1]², which is nowhere 0; `None` where that is not shown, as at a pole, and where a normal refutes it.
+/// O(degree³).
 ///
 /// With the Chebyshev coefficients c_kl of the normal's numerator, whose T_k T_l are at most 1, and the direction n
 /// of c_00: along n it is at least `|c_00| - Σ |c_kl · n|`, and across n at most `Σ |c_kl - (c_kl · n) n|`.
@@ -66,19 +67,13 @@ fn is_refuted(density: &Density<'_>, part: ParamBox, (axis, tangent): (DVec3, f6
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
-    use glam::DVec4;
+    use crate::bezier::quarter_of_cylinder;
 
     /// The normals of a quarter of a cylinder turn by 45 degrees from the middle one to either side.
     #[test]
     fn an_audit_refutes_cones_that_are_too_narrow_or_elsewhere() {
-        let weight = std::f64::consts::FRAC_1_SQRT_2;
-        let arc = [(1.0, 0.0, 1.0), (1.0, 1.0, weight), (0.0, 1.0, 1.0)];
-        let controls: Vec<DVec4> = arc
-            .iter()
-            .flat_map(|&(x, y, w)| [0.0, 3.0].map(|z| DVec4::new(w * x, w * y, w * z, w)))
-            .collect();
-        let mut patch = Patch::whole([2, 1], DVec3::ZERO, &controls);
-        patch.rational = true;
+        let controls = quarter_of_cylinder();
+        let patch = Patch::whole([2, 1], DVec3::ZERO, &controls);
         let density = Density::new(&patch);
         let refuted = |x: f64, y: f64, tangent: f64| {
             is_refuted(&density, ParamBox::UNIT, (DVec3::new(x, y, 0.0).normalize(), tangent))

@@ -17,5 +17,7 @@ pub(crate) use bounds::{BEYOND, MAX_DEGREES, SeamJumps};
 pub use bounds::{DerivativeBounds, LocalDerivativeBounds, OrientedBox, PointError};
 pub use extraction::{BezierModel, PatchGrid, extract};
 pub(crate) use extraction::{center_grid, power_of_two_below, snapped, without_removable_knots};
+#[cfg(all(test, not(target_arch = "wasm32")))]
+pub(crate) use patch::quarter_of_cylinder;
 pub(crate) use patch::{HomogeneousTangents, normal, relative};
 pub use patch::{Jet, Patch, PatchSet};

@@ -138,6 +138,7 @@ impl NormalCone {
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
+    use crate::bezier::quarter_of_cylinder;
     use glam::DVec4;
 
     fn triangle(turn: f64) -> NormalCone {
@@ -177,14 +178,8 @@ mod tests {
     /// farthest.
     #[test]
     fn cones_hold_the_normals_of_parts_and_narrow_with_them() {
-        let half = std::f64::consts::FRAC_1_SQRT_2;
-        let arc = [(1.0, 0.0, 1.0), (1.0, 1.0, half), (0.0, 1.0, 1.0)];
-        let controls: Vec<DVec4> = arc
-            .iter()
-            .flat_map(|&(x, y, w)| [0.0, 3.0].map(|z| DVec4::new(w * x, w * y, w * z, w)))
-            .collect();
-        let mut patch = Patch::whole([2, 1], DVec3::ZERO, &controls);
-        patch.rational = true;
+        let controls = quarter_of_cylinder();
+        let patch = Patch::whole([2, 1], DVec3::ZERO, &controls);
         let mut last = f64::INFINITY;
         for halvings in 0..6_i32 {
             let width = 0.5_f64.powi(halvings);

@@ -3,10 +3,14 @@
 pub(in crate::bezier) mod evaluate;
 pub(in crate::bezier) mod subdivide;
 mod tensor_grid;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod testing;
 
 pub use evaluate::Jet;
 pub(crate) use evaluate::normal;
 pub(crate) use tensor_grid::HomogeneousTangents;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+pub(crate) use testing::quarter_of_cylinder;
 
 use crate::axis::Axis;
 use crate::bvh::Aabb;

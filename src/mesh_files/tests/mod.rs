@@ -322,13 +322,13 @@ fn damaged_files_are_refused_or_valid() {
         (seed!("scans/points-laz").to_vec(), MeshFormat::Las, None),
         (seed!("scans/layers-laz").to_vec(), MeshFormat::Las, None),
         (seed!("scans/scans-e57").to_vec(), MeshFormat::E57, None),
-        (seed!("written/off").to_vec(), MeshFormat::Off, None),
-        (seed!("written/vtk").to_vec(), MeshFormat::Vtk, None),
-        (seed!("written/vtp").to_vec(), MeshFormat::Vtk, None),
-        (seed!("written/pcd").to_vec(), MeshFormat::Pcd, None),
-        (seed!("written/ptx").to_vec(), MeshFormat::Ptx, None),
-        (seed!("written/csv").to_vec(), MeshFormat::Text, None),
-        (seed!("written/l-obj").to_vec(), MeshFormat::Obj, None),
+        (seed!("triangles/off").to_vec(), MeshFormat::Off, None),
+        (seed!("triangles/vtk").to_vec(), MeshFormat::Vtk, None),
+        (seed!("scenes/vtp").to_vec(), MeshFormat::Vtk, None),
+        (seed!("points/pcd").to_vec(), MeshFormat::Pcd, None),
+        (seed!("points/ptx").to_vec(), MeshFormat::Ptx, None),
+        (seed!("points/csv").to_vec(), MeshFormat::Text, None),
+        (seed!("triangles/l-obj").to_vec(), MeshFormat::Obj, None),
     ];
     for (bytes, format, _) in files().into_iter().chain(scans) {
         for _ in 0..1000 {

@@ -1,8 +1,9 @@
 //! The edges of faces as arcs: those that are joined, in pairs, and those that are free.
 
+use super::boundary::{RELATIVE_TIE, reach_of};
 use super::edges::{EdgePlace, Edges, EqualEdges};
-use super::joints::{RELATIVE_TIE, reach_of};
-use super::pairing::{EdgePart, Pairs, Reach, joined};
+use super::pairing::{Pairs, Reach, joined};
+use super::part::EdgePart;
 use crate::axis::Axis;
 use crate::bvh::Aabb;
 use crate::solid::curve::Curve;

@@ -1,22 +1,19 @@
 //! Edges in pairs, the nearest ones first.
 
-use super::clusters::Clusters;
-use super::edges::{Edge, EdgePlace, Edges, EqualEdges, Pieces};
+use super::edges::{Edge, Edges, EqualEdges, Pieces};
+use super::joints::{Corner, Joints};
 use super::orientation::Orientations;
-use crate::bvh::{Aabb, Bvh};
+use super::part::{EdgePart, in_one_direction};
 use crate::rounding::lower_min;
-use crate::solid::curve::Curve;
-use crate::sorting::sort_by_number;
-use glam::DVec3;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::HashMap;
 use std::hash::Hash;
 
-/// The first distance up to which edges are joined, in ties: pieces of a face follow their common cut, each within as
-/// much as a tie.
+/// The first distance up to which edges are joined, in ties: each of two pieces of a face is within about a tie of their
+/// common cut.
 const FIRST_LEVEL: f64 = 4.0;
 
-/// The ratio of one distance to the one before it. Edges that are near each other are not as near to others, in files
-/// with faces that are thinner than their gap, so that the steps may be large.
+/// The ratio of one distance to the one before it. Edges that belong to each other are mostly nearer to each other than to
+/// any others by more than that, also where faces are thinner than the gap of their file.
 const LEVEL_RATIO: f64 = 16.0;
 
 /// The distances of edges that are joined.
@@ -48,53 +45,6 @@ pub(super) struct Pairs {
     pub(super) corners: Vec<Corner>,
 }
 
-/// A part of an edge between two groups of points.
-#[derive(Debug)]
-pub(super) struct EdgePart {
-    pub(super) surface: usize,
-    pub(super) place: EdgePlace,
-    /// The parameters of its start and its end on that side.
-    pub(super) range: [f64; 2],
-    pub(super) curve: Curve,
-    /// The numbers of its ends among the points.
-    ends: [u32; 2],
-    pub(super) forward: bool,
-    /// The shell that the surface belongs to in its source, if that is known.
-    shell: Option<u32>,
-}
-
-impl EdgePart {
-    /// Returns whether the part may be joined at a level that is not the last. Where edges pass each other's ends by less
-    /// than the reach, their overlap tells nothing; what is a whole edge on its own is one though it be shorter.
-    fn may_be_joined(&self, level: f64, reach: f64) -> bool {
-        let (extent, is_whole) = (extent(&self.curve), (self.range[0] - self.range[1]).abs() == 1.0);
-        extent >= LEVEL_RATIO * level && (is_whole || extent > 2.0 * reach)
-    }
-
-    /// Returns the same part from its other end.
-    fn reversed(self) -> Self {
-        let (curve, forward) = (self.curve.reversed(), !self.forward);
-        let ([from, to], [start, end]) = (self.range, self.ends);
-        Self { range: [to, from], curve, ends: [end, start], forward, ..self }
-    }
-
-    /// Returns the parts before and after a parameter of its own, which meet in the point of this number.
-    fn split(self, t: f64, number: u32) -> [Self; 2] {
-        let ([low, high], [from, to], [start, end]) = (self.curve.split(t), self.range, self.ends);
-        let middle = from + t * (to - from);
-        let Self { surface, place, forward, shell, .. } = self;
-        [(low, [from, middle], [start, number]), (high, [middle, to], [number, end])]
-            .map(|(curve, range, ends)| Self { surface, place, range, curve, ends, forward, shell })
-    }
-}
-
-/// The points of a group, with the surfaces whose edges have them.
-#[derive(Debug, Default)]
-pub(super) struct Corner {
-    pub(super) points: Vec<DVec3>,
-    pub(super) surfaces: Vec<usize>,
-}
-
 /// Joins the edges of surfaces; also returns the sides to which the surfaces turn, and the equal edges.
 pub(super) fn joined(edges: Edges, reach: Reach) -> (Pairs, Orientations, Vec<EqualEdges>) {
     let Edges { surfaces, equal, single, pieces } = edges;
@@ -115,189 +65,57 @@ pub(super) fn joined(edges: Edges, reach: Reach) -> (Pairs, Orientations, Vec<Eq
 }
 
 /// Joins edges in pairs, and tells the sides to which their surfaces turn. Those of one shell of the source are joined
-/// before others, as edges of bodies that stand flush coincide, and those that are nearest to each other first. A surface whose edges are all points
-/// to the reach is joined to one that has these points. O(n log n) in general position.
+/// before others, as edges of bodies that stand flush coincide, and those that are nearest to each other first. A surface
+/// whose edges are all points to the reach is joined to one that has these points. O(n log n) in general position.
 fn pairs(edges: Vec<Edge>, reach: Reach, orientations: &mut Orientations) -> Pairs {
     let mut joints = Joints::new(&edges);
-    let parts = (0..).zip(edges).map(|(index, edge)| whole(index, edge));
+    let parts = (0..).zip(edges).map(|(index, edge)| EdgePart::whole(index, edge));
     let (of_shells, mut rest): (Vec<_>, Vec<_>) = parts.partition(|part| part.shell.is_some());
     let mut pairs = Vec::new();
-    rest.extend(joints.pair_all(of_shells, |arc| (arc.ends, arc.shell), reach, orientations, &mut pairs));
-    let free = joints.pair_all(rest, |arc| arc.ends, reach, orientations, &mut pairs);
+    rest.extend(pair_all(
+        &mut joints,
+        of_shells,
+        |arc| (arc.ends, arc.shell),
+        reach,
+        orientations,
+        &mut pairs,
+    ));
+    let free = pair_all(&mut joints, rest, |arc| arc.ends, reach, orientations, &mut pairs);
     joints.join_points(&pairs, &free, orientations);
     Pairs { pairs, free, corners: joints.corners() }
 }
 
-/// Returns the whole of an edge, of which the ends have numbers that follow from its own.
-fn whole(index: u32, Edge { surface, place, curve, forward, shell }: Edge) -> EdgePart {
-    let ends = [2 * index, 2 * index + 1];
-    EdgePart { surface, place, range: [0.0, 1.0], curve, ends, forward, shell }
+/// Adds the pairs of parts whose arcs have the same key, at growing distances; returns the arcs that are left.
+fn pair_all<K: Eq + Hash>(
+    joints: &mut Joints,
+    mut parts: Vec<EdgePart>,
+    key: impl Fn(&EdgePart) -> K,
+    Reach { reach, tie }: Reach,
+    orientations: &mut Orientations,
+    pairs: &mut Vec<[EdgePart; 2]>,
+) -> Vec<EdgePart> {
+    let rising = |arc: EdgePart| if arc.ends[0] > arc.ends[1] { arc.reversed() } else { arc };
+    let mut level = (FIRST_LEVEL * tie).max(f64::MIN_POSITIVE).min(reach);
+    while !parts.is_empty() {
+        let arcs = joints.arcs(parts, level);
+        let is_last = level >= reach;
+        let is_long = |arc: &EdgePart| is_last || may_be_joined(arc, level, reach);
+        let (long, short): (Vec<_>, Vec<_>) = arcs.into_iter().map(rising).partition(is_long);
+        parts = paired(groups(long, &key), Level { reach: level, tie, is_last }, orientations, pairs);
+        parts.extend(short);
+        if is_last {
+            break;
+        }
+        level = (LEVEL_RATIO * level).min(reach);
+    }
+    parts
 }
 
-/// A point of an edge.
-#[derive(Debug, Clone, Copy)]
-struct EdgePoint {
-    /// The number of a point of its group.
-    number: u32,
-    point: DVec3,
-    surface: usize,
-    shell: Option<u32>,
-}
-
-/// The groups of ends so far.
-struct Joints {
-    clusters: Clusters,
-    points: Vec<EdgePoint>,
-    /// The ends of edges that are points to the distances so far, which go on to join others.
-    vanished: Vec<(u32, DVec3)>,
-}
-
-impl Joints {
-    fn new(edges: &[Edge]) -> Self {
-        let points = edges.iter().flat_map(|edge| edge.curve.ends().map(|point| (edge, point)));
-        let points = (0..).zip(points).map(|(number, (edge, point))| {
-            let &Edge { surface, shell, .. } = edge;
-            EdgePoint { number, point, surface, shell }
-        });
-        let clusters = Clusters::separate(2 * edges.len());
-        Self { clusters, points: points.collect(), vanished: Vec::new() }
-    }
-
-    /// Groups the ends of parts that are within a distance, and returns the parts divided where a group lies on them,
-    /// without those that are points: their control points join the group of their ends.
-    fn arcs(&mut self, parts: Vec<EdgePart>, reach: f64) -> Vec<EdgePart> {
-        let ends = parts.iter().flat_map(|part| part.ends.into_iter().zip(part.curve.ends()));
-        let ends: Vec<(u32, DVec3)> = ends.chain(self.vanished.iter().copied()).collect();
-        self.clusters.join_near(&ends, reach);
-        let cuts = self.cuts(&parts, &ends, reach);
-        let mut arcs = Vec::with_capacity(parts.len());
-        for (mut part, mut cuts) in parts.into_iter().zip(cuts) {
-            part.ends = part.ends.map(|end| self.clusters.of(end));
-            let EdgePart { surface, shell, ends: [number, end], .. } = part;
-            if number == end && extent(&part.curve) <= 2.0 * reach {
-                self.vanished.extend(part.ends.into_iter().zip(part.curve.ends()));
-                let points = part.curve.points();
-                self.points.extend(points.map(|point| EdgePoint { number, point, surface, shell }));
-                continue;
-            }
-            sort_by_number(&mut cuts, |cut| cut.0);
-            let mut start = 0.0;
-            for (t, number) in cuts {
-                let [low, high] = part.split((t - start) / (1.0 - start), number);
-                let [_, point] = low.curve.ends();
-                self.points.push(EdgePoint { number, point, surface, shell });
-                arcs.push(low);
-                (part, start) = (high, t);
-            }
-            arcs.push(part);
-        }
-        arcs
-    }
-
-    /// Returns, for every part, the parameters at which groups lie on it that are not its ends'.
-    fn cuts(&mut self, parts: &[EdgePart], ends: &[(u32, DVec3)], reach: f64) -> Vec<Vec<(f64, u32)>> {
-        let of_part = |part: &EdgePart| part.curve.points().fold(Aabb::EMPTY, Aabb::with);
-        let tree = Bvh::new(&parts.iter().map(of_part).collect::<Vec<_>>());
-        let mut groups: BTreeMap<u32, DVec3> = BTreeMap::new();
-        for &(number, point) in ends {
-            groups.entry(self.clusters.of(number)).or_insert(point);
-        }
-        let mut cuts = vec![Vec::new(); parts.len()];
-        for (cluster, point) in groups {
-            for leaf in tree.leaves_within(point, reach * reach) {
-                let index = tree.primitive(&leaf) as usize;
-                let part = &parts[index];
-                if part.ends.map(|end| self.clusters.of(end)).contains(&cluster) {
-                    continue;
-                }
-                let (t, distance) = part.curve.closest(point);
-                if distance <= reach && 0.0 < t && t < 1.0 {
-                    cuts[index].push((t, cluster));
-                }
-            }
-        }
-        cuts
-    }
-
-    /// Adds the pairs of parts whose arcs have the same key, at growing distances; returns the arcs that are left.
-    fn pair_all<K: Eq + Hash>(
-        &mut self,
-        mut parts: Vec<EdgePart>,
-        key: impl Fn(&EdgePart) -> K,
-        Reach { reach, tie }: Reach,
-        orientations: &mut Orientations,
-        pairs: &mut Vec<[EdgePart; 2]>,
-    ) -> Vec<EdgePart> {
-        let rising = |arc: EdgePart| if arc.ends[0] > arc.ends[1] { arc.reversed() } else { arc };
-        let mut level = (FIRST_LEVEL * tie).max(f64::MIN_POSITIVE).min(reach);
-        while !parts.is_empty() {
-            let arcs = self.arcs(parts, level);
-            let is_last = level >= reach;
-            let is_long = |arc: &EdgePart| is_last || arc.may_be_joined(level, reach);
-            let (long, short): (Vec<_>, Vec<_>) = arcs.into_iter().map(rising).partition(is_long);
-            parts = paired(groups(long, &key), Level { reach: level, tie, is_last }, orientations, pairs);
-            parts.extend(short);
-            if is_last {
-                break;
-            }
-            level = (LEVEL_RATIO * level).min(reach);
-        }
-        parts
-    }
-
-    /// Joins each surface of which all edges are points to one that has edges with these points: of the same shell, if
-    /// that is known, and the nearest one in the file, as pieces of a face follow each other.
-    fn join_points(&mut self, pairs: &[[EdgePart; 2]], free: &[EdgePart], orientations: &mut Orientations) {
-        let with_edges: HashSet<usize> =
-            pairs.iter().flatten().chain(free).map(|part| part.surface).collect();
-        let is_point = |point: &EdgePoint| !with_edges.contains(&point.surface);
-        let mut groups: HashMap<u32, Vec<EdgePoint>> = HashMap::new();
-        for point in self.points.iter().filter(|point| is_point(point)) {
-            groups.entry(self.clusters.of(point.number)).or_default();
-        }
-        if groups.is_empty() {
-            return;
-        }
-        for point in &self.points {
-            if let Some(group) = groups.get_mut(&self.clusters.of(point.number)) {
-                group.push(*point);
-            }
-        }
-        let mut groups: Vec<_> = groups.into_iter().collect();
-        groups.sort_unstable_by_key(|&(number, _)| number);
-        for (_, group) in groups {
-            for point in group.iter().filter(|point| is_point(point)) {
-                let may_join = |other: &&EdgePoint| {
-                    other.surface != point.surface
-                        && (other.shell == point.shell || other.shell.is_none() || point.shell.is_none())
-                };
-                let farness = |other: &&EdgePoint| {
-                    (other.shell != point.shell, is_point(other), other.surface.abs_diff(point.surface))
-                };
-                if let Some(other) = group.iter().filter(may_join).min_by_key(farness) {
-                    orientations.connect(point.surface as u32, other.surface as u32);
-                }
-            }
-        }
-    }
-
-    /// Returns the groups of points.
-    fn corners(mut self) -> Vec<Corner> {
-        let mut corners: BTreeMap<u32, Corner> = BTreeMap::new();
-        for EdgePoint { number, point, surface, .. } in self.points {
-            let corner = corners.entry(self.clusters.of(number)).or_default();
-            corner.points.push(point);
-            if corner.surfaces.last() != Some(&surface) {
-                corner.surfaces.push(surface);
-            }
-        }
-        corners.into_values().collect()
-    }
-}
-
-/// Returns the diagonal of the box around a curve's control points.
-fn extent(curve: &Curve) -> f64 {
-    curve.points().fold(Aabb::EMPTY, Aabb::with).diagonal()
+/// Returns whether a part may be joined at a level that is not the last. Where edges pass each other's ends by less than
+/// the reach, their overlap tells nothing; a whole edge is one, however short it is.
+fn may_be_joined(part: &EdgePart, level: f64, reach: f64) -> bool {
+    let extent = part.extent();
+    extent >= LEVEL_RATIO * level && (part.is_whole() || extent > 2.0 * reach)
 }
 
 /// Adds the arcs of each group in pairs up to a level; returns the others.
@@ -374,22 +192,13 @@ fn groups<K: Eq + Hash>(arcs: Vec<EdgePart>, key: impl Fn(&EdgePart) -> K) -> Ve
     groups
 }
 
-/// Turns the second of two closed arcs round where that runs against the first.
-fn in_one_direction([a, b]: [EdgePart; 2]) -> [EdgePart; 2] {
-    if a.ends[0] != a.ends[1] {
-        return [a, b];
-    }
-    let [early, late] = [0.25, 0.75].map(|t| b.curve.closest(a.curve.point(t)).0);
-    if early <= late {
-        return [a, b];
-    }
-    [a, b.reversed()]
-}
-
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
+    use super::super::edges::EdgePlace;
     use super::*;
     use crate::axis::Axis;
+    use crate::solid::curve::Curve;
+    use glam::DVec3;
 
     const REACH: Reach = Reach { reach: 1e-3, tie: 1e-9 };
 

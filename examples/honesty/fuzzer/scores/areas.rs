@@ -14,11 +14,11 @@ use nurbs_hausdorff::{Interval, Model, RigidTransform};
 const SAMPLES: usize = 300;
 const CELLS: usize = 12_000;
 
-/// What a cell's radius and the turn of its normals may exceed those at its corners by.
+/// The factor by which the radius of a cell and the turn of its normals may exceed those at its corners.
 const GROWTH: f64 = 1.5;
 
-/// The standard errors that are allowed, the slack of a part where all samples agree, and the share of the parameters that
-/// so many samples may miss: as of statistics.
+/// The standard errors by which a part of samples may be off, the slack of a part where all samples agree, and the share of
+/// the parameters that this number of samples may miss. They are those of the family of statistics.
 const STANDARD_ERRORS: f64 = 6.0;
 const BINOMIAL: f64 = 0.05;
 const UNSEEN: f64 = 0.05;
@@ -133,7 +133,7 @@ fn angle(one: DVec3, other: DVec3) -> f64 {
         + if one == DVec3::ZERO || other == DVec3::ZERO { std::f64::consts::FRAC_PI_2 } else { 0.0 }
 }
 
-/// The excess of angles that are told apart.
+/// The least difference between two angles of which the sampler says which is larger.
 const ANGLE: f64 = 1e-7;
 
 impl Cell {

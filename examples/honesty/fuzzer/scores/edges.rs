@@ -9,10 +9,11 @@ use std::f64::consts::PI;
 /// The samples of a side of a surface.
 const STEPS: usize = 120;
 
-/// The distance of sides of which one continues the other, relative to the rounding of distances.
+/// The largest distance, relative to the rounding of distances, at which two sides are edges of neighbours.
 const JOINED: f64 = 1e3;
 
-/// The excess of angles that are told apart: that of the distance of samples of both sides.
+/// The least difference between two angles of which the sampler says which is larger: samples of the two sides are not at
+/// the same point.
 const ANGLE: f64 = 1e-3;
 
 /// The part of a length by which polygons are off at most.
@@ -26,7 +27,7 @@ const NONE: f64 = 1e-5;
 struct Sample {
     point: DVec3,
     length: f64,
-    /// Whether the surface turns there by more than the angle, where that is told.
+    /// Whether the surface turns by more than the angle there; none where the difference is too small to say.
     is_feature: Option<bool>,
     /// Whether it is the first one of its side.
     is_first: bool,
@@ -59,7 +60,8 @@ impl Side {
         surface.place(sheet.point(sheet.at(self.fractions(along))))
     }
 
-    /// Returns the unit direction into the face, across the side; `None` where there is none.
+    /// Returns the unit vector at right angles to the side that points into the face; `None` where the face has no tangent
+    /// plane.
     fn inward(&self, surface: &Surface, along: f64) -> Option<DVec3> {
         let sheet = &surface.sheets[self.sheet];
         let at = sheet.tangents(sheet.at(self.fractions(along)));
