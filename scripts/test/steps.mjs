@@ -1,12 +1,11 @@
 // The steps of `npm test`, in order: each after those that it needs, and only if they passed. Those with
 // `beside` run one after another beside the others, which compile or use all cores: two run at a time. The
-// modules and the command come before the lints of Rust, as most steps beside need them, and the page's tests
-// begin while the command is compiled. A step with `tests` fails if it ran
+// modules and the command come before the lints of Rust, as most steps beside need them: the page's tests
+// begin early, and both rows end at nearly the same time. A step with `tests` fails if it ran
 // none. `run` is given the names of the chosen steps. A step with `quick` is one of `npm test -- --quick`,
 // where `quick` replaces what it does; `release` replaces it in `npm test -- --release`, which tests what is
 // published.
 import { existsSync, readdirSync } from "node:fs";
-import { basename } from "node:path";
 import { buildApi } from "../build/api.mjs";
 import { buildCommand } from "../build/command.mjs";
 import { buildSite } from "../build/site.mjs";
@@ -23,18 +22,15 @@ import { installPackages, testPython } from "./python.mjs";
 
 const denyWarnings = ["--", "-D", "warnings"];
 
-/** Whether tests of the page compare it with the command. */
-const isOfCommand = (name) => basename(name) === "experiments.test.mjs";
-
 /** All tests of Rust but those of its documentation. */
 const rustTests = ["--lib", "--bins", "--tests"];
 
 const cargo = (args, env = {}) => must("cargo", args, { env: environment(env) });
 
-/** Runs the tests of a folder, or some of them. */
-function nodeTests(folder, env, isMeant = () => true) {
-  const all = existsSync(inRoot(folder)) ? readdirSync(inRoot(folder), { recursive: true }) : [];
-  const files = all.filter((name) => /\.test\.m?js$/.test(name) && isMeant(name));
+function nodeTests(folder, env) {
+  const files = existsSync(inRoot(folder))
+    ? readdirSync(inRoot(folder), { recursive: true }).filter((name) => /\.test\.m?js$/.test(name))
+    : [];
   if (files.length === 0) throw new Failure(`there is no *.test.mjs in ${folder}`);
   const paths = files.sort().map((name) => `${folder}/${name}`);
   return must("node", ["--test", "--test-reporter=spec", "--test-concurrency=1", ...paths], {
@@ -132,16 +128,6 @@ export const steps = [
     run: () => must("vite", ["build", "www"]),
   },
   {
-    name: "page",
-    tests: true,
-    what: "the page in headless Chromium",
-    needs: ["page-build"],
-    // The browser draws in software, and uses about one core, while the compiler leaves one idle for much of its time.
-    beside: true,
-    run: () =>
-      nodeTests("tests/page", { CHROMIUM: which("chromium") }, (name) => !isOfCommand(name)),
-  },
-  {
     name: "command",
     what: "the native command and the example that tests of other steps run",
     // Where the tests of Rust are chosen too they are compiled here: the crate with its own tests and without
@@ -156,12 +142,13 @@ export const steps = [
     },
   },
   {
-    name: "experiments",
+    name: "page",
     tests: true,
-    what: "the page of experiments beside the command",
+    what: "the page in headless Chromium",
     needs: ["command", "page-build"],
+    // The browser draws in software, and uses about one core.
     beside: true,
-    run: () => nodeTests("tests/page", { CHROMIUM: which("chromium") }, isOfCommand),
+    run: () => nodeTests("tests/page", { CHROMIUM: which("chromium") }),
   },
   {
     name: "wasm-tests",
