@@ -31,6 +31,9 @@ struct Level {
     reach: f64,
     /// As in [`Reach`].
     tie: f64,
+    /// The length up to which two edges may overlap at a corner, so that parts of both tell nothing; negative at the last
+    /// level.
+    overlap: f64,
     is_last: bool,
 }
 
@@ -99,9 +102,12 @@ fn pair_all<K: Eq + Hash>(
     while !parts.is_empty() {
         let arcs = joints.arcs(parts, level);
         let is_last = level >= reach;
-        let is_long = |arc: &EdgePart| is_last || may_be_joined(arc, level, reach);
+        // An arc about as long as a level may be a point at the next one.
+        let is_long = |arc: &EdgePart| is_last || arc.extent() >= LEVEL_RATIO * level;
         let (long, short): (Vec<_>, Vec<_>) = arcs.into_iter().map(rising).partition(is_long);
-        parts = paired(groups(long, &key), Level { reach: level, tie, is_last }, orientations, pairs);
+        let overlap = if is_last { -1.0 } else { 2.0 * reach };
+        let limits = Level { reach: level, tie, overlap, is_last };
+        parts = paired(groups(long, &key), limits, orientations, pairs);
         parts.extend(short);
         if is_last {
             break;
@@ -111,24 +117,18 @@ fn pair_all<K: Eq + Hash>(
     parts
 }
 
-/// Returns whether a part may be joined at a level that is not the last. Where edges pass each other's ends by less than
-/// the reach, their overlap tells nothing; a whole edge is one, however short it is.
-fn may_be_joined(part: &EdgePart, level: f64, reach: f64) -> bool {
-    let extent = part.extent();
-    extent >= LEVEL_RATIO * level && (part.is_whole() || extent > 2.0 * reach)
-}
-
 /// Adds the arcs of each group in pairs up to a level; returns the others.
 fn paired(
-    groups: Vec<Vec<EdgePart>>,
+    mut groups: Vec<Vec<EdgePart>>,
     level: Level,
     orientations: &mut Orientations,
     pairs: &mut Vec<[EdgePart; 2]>,
 ) -> Vec<EdgePart> {
-    // Groups of two arcs leave no choice: the sides that follow from them help to choose in others.
-    let (sure, others): (Vec<_>, Vec<_>) = groups.into_iter().partition(|group| group.len() <= 2);
+    // Groups of two arcs leave no choice, and long ones are no overlaps: the sides that follow from them help to choose in
+    // others.
+    groups.sort_by_key(|group| (group.len() > 2, group.iter().all(|arc| arc.extent() <= level.overlap)));
     let mut left = Vec::new();
-    for mut group in sure.into_iter().chain(others) {
+    for mut group in groups {
         while let Some(arc) = group.pop() {
             match partner(&arc, &group, level, orientations) {
                 Some(index) => {
@@ -147,26 +147,27 @@ fn paired(
 /// Returns the index of the arc nearest to the middle of this one, if it is near enough; of several that are as near,
 /// that of the surface nearest in the file, as a body's faces follow each other. Arcs that run the wrong way round for the
 /// sides of their surfaces, as far as these are known, come after all others, and only at the last level: a face thinner
-/// than the reach has both its edges near those of its neighbours, and an edge about as long as a level may be a point.
+/// than the reach has both its edges near those of its neighbours. Of two parts that are no longer than an overlap, of
+/// surfaces whose sides are not known of each other, one has to be a whole edge before that.
 fn partner(
     arc: &EdgePart,
     others: &[EdgePart],
-    Level { reach, tie, is_last }: Level,
+    Level { reach, tie, overlap, is_last }: Level,
     orientations: &mut Orientations,
 ) -> Option<usize> {
     let middle = arc.curve.point(0.5);
     let distances: Vec<f64> = others.iter().map(|other| other.curve.closest(middle).1).collect();
-    let mut is_against = |index: usize| {
-        let other = &others[index];
-        let is_open = arc.ends[0] != arc.ends[1];
-        is_open && {
-            let turned = orientations.turned(arc.surface as u32, other.surface as u32);
-            turned.is_some_and(|turned| turned != (arc.forward == other.forward))
-        }
-    };
+    let is_sure = arc.extent() > overlap || arc.is_whole();
     let [mut along, mut against] = [Vec::new(), Vec::new()];
-    for index in 0..others.len() {
-        if is_against(index) { against.push(index) } else { along.push(index) }
+    for (index, other) in others.iter().enumerate() {
+        let is_open = arc.ends[0] != arc.ends[1];
+        let turned = orientations.turned(arc.surface as u32, other.surface as u32).filter(|_| is_open);
+        match turned.map(|turned| turned == (arc.forward == other.forward)) {
+            Some(false) => against.push(index),
+            Some(true) => along.push(index),
+            None if is_sure || other.is_whole() => along.push(index),
+            None => {}
+        }
     }
     if !is_last {
         against.clear();
@@ -293,6 +294,20 @@ mod tests {
             assert_eq!(sides, [true], "{overlap}");
             assert_eq!(orientations.turned(0, 1), Some(false));
         }
+    }
+
+    /// A face beside two others, of which the smaller one is shorter than the reach: its whole edge is a part of theirs.
+    #[test]
+    fn a_whole_edge_is_joined_to_a_part_of_another_one_though_it_be_short() {
+        let small = 8e-4;
+        let edges = [
+            polygon(0, None, &[[-1.0, 0.0], [0.0, 0.0], [0.0, 1.0], [-1.0, 1.0]]),
+            polygon(1, None, &[[0.0, 0.0], [1.0, 0.0], [1.0, small], [0.0, small]]),
+            polygon(2, None, &[[0.0, small], [2.0, small], [2.0, 1.0], [0.0, 1.0]]),
+        ];
+        let found = pairs(edges.concat(), REACH, &mut Orientations::separate(3));
+        let shortest = found.pairs.iter().filter(|[a, _]| a.extent() < 1e-3);
+        assert_eq!(shortest.map(|[a, b]| a.surface.min(b.surface)).collect::<Vec<_>>(), [0]);
     }
 
     /// Three faces have an edge in common. The one that is farther from the first is of its shell.
