@@ -39,6 +39,9 @@ const OPEN_SHARE: f64 = 0.5;
 const MAX_CELLS: usize = 1024;
 const MAX_CELLS_PER_PATCH: usize = 256;
 
+/// The number of parts that a rectangle of a patch may have however small it is: one at a pole is narrow with these.
+const MIN_CELLS_OF_PART: usize = 8;
+
 /// The largest number of products that the parts of a face take beyond its patches: about a second, for
 /// surfaces of high degrees that fold.
 const MAX_WORK: usize = 1 << 29;
@@ -77,15 +80,19 @@ pub(crate) fn area<'a>(patches: impl Iterator<Item = Patch<'a>>) -> Area {
     for density in &densities {
         parts.add(density, Cell::new(density, ParamBox::UNIT));
     }
-    parts.narrowed(patches.len(), MAX_CELLS + MAX_CELLS_PER_PATCH * patches.len())
+    parts.narrowed(patches.len(), MAX_CELLS + MAX_CELLS_PER_PATCH * patches.len(), MAX_WORK)
 }
 
-/// Returns the area of a rectangle of a patch in its parameters in [0, 1]². As [`area`] of one patch.
+/// Returns the area of a rectangle of a patch in its parameters in [0, 1]². As [`area`] of one patch, with the
+/// rectangle's share of the parts: the rectangles that a patch is divided into take about as many as it does.
 pub(crate) fn area_of_part(patch: &Patch<'_>, range: ParamBox) -> Area {
     let density = Density::new(patch);
     let mut parts = Parts::default();
     parts.add(&density, Cell::new(&density, range));
-    parts.narrowed(1, MAX_CELLS_PER_PATCH)
+    let [width, height] = range.lengths();
+    let share = width * height;
+    let max_cells = (share * MAX_CELLS_PER_PATCH as f64) as usize;
+    parts.narrowed(1, max_cells.max(MIN_CELLS_OF_PART), (share * MAX_WORK as f64) as usize)
 }
 
 /// The parts of a face.
@@ -111,11 +118,11 @@ impl<'a> Parts<'a> {
     }
 
     /// Halves the parts whose areas have the widest bounds, until the sum is narrow or there are `max_cells`
-    /// parts, and returns the sum. `count` is the number of parts at first.
-    fn narrowed(mut self, mut count: usize, max_cells: usize) -> Area {
+    /// parts or they took `max_work` products, and returns the sum. `count` is the number of parts at first.
+    fn narrowed(mut self, mut count: usize, max_cells: usize, max_work: usize) -> Area {
         let mut work = 0;
         while count < max_cells
-            && work < MAX_WORK
+            && work < max_work
             && self.open_width > OPEN_SHARE * MAX_RELATIVE_WIDTH * self.closed.lower
             && let Some(Open { density, cell, axis }) = self.take()
         {
