@@ -64,7 +64,12 @@ impl Shape {
         if self.aabb.gap(&other.aabb).length_squared() > reach * reach {
             return true;
         }
-        let Some(along) = (other.middle - self.middle).try_normalize() else { return false };
+        let between = other.middle - self.middle;
+        // Extents along it that are so far apart are rare where the middles are not, and cost a product for each point.
+        if between.length_squared() <= reach * reach {
+            return false;
+        }
+        let Some(along) = between.try_normalize() else { return false };
         let level = |point: &DVec3| (*point - self.middle).dot(along);
         let own = self.points.iter().map(level).fold(f64::NEG_INFINITY, upper_max);
         let of_other = other.points.iter().map(|point| -level(point)).fold(f64::NEG_INFINITY, upper_max);
