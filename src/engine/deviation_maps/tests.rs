@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::deviation::FarthestPoint;
+use crate::engine::DistanceOptions;
 use crate::facets::{Facets, PointCloud};
 use crate::model::Model;
 use glam::DVec3;
@@ -21,7 +22,7 @@ fn the_maps_of_a_page_and_of_a_picture_begin_alike_and_hold_the_farthest_point()
     let cloud = PointCloud::new(vec![DVec3::new(0.51, 0.52, 0.01)]).unwrap();
     let b = PreparedModel::of_facets(&Facets::Cloud(cloud), None).unwrap();
     let (a, engine) = (square(0.0), Engine::cpu());
-    let found = engine.distance(&a, &b, &crate::engine::DistanceOptions::default()).wait().unwrap();
+    let found = engine.distance(&a, &b, &DistanceOptions::default()).wait().unwrap();
     let witness = &found.witness;
     let place = FarthestPoint { face: witness.a.face, point: witness.a.point, foot: witness.b.point };
     let shown = KnownDeviation { uppers: vec![found.upper], farthest: Some(place) };
