@@ -7,6 +7,7 @@
 //! their distance from the edges; [`assembly`] collects the faces and their placements;
 //! [`file`] recognises files by their content, and names [`foreign`] ones; `archive` opens those within others.
 
+#[cfg(feature = "archives")]
 mod archive;
 mod digits;
 mod edges;
@@ -15,7 +16,6 @@ mod file;
 mod format;
 mod gap;
 mod iges;
-#[cfg(feature = "archives")]
 mod instances;
 #[cfg(any(feature = "mesh", all(feature = "wasm-readers", target_arch = "wasm32")))]
 mod meshes;

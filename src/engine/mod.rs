@@ -7,6 +7,7 @@ mod certified;
 mod check;
 mod clearance;
 mod computation;
+mod deviation_maps;
 mod diff;
 mod direction;
 mod dispatch;
@@ -40,6 +41,9 @@ pub use clearance::{
     OverlapUnknown,
 };
 pub use computation::Computation;
+pub use deviation_maps::{DeviationMap, DeviationMapOptions, DeviationMaps};
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) use deviation_maps::{MapPair, SignedMap};
 pub use diff::{
     DiffOptions, DiffResult, FaceDifference, FaceState, PartDifference, PartFaces, PartMotion, PartState,
 };

@@ -22,6 +22,12 @@ import { type Backend, type DistanceOptions, split } from "./measure/options.js"
 import type { ClosestPointOptions, ClosestPoints } from "./measure/points/closest.js";
 import type { DeviationField, FieldOptions } from "./measure/points/field.js";
 import { type BestFit, type BestFitOptions, checkFit } from "./measure/points/fit.js";
+import {
+  CoarseMaps,
+  checkMaps,
+  type DeviationMapOptions,
+  type DeviationMaps,
+} from "./measure/points/maps.js";
 import type {
   Precision,
   SignedDistanceOptions,
@@ -202,6 +208,23 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#inTurn(options, (engine, call) => engine.field(...models, call));
   }
 
+  async deviationMaps(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: DeviationMapOptions = {},
+  ): Promise<DeviationMaps> {
+    const models = [prepared(a, "a"), prepared(b, "b")] as const;
+    checkMaps(options);
+    const { onCoarse, ...rest } = options;
+    const listener = new CoarseMaps(onCoarse, rest.onProgress);
+    const maps = await this.#inTurn<DeviationMaps>(
+      { ...rest, ...listener.progress },
+      (engine, call) => engine.deviationMaps(...models, listener.onCoarse, call),
+    );
+    listener.requireWhole();
+    return maps;
+  }
+
   async diff(a: NurbsModel, b: NurbsModel, options: DiffOptions = {}): Promise<DiffResult> {
     const models = [prepared(a, "a"), prepared(b, "b")] as const;
     return this.#inTurn(options, (engine, call) => engine.diff(...models, call));
@@ -297,6 +320,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     options:
       | DistanceOptions
       | FieldOptions
+      | Omit<DeviationMapOptions, "onCoarse">
       | DiffOptions
       | ClearanceOptions
       | GapOptions

@@ -76,6 +76,12 @@ export type {
   ZoneOptions,
 } from "./measure/points/fit.js";
 export type {
+  DeviationMap,
+  DeviationMapOptions,
+  DeviationMaps,
+  KnownDeviation,
+} from "./measure/points/maps.js";
+export type {
   Precision,
   SignedDistanceOptions,
   SignedDistances,

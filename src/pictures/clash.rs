@@ -1,12 +1,12 @@
 //! The pictures of a clash: both bodies where they stand, and what of each is inside the other one.
 
 use super::camera::Camera;
-use super::map::{Map, Placing, Vertex};
 use super::models::map;
 use super::raster::{Corner, Raster};
 use super::views::{OVERVIEWS, SIZE};
-use super::{Figure, Picture, Shown, mark, numbers::distance_text, png};
-use crate::engine::PreparedModel;
+use super::{Figure, KnownDeviation, Picture, mark, numbers::distance_text, png};
+use crate::deviation::{Map, Vertex};
+use crate::engine::{MapPair, PreparedModel};
 use crate::error::Error;
 use crate::model::RigidTransform;
 use glam::DVec3;
@@ -70,9 +70,9 @@ impl Scene {
     fn new(clash: &Clash<'_>) -> crate::error::Result<Self> {
         let [a, b] = clash.bodies;
         let diagonal = a.bounding_box().union(b.bounding_box()).diagonal();
-        let placing = Placing { transform: RigidTransform::IDENTITY, scale: 1.0, is_of_a: true };
-        let shown = Shown::default();
-        let maps = [map(a, b, placing, diagonal, &shown)?, map(b, a, placing, diagonal, &shown)?];
+        let pair = MapPair { a, b, scale: 1.0, transform: RigidTransform::IDENTITY };
+        let of = |is_of_a| map(&pair, is_of_a, &KnownDeviation::default()).map(|of_side| of_side.map);
+        let maps = [of(true)?, of(false)?];
         Ok(Self { maps, point: DVec3::from_array(clash.point), diagonal })
     }
 

@@ -1,15 +1,16 @@
 //! The pictures of maps, in the same colours.
 
-use super::map::{FLOOR, Map};
 use super::scale::{Extent, Scale};
 use super::views::Scene;
 use super::{Pictures, legend, numbers};
+use crate::deviation::FLOOR;
+use crate::engine::SignedMap;
 
 /// What pictures are made of.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Drawn<'a> {
     /// The maps of A and of B, of those that are shown.
-    pub(crate) maps: [Option<&'a Map>; 2],
+    pub(crate) maps: [Option<&'a SignedMap>; 2],
     /// The larger diagonal of both models.
     pub(crate) diagonal: f64,
     /// Metres per unit of a result, if they are known.
@@ -37,24 +38,26 @@ pub(crate) fn draw<E>(
         // Of two equal places the first is the worst.
         let is_worst = !is_marked && largest(map) == of_all;
         is_marked |= is_worst;
-        let scene = Scene { names, map, scale: &scale, diagonal, unit: unit.as_deref(), is_worst };
+        let SignedMap { map, signs } = map;
+        let scene =
+            Scene { names, map, signs: *signs, scale: &scale, diagonal, unit: unit.as_deref(), is_worst };
         figures.extend(scene.figures(&mut deflate)?);
     }
     Ok(Pictures { figures, legend: legend::drawing(&scale, diagonal) })
 }
 
-fn largest(map: &Map) -> f64 {
-    map.worst().map_or(f64::NEG_INFINITY, |worst| map.values[worst][1])
+fn largest(map: &SignedMap) -> f64 {
+    map.map.worst().map_or(f64::NEG_INFINITY, |worst| map.map.values[worst][1])
 }
 
 /// Returns the extremes of all maps. Distances are shown instead of signed deviations if a model has no
 /// signs.
-fn extent<'a>(maps: impl Iterator<Item = &'a Map>, diagonal: f64) -> Extent {
+fn extent<'a>(maps: impl Iterator<Item = &'a SignedMap>, diagonal: f64) -> Extent {
     let mut extent =
         Extent { lowest: 0.0, highest: 0.0, largest: 0.0, floor: FLOOR * diagonal, absolute: false };
     for map in maps {
         let mut has_signs = false;
-        for &[signed, distance] in &map.values {
+        for &[signed, distance] in &map.map.values {
             has_signs |= !signed.is_nan();
             // NaN, which stands for no sign, is neither.
             extent.lowest = extent.lowest.min(signed);

@@ -6,11 +6,11 @@
 //! distance, and is marked.
 //!
 //! ```
-//! use nurbs_hausdorff::pictures::{PictureOptions, Shown, pictures};
+//! use nurbs_hausdorff::pictures::{PictureOptions, KnownDeviation, pictures};
 //! use nurbs_hausdorff::{PreparedModel, shapes};
 //!
 //! let [a, b] = [shapes::shape("sphere")?, shapes::shape("torus")?].map(|model| PreparedModel::new(&model));
-//! let options = PictureOptions { a: Some(Shown::default()), ..PictureOptions::default() };
+//! let options = PictureOptions { a: Some(KnownDeviation::default()), ..PictureOptions::default() };
 //! // The caller compresses: here nothing does.
 //! let shown = pictures(&a?, &b?, &options, |bytes| nurbs_hausdorff::Result::Ok(bytes.to_vec()))?;
 //! assert_eq!(shown.figures[0].pictures.len(), 2);
@@ -21,7 +21,6 @@ mod camera;
 mod clash;
 mod draw;
 mod legend;
-mod map;
 mod mark;
 mod models;
 mod numbers;
@@ -30,30 +29,10 @@ mod raster;
 mod scale;
 mod views;
 
+pub use crate::deviation::{FarthestPoint, KnownDeviation};
 use crate::model::RigidTransform;
 pub use clash::{Clash, clash_pictures};
 pub use models::pictures;
-
-/// What is known of a model that is shown, and shown with it.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Shown {
-    /// A known upper bound on the distance of all its points from the other model, or one for each
-    /// face: no deviation shown exceeds it.
-    pub uppers: Vec<f64>,
-    /// The farthest point found.
-    pub farthest: Option<Place>,
-}
-
-/// A point of a model with its nearest point on the other one, both in the coordinates of a result.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
-    /// Index of the face that has the point.
-    pub face: usize,
-    /// The point.
-    pub point: [f64; 3],
-    /// Its nearest point.
-    pub foot: [f64; 3],
-}
 
 /// What pictures show of two models.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -61,9 +40,9 @@ pub struct PictureOptions {
     /// The deviation that is allowed, which has a colour and a tick of its own.
     pub allowed: Option<f64>,
     /// Whether A is shown, in the colours of its deviations from B.
-    pub a: Option<Shown>,
+    pub a: Option<KnownDeviation>,
     /// The same of B.
-    pub b: Option<Shown>,
+    pub b: Option<KnownDeviation>,
     /// Whether B is scaled to the unit of A where both state different ones; else they are an error.
     pub scale_units: bool,
     /// Moves A before it is measured.

@@ -53,11 +53,12 @@ impl Scale {
     /// Returns the colour of a signed deviation, NaN without a sign, and its distance.
     pub(crate) fn color(&self, [signed, distance]: [f64; 2]) -> [u8; 3] {
         let Extent { floor, absolute, .. } = self.extent;
-        if distance <= floor {
-            return bytes(ROUNDING);
-        }
+        // What agrees is allowed: on all parts in one colour, whether rounding can be told from 0 or not.
         if self.allowed.is_some_and(|allowed| distance <= allowed) {
             return bytes(WITHIN);
+        }
+        if distance <= floor {
+            return bytes(ROUNDING);
         }
         if signed.is_nan() && !absolute {
             return bytes(UNSIGNED);
@@ -121,7 +122,8 @@ mod tests {
         assert_eq!(color(2.0), [0xf4, 0xa5, 0x82]);
         assert_eq!(color(-2.0), [0x92, 0xc5, 0xde]);
         assert_eq!(color(0.5), [0x79, 0xb9, 0x8a]);
-        assert_eq!(color(-1e-3), [0xf2, 0xf3, 0xf4]);
+        assert_eq!(color(-1e-3), [0x79, 0xb9, 0x8a]);
+        assert_eq!(Scale::new(EXTENT, None).color([-1e-3, 1e-3]), [0xf2, 0xf3, 0xf4]);
         assert_eq!(scale.color([f64::NAN, 3.0]), [0x80, 0x88, 0x90]);
         assert_eq!(scale.color([f64::NAN, 0.4]), [0x79, 0xb9, 0x8a]);
         // Beyond the end is the end.

@@ -2,11 +2,11 @@
 //! the worst place.
 
 use super::camera::Camera;
-use super::map::{Map, Vertex};
 use super::numbers::{distance_text, signed_text};
 use super::raster::{Corner, Raster};
 use super::scale::Scale;
 use super::{Figure, Picture, mark, png};
+use crate::deviation::{Map, Vertex};
 use crate::engine::Signs;
 use glam::DVec3;
 
@@ -47,6 +47,7 @@ pub(super) struct Scene<'a> {
     /// Those of its model, and of the other one.
     pub(super) names: [&'a str; 2],
     pub(super) map: &'a Map,
+    pub(super) signs: Signs,
     pub(super) scale: &'a Scale,
     pub(super) diagonal: f64,
     pub(super) unit: Option<&'a str>,
@@ -101,7 +102,7 @@ impl Scene<'_> {
 
     /// Returns what a sign stands for.
     fn sign_text(&self) -> String {
-        match (self.scale.extent.absolute, self.map.signs) {
+        match (self.scale.extent.absolute, self.signs) {
             (true, _) => String::new(),
             (_, Signs::Solid) => format!(" (negative inside the solid {})", self.names[1]),
             (_, Signs::Faces) => format!(" (negative behind {}'s normals)", self.names[1]),

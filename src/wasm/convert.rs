@@ -3,9 +3,9 @@
 use super::failure::to_object;
 use crate::engine::{
     BestFitOptions, CheckOptions, ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField,
-    DiffOptions, DistanceOptions, DistanceResult, FaceDeviations, FieldOptions, GapOptions, Grid,
-    NamedOptions, OverlapOptions, Precision, ScoreOptions, SignedDistanceOptions, SignedDistances, Signs,
-    Statistics, StatisticsOptions,
+    DeviationMapOptions, DiffOptions, DistanceOptions, DistanceResult, FaceDeviations, FieldOptions,
+    GapOptions, Grid, NamedOptions, OverlapOptions, Precision, ScoreOptions, SignedDistanceOptions,
+    SignedDistances, Signs, Statistics, StatisticsOptions,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -134,6 +134,16 @@ pub(super) fn field_options(options: &JsValue, transform: &JsValue) -> Result<Fi
     let transform = rigid_transform(transform)?;
     let options: FieldOptions = properties(options).map_err(invalid)?;
     Ok(FieldOptions { transform, ..options })
+}
+
+/// The options of maps, as [`options`].
+///
+/// # Errors
+/// As [`options`].
+pub(super) fn deviation_map_options(options: &JsValue, transform: &JsValue) -> Result<DeviationMapOptions> {
+    let transform = rigid_transform(transform)?;
+    let options: DeviationMapOptions = properties(options).map_err(invalid)?;
+    Ok(DeviationMapOptions { transform, ..options })
 }
 
 /// The options of a best fit, as [`options`].

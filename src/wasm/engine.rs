@@ -13,7 +13,7 @@ use wasm_bindgen_futures::future_to_promise;
 /// One device. The promises that it returns own what they need, so that
 /// engine and models may be disposed of while they run.
 #[wasm_bindgen]
-pub struct Engine(Rc<engine::Engine>);
+pub struct Engine(pub(super) Rc<engine::Engine>);
 
 #[wasm_bindgen]
 impl Engine {

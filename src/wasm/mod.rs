@@ -11,6 +11,8 @@ mod convert;
 #[cfg(feature = "wasm")]
 mod engine;
 mod failure;
+#[cfg(feature = "wasm")]
+mod maps;
 #[cfg(any(feature = "wasm-meshes", feature = "wasm-scans"))]
 mod meshes;
 #[cfg(feature = "wasm")]

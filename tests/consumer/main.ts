@@ -85,6 +85,8 @@ export async function elsewhere(text: string): Promise<number> {
   const { distances } = await hd.closestPoints(a, points, { transfer: true });
   const { transform, rms } = await hd.bestFit(a, a, { samples: 8 });
   const { statistics, deviations } = await hd.field(a, a, { transform, upper: rms });
+  const { a: map } = await hd.deviationMaps(a, a, { a: { uppers: [rms] }, transform });
+  if (map?.signs === "solid") return map.distances.length;
   if (statistics !== undefined && deviations[0]?.areas.length === 0) return statistics.mean;
   // @ts-expect-error models are the worker's
   await hd.distance(a, inHere().shape("sphere"));

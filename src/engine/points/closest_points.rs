@@ -91,7 +91,7 @@ impl Engine {
         })
     }
 
-    async fn closest_points_of(
+    pub(in crate::engine) async fn closest_points_of(
         &self,
         model: &PreparedModel,
         points: &[f64],

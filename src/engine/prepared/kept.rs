@@ -8,6 +8,7 @@ use crate::area::Area;
 use crate::bezier::{LocalDerivativeBounds, PatchSet};
 use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
+use crate::deviation::Map;
 use crate::error::Result;
 use crate::facts::Facts;
 use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Places, flatten, recut};
@@ -43,6 +44,8 @@ pub(super) struct Kept {
     pub(super) targets: Mutex<Vec<(Flatness, Arc<PreparedTarget>)>>,
     samplings: Mutex<Vec<(SamplingKey, Arc<PreparedSampling>)>>,
     pub(super) cells: Mutex<Option<Arc<PreparedCells>>>,
+    /// The triangles of its map.
+    pub(super) map_base: Mutex<Option<Arc<Map>>>,
     pub(super) areas: OnceLock<Vec<Area>>,
     pub(super) boundary: OnceLock<Boundary>,
     pub(super) joined: OnceLock<Joined>,

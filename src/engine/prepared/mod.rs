@@ -3,6 +3,7 @@
 mod bodies;
 mod facts;
 mod kept;
+mod map_base;
 mod measured;
 mod mirrored;
 mod points;

@@ -15,6 +15,7 @@ import type { DistanceOptions } from "./options.js";
 import type { ClosestPointOptions, ClosestPoints } from "./points/closest.js";
 import type { DeviationField, FieldOptions } from "./points/field.js";
 import type { BestFit, BestFitOptions } from "./points/fit.js";
+import type { DeviationMapOptions, DeviationMaps } from "./points/maps.js";
 import type {
   Precision,
   SignedDistanceOptions,
@@ -67,6 +68,18 @@ export interface DistanceEngine<Model> {
    * `OPTION_OUT_OF_RANGE`, `OPTION_INVALID`, `TRANSFORM_NOT_RIGID`, `UNITS_DIFFER`.
    */
   field(a: Model, b: Model, options?: FieldOptions): Promise<DeviationField>;
+
+  /**
+   * Maps of deviations to draw: the triangles of `a`, moved by `transform`, of `b`, or of both, with the
+   * deviation from the other model at each vertex, split where it is not linear between them.
+   *
+   * Guarantee: the distance at a vertex is that of its point to 5e-8 of the other model's diagonal, unless a
+   * known bound is less. Between vertices it is an estimate.
+   *
+   * @throws {HausdorffError} as `field`; `OPTION_OUT_OF_RANGE` for a bound below 0; `POINT_OUT_OF_RANGE` for a
+   * farthest point that is not finite.
+   */
+  deviationMaps(a: Model, b: Model, options?: DeviationMapOptions): Promise<DeviationMaps>;
 
   /**
    * Compares every face of `a`, moved by `transform`, with `b`, and every face of `b`

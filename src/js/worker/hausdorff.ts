@@ -22,6 +22,7 @@ import { type DistanceOptions, split } from "../measure/options.js";
 import type { ClosestPointOptions, ClosestPoints } from "../measure/points/closest.js";
 import type { DeviationField, FieldOptions } from "../measure/points/field.js";
 import type { BestFit, BestFitOptions } from "../measure/points/fit.js";
+import type { DeviationMapOptions, DeviationMaps } from "../measure/points/maps.js";
 import type {
   Precision,
   SignedDistanceOptions,
@@ -39,7 +40,7 @@ import {
   type SurfaceArrays,
 } from "../model/surface.js";
 import { type CallOptions, Channel } from "./channel.js";
-import type { Listener, ModelFacts, Port, ReadingReport, Reply } from "./messages.js";
+import type { Listener, MapReport, ModelFacts, Port, ReadingReport, Reply } from "./messages.js";
 import { NurbsModel } from "./model.js";
 
 /** Options of `Hausdorff.create` of this entry. */
@@ -199,6 +200,27 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
 
   async field(a: NurbsModel, b: NurbsModel, options: FieldOptions = {}): Promise<DeviationField> {
     return this.#measure("field", [this.#id(a, "a"), this.#id(b, "b")], options);
+  }
+
+  async deviationMaps(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: DeviationMapOptions = {},
+  ): Promise<DeviationMaps> {
+    const { onCoarse, onProgress, ...rest } = options;
+    const { plain, transform, signal } = split<OnReport>(rest);
+    const sent = transform === undefined ? plain : { ...plain, transform };
+    const report = ({ coarse, progress }: MapReport) => {
+      if (coarse !== undefined) onCoarse?.(coarse);
+      if (progress !== undefined) onProgress?.(...progress);
+    };
+    const models = [this.#id(a, "a"), this.#id(b, "b")];
+    const reports = { onCoarse: onCoarse !== undefined, onProgress: onProgress !== undefined };
+    const [result] = await this.#channel.call("deviationMaps", [...models, sent, reports], {
+      signal,
+      ...((reports.onCoarse || reports.onProgress) && { onProgress: report }),
+    });
+    return result as DeviationMaps;
   }
 
   async diff(a: NurbsModel, b: NurbsModel, options: DiffOptions = {}): Promise<DiffResult> {

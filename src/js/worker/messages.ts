@@ -1,6 +1,8 @@
 import type { CadOptions, FaceDraft } from "../cad/options.js";
 import type { CadReport } from "../cad/report.js";
 import type { ErrorCode } from "../error.js";
+import type { DeviationMaps } from "../measure/points/maps.js";
+import type { OnProgress } from "../measure/progress.js";
 
 /** What a model's twin on the caller's thread knows of it. */
 export interface ModelFacts {
@@ -48,6 +50,12 @@ export interface Failure {
 export interface ReadingReport {
   library?: Parameters<NonNullable<CadOptions["onLibrary"]>>[0];
   face?: FaceDraft;
+}
+
+/** What the worker reports of maps that it makes: coarse ones, or the progress. */
+export interface MapReport {
+  coarse?: DeviationMaps;
+  progress?: Parameters<OnProgress>;
 }
 
 /** What the worker sends. */

@@ -4,9 +4,19 @@ import type { Libraries } from "../cad/peers/peers.js";
 import { readCad } from "../cad/read.js";
 import { HausdorffError } from "../error.js";
 import { type CreateOptions, Hausdorff } from "../hausdorff.js";
+import type { DeviationMaps } from "../measure/points/maps.js";
+import type { OnProgress } from "../measure/progress.js";
 import type { MeshArrays } from "../model/mesh.js";
 import type { NurbsModel } from "../model/model.js";
-import type { Call, EngineFacts, ModelFacts, ReadingReport, Reply, Request } from "./messages.js";
+import type {
+  Call,
+  EngineFacts,
+  MapReport,
+  ModelFacts,
+  ReadingReport,
+  Reply,
+  Request,
+} from "./messages.js";
 
 type Post = (reply: Reply, transfer: ArrayBuffer[]) => void;
 
@@ -117,6 +127,18 @@ class Server {
       this.#open.distance(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     field: ([, a, b, options], watch) =>
       this.#open.field(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
+    deviationMaps: ([, a, b, options, reports], { signal, onProgress }) => {
+      const told = (reports ?? {}) as { onCoarse?: boolean; onProgress?: boolean };
+      const report = (what: MapReport) => onProgress?.(what);
+      return this.#open.deviationMaps(this.#model(a), this.#model(b), {
+        ...(options as object),
+        signal,
+        ...(told.onCoarse && { onCoarse: (coarse: DeviationMaps) => report({ coarse }) }),
+        ...(told.onProgress && {
+          onProgress: (...progress: Parameters<OnProgress>) => report({ progress }),
+        }),
+      });
+    },
     diff: ([, a, b, options], watch) =>
       this.#open.diff(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     statistics: ([, a, b, options], watch) =>

@@ -1,5 +1,7 @@
 // The queue of measurements: one runs, and only the newest request waits.
 import type {
+  DeviationMap,
+  DeviationMaps,
   DistanceOptions,
   DistanceResult,
   Hausdorff,
@@ -9,8 +11,7 @@ import type {
 import { isCancelled } from "./failure.ts";
 import type { MapOf } from "./map/csv.ts";
 import { buffersOf, type MapDisplay, mapDisplay } from "./map/display.ts";
-import { directedFrom, entriesOf, isFine, Maps } from "./map/maps.ts";
-import type { Measuring } from "./map/measured.ts";
+import { entriesOf, knownOf } from "./map/maps.ts";
 import type { Placing } from "./map/placed.ts";
 import type { EngineState, PlainOptions, Reply, Side, Sides } from "./protocol.ts";
 
@@ -23,11 +24,8 @@ import type { EngineState, PlainOptions, Reply, Side, Sides } from "./protocol.t
  */
 const GRACE = { certified: 120, others: 4000 };
 
-/** The part of the progress that is the distance's where colours follow, and the coarse colours'. */
+/** The part of the progress that is the distance's where colours follow. */
 const DISTANCE_PART = 0.5;
-const COARSE_PART = 0.25;
-const FIRST_PART: [begin: number, part: number] = [DISTANCE_PART, COARSE_PART];
-const SECOND_PART: typeof FIRST_PART = [DISTANCE_PART + COARSE_PART, COARSE_PART];
 
 /** A request for a distance, and for the maps of some sides. */
 export interface Request {
@@ -46,7 +44,6 @@ export class Measurements {
   readonly #engine: Hausdorff;
   readonly #reply: (reply: Reply, transfer?: Transferable[]) => void;
   readonly #fail: (error: unknown, run: number) => void;
-  readonly #maps = new Maps();
   #models: Sides<NurbsModel> = {};
   #painted: MapOf[] = [];
   #waiting: Requested | undefined;
@@ -132,72 +129,44 @@ export class Measurements {
     }
   }
 
-  /** Makes the maps, coarsely first, as that shows colours much sooner. */
+  /** Makes the maps, and shows coarse ones first, as that shows colours much sooner. */
   async #paint(requested: Requested, result: DistanceResult): Promise<void> {
-    const { options } = requested;
+    const { options, paint, abort } = requested;
+    const { a, b } = this.#models;
+    if (a === undefined || b === undefined) return;
     const placing = this.#placing(options);
-    let coarse: Sides<MapOf["map"]> = {};
+    const rest = { begin: DISTANCE_PART, part: 1 - DISTANCE_PART };
+    let report = this.#progress(requested, GRACE.others, rest);
+    let coarse: DeviationMaps | undefined;
+    const show = (maps: Sides<DeviationMap>, pending: boolean) =>
+      this.#show(requested, result, displayed(maps, placing, result), pending);
     try {
-      coarse = await this.#each(requested, result, FIRST_PART, (_, own, measuring) =>
-        this.#maps.coarse(own, result, measuring),
-      );
-      const isDone = entriesOf(coarse).every(([side, map]) =>
-        isFine(map, result.diagonal, boundOf(result, side)),
-      );
-      if (isDone) this.#keep(coarse, placing);
-      this.#show(requested, result, displayed(coarse, placing, result), !isDone);
-      if (isDone) return;
-      const fine = await this.#each(requested, result, SECOND_PART, async (side, _, measuring) => {
-        const map = coarse[side];
-        return map && this.#maps.fine(map, result.diagonal, measuring);
+      const fine = await this.#engine.deviationMaps(a, b, {
+        ...knownOf(result, paint),
+        ...{ transform: placing.transform, scaleUnits: options.scaleUnits === true },
+        signal: abort.signal,
+        onCoarse: (maps) => {
+          coarse = maps;
+          show(sidesOf(maps), true);
+          // Finer ones wait for nobody.
+          report = this.#progress(requested, 0, rest);
+        },
+        onProgress: (fraction) => report(fraction),
       });
-      this.#keep(fine, placing);
-      this.#show(requested, result, displayed(fine, placing, result), false);
+      this.#keep(sidesOf(fine), placing);
+      show(sidesOf(fine), false);
     } catch (error) {
       if (!isCancelled(error)) throw error;
       // Of a newer request come newer colours; else the coarse ones stay, if there are any.
       if (this.#waiting !== undefined) return;
-      this.#keep(coarse, placing);
-      this.#show(requested, result, displayed(coarse, placing, result), false);
+      const maps = coarse === undefined ? {} : sidesOf(coarse);
+      this.#keep(maps, placing);
+      show(maps, false);
     }
   }
 
-  #keep(maps: Sides<MapOf["map"]>, placing: Placing): void {
+  #keep(maps: Sides<DeviationMap>, placing: Placing): void {
     this.#painted = entriesOf(maps).map(([side, map]) => ({ side, map, placing }));
-  }
-
-  /** Calls a function for every side to paint, and returns what it makes. */
-  async #each<T>(
-    requested: Requested,
-    result: DistanceResult,
-    [begin, part]: [number, number],
-    make: (side: Side, own: NurbsModel, measuring: Measuring) => Promise<T | undefined>,
-  ): Promise<Sides<T>> {
-    const { paint, options, abort } = requested;
-    const made: Sides<T> = {};
-    const { a, b } = this.#models;
-    if (a === undefined || b === undefined) return made;
-    const report = this.#progress(requested, begin > DISTANCE_PART ? 0 : GRACE.others, {
-      begin,
-      part,
-    });
-    let count = 0;
-    for (const side of paint) {
-      const [own, other] = side === "a" ? [a, b] : [b, a];
-      const onPoints = (more: number) => {
-        count += more;
-        // The number of points to come is not known.
-        report(1 - BATCH_SHARE / (BATCH_SHARE + count), undefined);
-      };
-      const { upper } = boundOf(result, side);
-      const measuring: Measuring = {
-        ...this.#placing(options),
-        ...{ engine: this.#engine, side, other, upper, signal: abort.signal, onPoints },
-      };
-      const one = await make(side, own, measuring);
-      if (one !== undefined) made[side] = one;
-    }
-    return made;
   }
 
   /** Where the models are, in a measurement with these options. */
@@ -241,16 +210,15 @@ export class Measurements {
   }
 }
 
-/** Points after which half of the progress of a map is shown. */
-const BATCH_SHARE = 50_000;
-
-/** What no distance from a side to the other exceeds. */
-const boundOf = (result: DistanceResult, side: Side): { upper: number } =>
-  directedFrom(result, side) ?? { upper: Number.POSITIVE_INFINITY };
+/** The maps that were made. */
+const sidesOf = ({ a, b }: DeviationMaps): Sides<DeviationMap> => ({
+  ...(a && { a }),
+  ...(b && { b }),
+});
 
 /** What the page draws of the maps of a result. */
 function displayed(
-  maps: Sides<MapOf["map"]>,
+  maps: Sides<DeviationMap>,
   placing: Placing,
   { diagonal }: DistanceResult,
 ): Sides<MapDisplay> {

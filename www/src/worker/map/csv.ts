@@ -1,9 +1,8 @@
 // The vertices of maps as a table of comma-separated values.
-import type { Vector3 } from "nurbs-hausdorff";
+import type { DeviationMap, Vector3 } from "nurbs-hausdorff";
 import type { Side } from "../protocol.ts";
 import { triangleAreas } from "./distribution.ts";
 import { type Placing, placed } from "./placed.ts";
-import type { DeviationMap } from "./refine.ts";
 
 const HEADER = "side,face,x,y,z,foot_x,foot_y,foot_z,distance,signed,area";
 
@@ -43,7 +42,7 @@ function linesOf({ side, map, placing }: MapOf): string[] {
 function ofVertices(map: DeviationMap, scale: number) {
   const count = map.distances.length;
   const [faces, areas] = [new Uint32Array(count), new Float64Array(count)];
-  const { indices, faces: owners } = map.triangles;
+  const { indices, faces: owners } = map;
   for (const [triangle, area] of triangleAreas(map).entries()) {
     for (const vertex of indices.subarray(3 * triangle, 3 * triangle + 3)) {
       faces[vertex] = owners[triangle] ?? 0;

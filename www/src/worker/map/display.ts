@@ -1,9 +1,8 @@
 // What the page draws of a map: triangles, lines and the distribution.
-import type { Signs, Vector3 } from "nurbs-hausdorff";
+import type { DeviationMap, Signs, Vector3 } from "nurbs-hausdorff";
 import type { Side } from "../protocol.ts";
 import { type Distribution, distributionOf, type Estimates, estimatesOf } from "./distribution.ts";
 import { type Placing, placed } from "./placed.ts";
-import type { DeviationMap } from "./refine.ts";
 
 /** The largest number of lines drawn; more would hide the models. */
 const MAX_LINES = 4096;
@@ -54,9 +53,9 @@ export function mapDisplay(
     signed: new Float32Array(map.signed),
     signs: map.signs,
     distances: new Float32Array(map.distances),
-    slacks: Float32Array.from(map.slacks, (slack) => scale * slack + ROUNDING * diagonal),
-    indices: map.triangles.indices.slice(),
-    faces: map.triangles.faces.slice(),
+    slacks: Float32Array.from(map.slacks, (slack) => slack + ROUNDING * diagonal),
+    indices: map.indices.slice(),
+    faces: map.faces.slice(),
     ...extremes(map),
     ...linesOf(map, side, placing),
     ...{ distribution, estimates: estimatesOf(distribution) },

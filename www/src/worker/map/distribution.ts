@@ -1,7 +1,6 @@
 // The distribution of the deviation over the area of a map: estimates.
-import type { Vector3 } from "nurbs-hausdorff";
+import type { DeviationMap, Vector3 } from "nurbs-hausdorff";
 import { cross } from "../rigid.ts";
-import type { DeviationMap } from "./refine.ts";
 
 /** Deviations in ascending order, each with the area up to it. */
 export interface Cumulative {
@@ -81,7 +80,7 @@ function partsOf(map: DeviationMap, scale: number): Parts {
   const total = sizes.reduce((sum, size) => sum + size, 0);
   if (sizes.length === 0) return pointsOf(map);
   const parts: Parts = { distances: [], signed: [], areas: [] };
-  const { indices } = map.triangles;
+  const { indices } = map;
   for (const [triangle, size] of sizes.entries()) {
     const corners = indices.subarray(3 * triangle, 3 * triangle + 3);
     const count = Math.ceil(Math.sqrt((PARTS * size) / (total || 1)));
@@ -118,8 +117,7 @@ function* middles(count: number): Generator<Vector3> {
 }
 
 /** The areas of the map's triangles, in the model's own unit. */
-export function triangleAreas({ triangles, points }: DeviationMap): Float64Array {
-  const { indices, faces } = triangles;
+export function triangleAreas({ indices, faces, points }: DeviationMap): Float64Array {
   return Float64Array.from(faces, (_, triangle) => {
     const [a = 0, b = 0, c = 0] = indices.subarray(3 * triangle, 3 * triangle + 3);
     const side = (to: number): Vector3 => [

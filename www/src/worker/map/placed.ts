@@ -22,15 +22,3 @@ const scaled = ([x, y, z]: Vector3, factor: number): Vector3 => [
   factor * y,
   factor * z,
 ];
-
-/** Returns all points, x, y, z each, changed by a function. */
-export function mapped(
-  points: Float64Array,
-  change: (point: Vector3) => Vector3,
-): Float64Array<ArrayBuffer> {
-  const all = new Float64Array(points.length);
-  for (let place = 0; place < points.length; place += 3) {
-    all.set(change([points[place] ?? 0, points[place + 1] ?? 0, points[place + 2] ?? 0]), place);
-  }
-  return all;
-}

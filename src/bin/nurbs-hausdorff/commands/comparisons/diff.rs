@@ -9,7 +9,7 @@ use crate::output::json::{Asked, OfFiles, raw};
 use crate::output::progress::Bar;
 use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
-use nurbs_hausdorff::pictures::{PictureOptions, Place, Shown};
+use nurbs_hausdorff::pictures::{FarthestPoint, KnownDeviation, PictureOptions};
 use nurbs_hausdorff::{DiffOptions, DiffResult, Engine, FaceDifference, FaceState};
 use std::fmt::Write;
 
@@ -78,12 +78,12 @@ impl Diff<'_> {
     fn shown(&self, result: &DiffResult) -> PictureOptions {
         let side = |faces: &[FaceDifference], is_a: bool| {
             let farthest = faces.iter().max_by(|one, other| one.lower.total_cmp(&other.lower));
-            Shown {
+            KnownDeviation {
                 uppers: faces.iter().map(|face| face.upper).collect(),
                 farthest: farthest.map(|face| {
                     let [a, b] = [&face.witness.a, &face.witness.b].map(|at| at.point);
                     let [point, foot] = if is_a { [a, b] } else { [b, a] };
-                    Place { face: face.face, point, foot }
+                    FarthestPoint { face: face.face, point, foot }
                 }),
             }
         };

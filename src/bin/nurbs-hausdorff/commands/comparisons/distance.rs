@@ -10,7 +10,7 @@ use crate::output::progress::Bar;
 use crate::output::report;
 use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
-use nurbs_hausdorff::pictures::{PictureOptions, Place, Shown};
+use nurbs_hausdorff::pictures::{FarthestPoint, KnownDeviation, PictureOptions};
 use nurbs_hausdorff::{Backend, Details, DistanceOptions, DistanceResult, Engine, MethodName, SurfacePoint};
 
 /// Computes and prints the distance, and returns the exit status.
@@ -95,9 +95,9 @@ impl Distance<'_> {
             (Some(forward), Some(reverse)) => (&**forward, Some(reverse)),
             _ => (result, None),
         };
-        let side = |result: &DistanceResult, [from, to]: [&SurfacePoint; 2]| Shown {
+        let side = |result: &DistanceResult, [from, to]: [&SurfacePoint; 2]| KnownDeviation {
             uppers: vec![result.upper],
-            farthest: Some(Place { face: from.face, point: from.point, foot: to.point }),
+            farthest: Some(FarthestPoint { face: from.face, point: from.point, foot: to.point }),
         };
         PictureOptions {
             allowed: self.arguments.limit,

@@ -1,20 +1,29 @@
-//! The map of deviations: triangles of a model with the deviation at each vertex, as the page makes
-//! it (`www/src/worker/map`). Between the vertices it is linear: an estimate.
+//! Maps of deviations: triangles of a model with the deviation at each vertex. Between the vertices it is
+//! linear: an estimate.
 //!
-//! A [`MapBuilder`] says which points it needs; who has the models measures them.
+//! A [`Map`] begins as the triangles alone, whatever the model's position is. A [`MapBuilder`] says which points
+//! it needs; who has the models measures them.
 
 mod base;
 mod builder;
+#[cfg(not(target_arch = "wasm32"))]
+mod drawn;
+mod fineness;
+mod known;
 mod placing;
 mod refine;
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests;
 mod triangles;
 mod witness;
 
-use crate::engine::Signs;
 use glam::DVec3;
 
 pub(crate) use base::Surface;
 pub(crate) use builder::MapBuilder;
+pub(crate) use fineness::Fineness;
+pub use known::{FarthestPoint, KnownDeviation};
 pub(crate) use placing::Placing;
 
 /// The deviation that the map resolves, in diagonals: its vertices are in float32.
@@ -23,30 +32,40 @@ pub(crate) const FLOOR: f64 = 5e-7;
 /// A vertex.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Vertex {
-    /// Where it is drawn, in the coordinates of a result.
+    /// Where it is drawn, on the triangles.
     pub(crate) position: DVec3,
     /// The point of the model that is measured for it.
     pub(crate) point: DVec3,
-    /// The normal of the surface; 0 for a mesh, which has those of its triangles.
+    /// The normal of the surface.
     pub(crate) normal: DVec3,
+    /// The most that the model is from the point, but for the rounding of float32.
+    pub(crate) slack: f64,
 }
 
 /// The triangles of a model.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Triangles {
     pub(crate) corners: Vec<[u32; 3]>,
-    /// The face of each.
+    /// The face of each; those of a face follow each other.
     pub(crate) faces: Vec<u32>,
 }
 
 /// A map; without triangles its vertices are the points of a cloud.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Map {
+    /// The vertices, in the model's own coordinates unless the map was [placed](Self::placed).
     pub(crate) vertices: Vec<Vertex>,
-    /// The signed deviation, NaN without a sign, and the distance of each vertex.
+    /// The signed deviation, NaN without a sign, and the distance of each vertex, in the unit of a result.
     pub(crate) values: Vec<[f64; 2]>,
+    /// The nearest point on the other model to each vertex, in the coordinates of a result.
+    pub(crate) feet: Vec<DVec3>,
     pub(crate) triangles: Triangles,
-    pub(crate) signs: Signs,
+    /// The point that float32 is relative to.
+    pub(crate) origin: DVec3,
+    /// Whether the triangles are the model, so that its edges are straight.
+    pub(crate) is_mesh: bool,
+    /// The most that a point of the triangles is from the model.
+    pub(super) flatness: f64,
     /// The vertex of the farthest point that a search found, and how much farther another one must be to be
     /// the worst.
     pub(super) farthest: Option<(usize, f64)>,
@@ -70,16 +89,14 @@ impl Map {
                 }
             }
         }
-        for ([signed, distance], upper) in self.values.iter_mut().zip(own) {
-            if *distance > upper && upper >= 0.0 {
-                (*signed, *distance) = (with_sign(upper, *signed), upper);
-            }
+        for (value, upper) in self.values.iter_mut().zip(own) {
+            *value = limited(*value, upper);
         }
     }
 
     /// Returns the vertex of the largest distance: that of the search, unless another one is certainly
     /// farther, as where a limit ended the search; else the first of equal ones.
-    pub(super) fn worst(&self) -> Option<usize> {
+    pub(crate) fn worst(&self) -> Option<usize> {
         let mut worst: Option<usize> = None;
         for (index, [_, distance]) in self.values.iter().enumerate() {
             if worst.is_none_or(|worst| *distance > self.values[worst][1]) {
@@ -91,6 +108,11 @@ impl Map {
         });
         of_search.map(|(farthest, _)| farthest).or(worst)
     }
+}
+
+/// Returns a signed deviation and its distance, which is at most `upper` unless that is negative.
+fn limited([signed, distance]: [f64; 2], upper: f64) -> [f64; 2] {
+    if distance > upper && upper >= 0.0 { [with_sign(upper, signed), upper] } else { [signed, distance] }
 }
 
 /// Returns a distance with the sign of a deviation; NaN if that has none.

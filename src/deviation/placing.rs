@@ -20,14 +20,25 @@ impl Placing {
         if self.is_of_a { self.transform.apply(point) } else { point * self.scale }
     }
 
-    /// Returns a normal of the map's model in the coordinates of the result.
-    pub(super) fn turned(&self, normal: DVec3) -> DVec3 {
-        if self.is_of_a { self.transform.rotate(normal) } else { normal }
+    /// Returns a point of the result in the coordinates of the map's model.
+    pub(super) fn unplaced(&self, point: DVec3) -> DVec3 {
+        if self.is_of_a { self.transform.apply_inverse(point) } else { point / self.scale }
     }
 
-    /// Returns a point in the coordinates of the other model.
+    /// Returns a length of the map's model in the result's unit.
+    pub(crate) fn length(&self, length: f64) -> f64 {
+        if self.is_of_a { length } else { length * self.scale }
+    }
+
+    /// Returns a point of the map's model in the coordinates of the other model.
     pub(super) fn of_other(&self, point: DVec3) -> DVec3 {
-        if self.is_of_a { point / self.scale } else { self.transform.apply_inverse(point) }
+        let placed = self.placed(point);
+        if self.is_of_a { placed / self.scale } else { self.transform.apply_inverse(placed) }
+    }
+
+    /// Returns a point of the other model in the coordinates of the result.
+    pub(super) fn foot(&self, foot: DVec3) -> DVec3 {
+        if self.is_of_a { foot * self.scale } else { self.transform.apply(foot) }
     }
 
     /// Returns a distance in the other model's unit in that of the result.

@@ -1,41 +1,51 @@
 //! The farthest point as a vertex of the map, which then holds the maximum.
 
 use super::{Map, Vertex, with_sign};
-use crate::pictures::Place;
 use glam::DVec3;
 
 /// The part of the distance by which a vertex may be off the farthest point, and stands for it.
 const SAME: f64 = 1e-9;
 
+/// A point of the map's model that is farthest from the other one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Farthest {
+    pub(super) face: usize,
+    /// In the coordinates of the map.
+    pub(super) point: DVec3,
+    /// The nearest point of the other model, in the coordinates of a result.
+    pub(super) foot: DVec3,
+    pub(super) distance: f64,
+}
+
 impl Map {
     /// Makes a point a vertex, within the nearest triangle of its face, and the worst one, unless another is
     /// farther by `slack`.
-    pub(super) fn add_farthest(&mut self, Place { face, point, foot }: Place, slack: f64) {
-        let [point, foot] = [point, foot].map(DVec3::from_array);
-        let distance = point.distance(foot);
+    pub(super) fn add_farthest(&mut self, farthest: Farthest, slack: f64) {
+        let Farthest { face, point, foot, distance } = farthest;
         let Some((corners, nearest)) = self.nearest(face, point) else { return };
         let apart = |vertex: u32| self.vertices[vertex as usize].point.distance(point);
         let closest = corners.into_iter().min_by(|&one, &other| apart(one).total_cmp(&apart(other)));
-        let Some(closest) = closest else { return };
-        let [signed, _] = self.values[closest as usize];
+        let Some(closest) = closest.map(|closest| closest as usize) else { return };
+        let [signed, _] = self.values[closest];
         // A vertex without a sign has NaN.
         let value = [with_sign(distance, signed), distance];
-        if apart(closest) <= SAME * distance {
-            self.values[closest as usize] = value;
-            self.farthest = Some((closest as usize, slack));
+        if self.vertices[closest].point.distance(point) <= SAME * distance {
+            self.values[closest] = value;
+            self.feet[closest] = foot;
+            self.vertices[closest].slack = 0.0;
+            self.farthest = Some((closest, slack));
             return;
         }
         let Some(triangle) = nearest else { return };
         let added = self.vertices.len() as u32;
-        let Vertex { normal, .. } = self.vertices[closest as usize];
-        self.vertices.push(Vertex { position: point, point, normal });
+        let Vertex { normal, .. } = self.vertices[closest];
+        self.vertices.push(Vertex { position: point, point, normal, slack: 0.0 });
         self.values.push(value);
+        self.feet.push(foot);
         self.farthest = Some((added as usize, slack));
         let [a, b, c] = corners;
-        self.triangles.corners[triangle] = [a, b, added];
-        self.triangles.corners.extend([[b, c, added], [c, a, added]]);
-        let face = self.triangles.faces[triangle];
-        self.triangles.faces.extend([face; 2]);
+        self.triangles.corners.splice(triangle..=triangle, [[a, b, added], [b, c, added], [c, a, added]]);
+        self.triangles.faces.splice(triangle..=triangle, [face as u32; 3]);
     }
 
     /// Returns the corners of the nearest triangle of a face, and its index; of a cloud the nearest point.

@@ -1,0 +1,139 @@
+//! Maps of deviations: the triangles of models with the deviation at each vertex.
+
+#[cfg(not(target_arch = "wasm32"))]
+mod drawn;
+mod result;
+mod search;
+
+use super::options::at_least_zero;
+use super::section::Section;
+use super::{Computation, Engine, PreparedModel};
+use crate::deviation::{FarthestPoint, Fineness, KnownDeviation};
+use crate::error::{Error, Result};
+use crate::model::RigidTransform;
+use crate::progress::{MaybeSend, Monitor};
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) use drawn::SignedMap;
+pub use result::{DeviationMap, DeviationMaps};
+pub(crate) use search::MapPair;
+use search::MapSearch;
+use serde::Deserialize;
+
+/// The part of the progress that is the bases'.
+const BASE_PART: f64 = 0.5;
+
+/// Options of [`Engine::deviation_maps`]; names in camelCase when deserialized.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "camelCase")]
+pub struct DeviationMapOptions {
+    /// What is known of A, whose map is made. Without this of either model, nothing is known and A's is made.
+    pub a: Option<KnownDeviation>,
+    /// What is known of B, whose map is made.
+    pub b: Option<KnownDeviation>,
+    /// Whether B is scaled to the unit of A where both state different ones; else they are
+    /// an error.
+    pub scale_units: bool,
+    /// Moves A before it is measured. It is not deserialized, because only
+    /// [`RigidTransform::new`] makes one.
+    #[serde(skip)]
+    pub transform: RigidTransform,
+}
+
+impl DeviationMapOptions {
+    /// # Errors
+    /// [`Error::OptionOutOfRange`] for a bound that is not a finite number of at least 0, and
+    /// [`Error::PointOutOfRange`] for a farthest point that is not finite.
+    fn validate(&self) -> Result<()> {
+        for KnownDeviation { uppers, farthest } in self.a.iter().chain(&self.b) {
+            uppers.iter().try_for_each(|&upper| at_least_zero("uppers", upper))?;
+            let coordinates =
+                farthest.iter().flat_map(|FarthestPoint { point, foot, .. }| point.iter().chain(foot));
+            if let Some(&found) = coordinates.into_iter().find(|coordinate| !coordinate.is_finite()) {
+                return Err(Error::PointOutOfRange { index: 0, found });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Engine {
+    /// Returns the maps of the models that the options name, with the deviation of each from the other one at
+    /// the vertices of triangles that are split where the deviation between them is not linear: for pictures.
+    ///
+    /// Guarantee: the distance at a vertex is that of its point to 5e-8 of the other model's diagonal, unless
+    /// a known bound is less. Between vertices it is an estimate. All in float64 on the CPU.
+    /// O(points log patches) in general position; the points of a map are the vertices of triangles within 5e-4 of
+    /// the diagonal and with edges of at most a thirtieth of it, and at most 180,000 between them.
+    ///
+    /// # Errors
+    /// [`Error::UnitsDiffer`]; [`Error::Cancelled`].
+    pub fn deviation_maps<'a>(
+        &'a self,
+        a: &'a PreparedModel,
+        b: &'a PreparedModel,
+        options: &'a DeviationMapOptions,
+    ) -> Computation<'a, DeviationMaps> {
+        self.deviation_maps_told(a, b, options, |_| {})
+    }
+
+    /// As [`Self::deviation_maps`]; calls the function with the maps before their triangles are split, if they
+    /// will be.
+    pub(crate) fn deviation_maps_told<'a>(
+        &'a self,
+        a: &'a PreparedModel,
+        b: &'a PreparedModel,
+        options: &'a DeviationMapOptions,
+        mut told: impl FnMut(DeviationMaps) + MaybeSend + 'a,
+    ) -> Computation<'a, DeviationMaps> {
+        Computation::new(move |mut watched| {
+            Box::pin(async move {
+                let pair = MapPair::new(a, b, options.transform, options.scale_units)?;
+                self.maps_of(&pair, options, &mut told, watched.monitor()).await
+            })
+        })
+    }
+
+    async fn maps_of(
+        &self,
+        pair: &MapPair<'_>,
+        options: &DeviationMapOptions,
+        told: &mut (impl FnMut(DeviationMaps) + MaybeSend),
+        monitor: &mut dyn Monitor,
+    ) -> Result<DeviationMaps> {
+        options.validate()?;
+        let nothing = (options.a.is_none() && options.b.is_none()).then(KnownDeviation::default);
+        let shown = [(true, options.a.as_ref().or(nothing.as_ref())), (false, options.b.as_ref())];
+        let mut searches = Vec::new();
+        for (is_of_a, shown) in shown {
+            if let Some(shown) = shown {
+                searches.push((is_of_a, pair.search(is_of_a, shown, Fineness::SCREEN)?));
+            }
+        }
+        let count = searches.len() as f64;
+        let maps = |searches: &[(bool, MapSearch<'_>)]| {
+            let of = |side: bool| searches.iter().find(|(is_of_a, _)| *is_of_a == side);
+            let [a, b] = [true, false].map(|side| of(side).map(|(_, search)| search.map()));
+            DeviationMaps { diagonal: pair.diagonal(), a, b }
+        };
+        for (index, (_, search)) in searches.iter_mut().enumerate() {
+            let begin = BASE_PART * index as f64 / count;
+            search.measure(self, &mut Section { whole: monitor, part: [begin, BASE_PART / count] }).await?;
+            search.builder.refine();
+        }
+        if searches.iter().any(|(_, search)| !search.builder.pending().is_empty()) {
+            told(maps(&searches));
+            for (index, (_, search)) in searches.iter_mut().enumerate() {
+                let begin = BASE_PART + (1.0 - BASE_PART) * index as f64 / count;
+                search
+                    .measure(self, &mut Section { whole: monitor, part: [begin, (1.0 - BASE_PART) / count] })
+                    .await?;
+            }
+        }
+        monitor.progress(1.0);
+        Ok(maps(&searches))
+    }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests;
