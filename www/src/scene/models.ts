@@ -18,7 +18,7 @@ import { Explosion } from "./exploded/explosion.ts";
 import type { FaceClass } from "./faces.ts";
 import { ModelMesh, type Visibility } from "./mesh.ts";
 import { deviationGeometry } from "./overlays/deviation.ts";
-import { type FirstHit, firstHit } from "./picking.ts";
+import { type FirstHit, firstHit } from "./picking/firstHit.ts";
 import type { Pose } from "./pose.ts";
 import { type Cut, cutOf, type Section } from "./section.ts";
 
@@ -236,7 +236,7 @@ export class Models {
     const found = this.#hit(viewport, clientX, clientY);
     if (found === undefined) return undefined;
     const { side, hit, mesh } = found;
-    const face = mesh.faceOf(hit.face?.a ?? hit.index ?? 0);
+    const face = mesh.faceHit(hit);
     const local = mesh.target.worldToLocal(hit.point.clone());
     const offset = mesh.offsetOf(face);
     if (offset !== undefined) local.sub(offset);
