@@ -22,6 +22,7 @@ import { showFileNotes } from "../files/fileNotes.ts";
 import { type FileName, filesNamedBy, nameOf, parametersOf } from "../files/identity.ts";
 import { forgetFiles, keepFiles, keepLast, keptFiles, lastFiles } from "../files/kept.ts";
 import { showUnits, unitScale } from "../files/units.ts";
+import { clearMeasures } from "../measuring/measures.ts";
 import { clearOwnLimits } from "../results/ownLimits.ts";
 import * as resultPanel from "../results/resultPanel.ts";
 import { applyFormState, formState } from "../state/formState.ts";
@@ -146,6 +147,7 @@ export class Opening {
     void this.#keep();
     clearOwnLimits();
     clearAnnotations();
+    clearMeasures();
     view.models.explosion.bodies = {};
     setBodies(undefined);
     const state = this.#pending;

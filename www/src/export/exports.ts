@@ -12,6 +12,7 @@ import { metresPerUnit } from "../files/units.ts";
 import { painted } from "../inspection/deviationPanel.ts";
 import { sizeText } from "../inspection/places/placeList.ts";
 import type { Place } from "../inspection/places/places.ts";
+import type { MeasureList } from "../measuring/list.ts";
 import type { View } from "../scene/view.ts";
 import { formState } from "../state/formState.ts";
 import type { DisplayModel, ModelFacts, PlainOptions, Probe, Sides } from "../worker/protocol.ts";
@@ -33,6 +34,7 @@ export interface ExportedState {
   /** What the panels of these show, for the report. */
   tables: readonly ReportTable[];
   pins: Probe[];
+  measures: MeasureList["exported"];
   /** The worst place of each face. */
   places: Place[];
   options: PlainOptions;
@@ -120,7 +122,7 @@ async function placesOf({ view, views, places, result }: ExportedState) {
 }
 
 function jsonOf(state: ExportedState): Blob {
-  const { result, diff, facts, overlap, check, pins, options, models } = state;
+  const { result, diff, facts, overlap, check, pins, measures, options, models } = state;
   const nameOf = (model: DisplayModel | undefined) => {
     const source = model?.source;
     if (source === undefined) return "";
@@ -129,7 +131,7 @@ function jsonOf(state: ExportedState): Blob {
   const names = { a: nameOf(models.a), b: nameOf(models.b) };
   const content = {
     ...{ models: names, options, state: formState(), result, faces: diff },
-    ...{ facts, overlap, check, pins, annotations: annotations.peek() },
+    ...{ facts, overlap, check, pins, measures, annotations: annotations.peek() },
   };
   return new Blob([JSON.stringify(content, undefined, 2)], { type: "application/json" });
 }

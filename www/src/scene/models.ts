@@ -227,12 +227,12 @@ export class Models {
     return boxA.clone().expandByScalar(-margin).containsBox(boxB) ? "a" : undefined;
   }
 
-  /** The point of a model that the view's ray hits first, in the model's coordinates. */
+  /** The point of a model that the view's ray hits first, with the normal there, in the model's coordinates. */
   hit(
     viewport: Viewport,
     clientX: number,
     clientY: number,
-  ): { side: Side; face: number; near: Point } | undefined {
+  ): { side: Side; face: number; near: Point; normal: Point } | undefined {
     const found = this.#hit(viewport, clientX, clientY);
     if (found === undefined) return undefined;
     const { side, hit, mesh } = found;
@@ -241,7 +241,9 @@ export class Models {
     const offset = mesh.offsetOf(face);
     if (offset !== undefined) local.sub(offset);
     const near = local.add(new Vector3(...mesh.model.tessellation.origin)).toArray();
-    return { side, face, near };
+    // Points of a scan have none.
+    const normal = hit.normal?.toArray() ?? [0, 0, 0];
+    return { side, face, near, normal };
   }
 
   /** Where a point of a face is drawn, from the model's own coordinates; undefined where it is not. */
