@@ -1,4 +1,5 @@
 // What each export contains.
+
 import type {
   CheckResult,
   DiffResult,
@@ -15,6 +16,7 @@ import type { Place } from "../inspection/places/places.ts";
 import type { MeasureList } from "../measuring/list.ts";
 import type { View } from "../scene/view.ts";
 import { formState } from "../state/formState.ts";
+import { texts } from "../texts/index.ts";
 import type { DisplayModel, ModelFacts, PlainOptions, Probe, Sides } from "../worker/protocol.ts";
 import { download, openMade } from "./download.ts";
 import type { ExportFormat } from "./exportPanel.ts";
@@ -57,7 +59,7 @@ export async function exportAs(format: ExportFormat, state: ExportedState): Prom
       break;
     case "csv":
       if (painted() === undefined) {
-        throw new Error("The table contains the deviations of the map: show its colours first.");
+        throw new Error(texts.report.theTableContainsTheDeviations);
       }
       state.requestCsv();
       break;

@@ -114,7 +114,7 @@ function kindText(fit: Fit, scale: number, diagonal: number): string {
   if (fit.kind === "cone") return own.cone(((fit.angle * 180) / Math.PI).toFixed(2));
   if (fit.kind === "torus")
     return own.torus(distanceText(scale * fit.around, diagonal), unitText());
-  return own[fit.kind];
+  return fit.kind === "sphere" ? own.sphere : own.cylinder;
 }
 
 /** The radius at a point, and the point that it is measured from. */

@@ -1,6 +1,8 @@
 // The worst place of each face of the maps, the largest first.
+
 import type { FaceDifference } from "nurbs-hausdorff";
 import type { MeasuredFace } from "../../results/judgement.ts";
+import { texts } from "../../texts/index.ts";
 import type { MapDisplay } from "../../worker/map/display.ts";
 import type { DisplayModel, Side, Sides } from "../../worker/protocol.ts";
 import { SIDES } from "../../worker/protocol.ts";
@@ -38,7 +40,7 @@ function byFace(map: MapDisplay, side: Side, names: readonly string[]): Map<numb
     const [distance, value] = [distances[vertex] ?? 0, signed[vertex] ?? Number.NaN];
     let place = places.get(face);
     if (place === undefined) {
-      const name = names[face] ?? `face ${face}`;
+      const name = names[face] ?? texts.places.faceNumber(face);
       const sign = Number.isNaN(value) ? 0 : value;
       const found = { vertex, distance, signed: value, lowest: sign, highest: sign };
       place = { side, face, name, ...found, sure: { lowest: 0, highest: 0, distance: 0 } };
