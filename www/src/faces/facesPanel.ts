@@ -140,7 +140,7 @@ export class FacesPanel {
         progress.value = reply.fraction;
         break;
       case "done":
-        this.#showResult(reply.result);
+        this.#showResult(reply.result, reply.parts);
         this.#showParts(reply.parts, reply.result.diagonal);
         break;
       case "cancelled":
@@ -169,7 +169,7 @@ export class FacesPanel {
     this.#listener.show(undefined);
   }
 
-  #showResult(result: DiffResult): void {
+  #showResult(result: DiffResult, parts: readonly PlacedPart[]): void {
     this.#setState("done");
     this.#result = result;
     const table = SIDES.map((side) => {
@@ -203,7 +203,7 @@ export class FacesPanel {
     );
     section.dataset.result = result.state;
     clear.hidden = false;
-    const changes = changesOf(result);
+    const changes = changesOf(result, parts);
     this.#list.show(changes, result.diagonal);
     shownRow.hidden = false;
     // Both would be drawn over each other: first the one with the larger change.

@@ -36,6 +36,7 @@ export const faces = {
   kinds: {
     ...{ unchanged: "unchanged", changed: "changed", undecided: "undecided" },
     ...{ extended: "extended", shortened: "shortened", added: "added", removed: "removed" },
+    moved: "moved",
   },
   partStates: {
     ...{ same: "same", renamed: "renamed", moved: "moved", mirrored: "mirrored" },
