@@ -1,6 +1,7 @@
 // The triangles of one model in a tree, in which what a ray hits is found among a million in a millisecond.
 import { type BufferGeometry, type Intersection, Mesh, type Raycaster } from "three";
 import { MeshBVH } from "three-mesh-bvh";
+import { nextTask } from "../../common/nextTask.ts";
 import { geometryOf, type Serialized, type Triangles } from "./geometry.ts";
 
 /** The triangles from which on a tree is worth its worker: fewer are searched one by one in 6 ms. */
@@ -11,6 +12,22 @@ export const BUILT = "tree of triangles";
 
 /** Milliseconds in which a new model is drawn first. */
 const SOON = 200;
+
+/** Numbers that are copied in one task: 4 MB, in a few milliseconds. */
+const CHUNK = 2 ** 20;
+
+/** A copy of numbers. */
+async function copied<Numbers extends Float32Array | Uint32Array>(
+  numbers: Numbers,
+  type: new (length: number) => Numbers,
+): Promise<Numbers & { buffer: ArrayBuffer }> {
+  const copy = new type(numbers.length);
+  for (let from = 0; from < numbers.length; from += CHUNK) {
+    await nextTask();
+    copy.set(numbers.subarray(from, from + CHUNK), from);
+  }
+  return copy as Numbers & { buffer: ArrayBuffer };
+}
 
 /**
  * Finds what a ray hits of all triangles of a mesh, in their order, those that are not drawn too: by its tree
@@ -62,9 +79,18 @@ export class TriangleTree {
       this.#tree = MeshBVH.deserialize(serialized, this.#geometry, { setIndex: false });
       performance.measure(BUILT, { start });
     };
-    // The worker has the vertices where they are now.
+    void this.#post(this.#worker);
+  }
+
+  /** Gives the worker the triangles, of which a copy is made in short tasks. */
+  async #post(worker: Worker): Promise<void> {
+    // What is moved from now on may be copied in part only.
     this.#isStale = false;
-    this.#worker.postMessage(this.#triangles);
+    const indices = await copied(this.#triangles.indices, Uint32Array);
+    const positions = await copied(this.#triangles.positions, Float32Array);
+    const copy: Triangles = { positions, indices };
+    // Else the model was replaced meanwhile.
+    if (this.#worker === worker) worker.postMessage(copy, [positions.buffer, indices.buffer]);
   }
 
   #raycast(ray: Raycaster, hits: Intersection[]): void {
