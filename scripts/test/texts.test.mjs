@@ -112,7 +112,7 @@ test("no module says anything but the texts", () => {
 test("what says something is found, wherever it stands", () => {
   for (const source of [
     'export const a = "Open two files";',
-    "export const a = (n) => `${n} files of`;",
+    `export const a = (n) => \`\${n} files of\`;`,
     'node.textContent = isOpen ? "open" : "";',
     'node.setAttribute("aria-label", "close");',
     'make("button", [], { title: "close" });',
