@@ -241,9 +241,8 @@ export class Models {
     const offset = mesh.offsetOf(face);
     if (offset !== undefined) local.sub(offset);
     const near = local.add(new Vector3(...mesh.model.tessellation.origin)).toArray();
-    // Points of a scan have none.
-    const normal = hit.normal?.toArray() ?? [0, 0, 0];
-    return { side, face, near, normal };
+    // Points of a scan have no normal.
+    return { side, face, near, normal: hit.normal?.toArray() ?? [0, 0, 0] };
   }
 
   /** Where a point of a face is drawn, from the model's own coordinates; undefined where it is not. */
@@ -370,8 +369,7 @@ export class Models {
     const box = new Box3();
     for (const side of SIDES) {
       const mesh = this.#meshes[side];
-      if (mesh === undefined) continue;
-      if (this.#absent.includes(side)) continue;
+      if (mesh === undefined || this.#absent.includes(side)) continue;
       mesh.group.updateWorldMatrix(true, true);
       box.union(new Box3().setFromObject(mesh.target));
     }
