@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type HtmlTagDescriptor, type Plugin } from "vite";
+import { filled } from "./src/texts/filled.ts";
 
 const { version } = JSON.parse(readFileSync(new URL("../package.json", import.meta.url), "utf8"));
 
@@ -27,8 +28,14 @@ const commonHead: Plugin = {
   },
 };
 
+/** The texts that pages name, in their language. */
+const pageTexts: Plugin = {
+  name: "page-texts",
+  transformIndexHtml: { order: "pre", handler: filled },
+};
+
 export default defineConfig({
-  plugins: [commonHead],
+  plugins: [pageTexts, commonHead],
   // What made a report.
   define: { VERSION: JSON.stringify(version) },
   base: "./",

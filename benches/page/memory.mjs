@@ -1,34 +1,14 @@
 // node benches/page/memory.mjs [A B]: opens two files 50 times on the built page (`npx vite build www`), in
 // headless Chromium, and prints what the page's process holds after each ten: the JavaScript heap of the
 // page after a collection, and the resident memory of all processes of the browser that draw it.
-import { readdirSync, readFileSync } from "node:fs";
 import { open } from "../../tests/page/support/open.mjs";
+import { resident } from "./resident.mjs";
 
 const LOADS = 50;
 const EACH = 10;
 const MIB = 2 ** 20;
 
 const [a = "examples/parts/a.step", b = "examples/parts/b.step"] = process.argv.slice(2);
-
-/** The resident memory of the renderers that this process started, in MiB. */
-function resident() {
-  const all = readdirSync("/proc").filter((name) => /^\d+$/.test(name));
-  const parents = new Map();
-  const sizes = new Map();
-  for (const id of all) {
-    try {
-      const command = readFileSync(`/proc/${id}/cmdline`, "utf8");
-      const status = readFileSync(`/proc/${id}/status`, "utf8");
-      parents.set(id, /^PPid:\s+(\d+)/m.exec(status)[1]);
-      if (command.includes("--type=renderer")) sizes.set(id, Number(/^VmRSS:\s+(\d+)/m.exec(status)[1]));
-    } catch {
-      // It ended meanwhile.
-    }
-  }
-  const isOwn = (id) => id === `${process.pid}` || (parents.has(id) && isOwn(parents.get(id)));
-  const own = [...sizes].filter(([id]) => isOwn(id));
-  return own.reduce((sum, [, size]) => sum + size, 0) / 1024;
-}
 
 const opened = await open({ path: "" });
 const { page } = opened;

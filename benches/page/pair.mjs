@@ -6,6 +6,7 @@ import { copyFile, mkdtemp, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { basename, extname, join } from "node:path";
 import { open } from "../../tests/page/support/open.mjs";
+import { watch } from "./marks.mjs";
 import { mainThreadTasks, trace } from "./tracing.mjs";
 
 /** Milliseconds after which the colours are given up. */
@@ -13,27 +14,6 @@ const TIMEOUT = 300_000;
 
 const [a, b] = process.argv.slice(2);
 if (!a) throw new Error("usage: pair.mjs A [B]");
-
-/** Notes when each state of the page is reached first, from now on. */
-function watch(name) {
-  const started = performance.now();
-  window.marks = {};
-  const mark = (what) => {
-    window.marks[what] ??= performance.now() - started;
-  };
-  const look = () => {
-    const loading = document.getElementById("loading");
-    if (!loading.hidden && /reading/.test(loading.textContent)) mark("first faces");
-    const chosen = document.querySelector("#shape-b option:checked")?.textContent ?? "";
-    if (!loading.hidden || !chosen.includes(name)) return;
-    mark("drawn");
-    const { lower, state } = document.getElementById("result").dataset;
-    if (lower !== undefined) mark("interval");
-    if (state === "done") mark("colours");
-  };
-  const all = { subtree: true, childList: true, attributes: true, characterData: true };
-  new MutationObserver(look).observe(document.body, all);
-}
 
 const folder = await mkdtemp(join(tmpdir(), "pair-"));
 const opened = await open({ path: "" });

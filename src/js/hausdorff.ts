@@ -149,12 +149,13 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     requireLoaded();
     return translating(() => {
       const arrays = facetArrays(input);
-      const [positions, triangles] = arrays;
+      const [positions, triangles, , counts] = arrays;
       const prepared = PreparedModel.fromFacets(...arrays);
       // The caller's arrays may change.
       return NurbsModel.of(prepared, null, {
         positions: positions.slice(),
         triangles: triangles?.slice(),
+        counts: counts?.slice(),
       });
     });
   }

@@ -19,10 +19,11 @@ import { FacesPanel } from "./faces/facesPanel.ts";
 import { FaceTree } from "./faces/faceTree.ts";
 import { FactsPanel } from "./facts/factsPanel.ts";
 import { OverlapPanel } from "./facts/overlapPanel.ts";
-import { Measuring } from "./inspection/measuring.ts";
 import type { Take } from "./inspection/pickingTool.ts";
 import { Probing } from "./inspection/pins/probing.ts";
 import { PlaceView } from "./inspection/places/placeView.ts";
+import { MeasureList } from "./measuring/list.ts";
+import { Measuring } from "./measuring/tool.ts";
 import * as warnings from "./results/warnings.ts";
 import { degreesOf } from "./scene/pose.ts";
 import { History } from "./state/history.ts";
@@ -72,6 +73,7 @@ const take: Take = (click) => {
   probing.nextClick = click;
 };
 const measuring = new Measuring(view, take);
+const measureList = new MeasureList(view);
 const labels = new AnnotationLayer(() => view.redraw());
 view.follow((viewport) => labels.update(viewport, view.models));
 const annotating = annotationTool({
@@ -119,7 +121,18 @@ const check = new CheckPanel({
   },
 });
 const parts: Parts = {
-  ...{ client, view, faces, tree, probing, measuring, annotating, annotationList, aligning },
+  ...{
+    client,
+    view,
+    faces,
+    tree,
+    probing,
+    measuring,
+    annotating,
+    annotationList,
+    aligning,
+    measureList,
+  },
   ...{ clearance, facts, overlap, check },
   places: new PlaceView(view, probing, tree),
   views: new Views(view, canvas, () => labels.drawn),

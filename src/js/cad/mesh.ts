@@ -116,7 +116,7 @@ export async function readMesh(
       const { positions, triangles, groupCounts, groupNames, gap } = mesh;
       const [counts, names] = triangles ? [groupCounts, groupNames] : [];
       const prepared = PreparedModel.fromFacets(positions, triangles, unit, counts, names, gap);
-      return NurbsModel.of(prepared, reportOf(mesh, unit), { positions, triangles });
+      return NurbsModel.of(prepared, reportOf(mesh, unit), { positions, triangles, counts });
     } finally {
       mesh.free();
     }

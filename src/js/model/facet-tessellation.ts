@@ -7,13 +7,15 @@ import type { Tessellation } from "./tessellation.js";
 export interface FacetArrays {
   positions: Float64Array;
   triangles?: Uint32Array | undefined;
+  /** The number of triangles of each face; absent: all are one. */
+  counts?: Uint32Array | undefined;
 }
 
 /**
  * A mesh's own triangles to display, with the mean normals at its vertices; a cloud's points. O(n).
  * @internal
  */
-export function facetTessellation({ positions, triangles }: FacetArrays): Tessellation {
+export function facetTessellation({ positions, triangles, counts }: FacetArrays): Tessellation {
   const origin = middleOf(positions);
   const indices = triangles === undefined ? new Uint32Array() : triangles.slice();
   return {
@@ -21,8 +23,18 @@ export function facetTessellation({ positions, triangles }: FacetArrays): Tessel
     normals: normalsOf(positions, indices),
     indices,
     origin,
-    faces: [{ firstIndex: 0, indexCount: indices.length }],
+    faces: rangesOf(counts ?? [indices.length / 3]),
   };
+}
+
+/** The ranges of indices of faces that follow each other. O(n). */
+function rangesOf(counts: ArrayLike<number>): Tessellation["faces"] {
+  let firstIndex = 0;
+  return Array.from(counts, (triangles) => {
+    const range = { firstIndex, indexCount: 3 * triangles };
+    firstIndex += range.indexCount;
+    return range;
+  });
 }
 
 /** The middle of the points' box. */

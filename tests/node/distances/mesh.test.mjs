@@ -252,6 +252,19 @@ test("a mesh is displayed by its own triangles, and a cloud by its points", () =
   assert.deepEqual([0, 1, 2].flatMap(at), corners);
   assert.deepEqual([...mesh.normals], [0, 0, 1, 0, 0, 1, 0, 0, 1]);
   assert.deepEqual(mesh.faces, [{ firstIndex: 0, indexCount: 3 }]);
+  // Each face has its own range of indices.
+  const two = {
+    positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0],
+    triangles: [0, 1, 2, 1, 3, 2, 0, 3, 1],
+  };
+  const groups = [
+    { name: "one", triangles: 1 },
+    { name: "two", triangles: 2 },
+  ];
+  assert.deepEqual(hd.mesh({ ...two, groups }).tessellate().faces, [
+    { firstIndex: 0, indexCount: 3 },
+    { firstIndex: 3, indexCount: 6 },
+  ]);
   const cloud = hd.mesh({ positions: corners }).tessellate();
   assert.deepEqual([cloud.positions.length, cloud.indices.length], [9, 0]);
 });

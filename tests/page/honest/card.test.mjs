@@ -62,3 +62,15 @@ test("faces are added or removed by names that the files give, each of one face"
   const nameless = { ...result, facesOfA: faces("a", ["face 0", "unchanged"]) };
   assert.deepEqual(kindsOf(nameless, "b"), ["changed", "changed", "changed"]);
 });
+
+test("faces of a part that is proven to be moved are moved, and of no other part", () => {
+  const result = {
+    facesOfA: faces("a", ["side", "changed"], ["top", "changed"], ["rib", "unchanged"]),
+    facesOfB: faces("b", ["side", "changed"], ["top", "changed"], ["rib", "changed"]),
+  };
+  const part = (state, a, b) => ({ state, facesOf: { a, b } });
+  const parts = [part("moved", [0, 2], [0]), part("movedAndChanged", [1], [1, 2])];
+  // A face that is within the limit all the same, as one that slides on itself, is unchanged.
+  assert.deepEqual(kindsOf(result, "a", parts), ["moved", "changed", "unchanged"]);
+  assert.deepEqual(kindsOf(result, "b", parts), ["moved", "changed", "extended"]);
+});

@@ -127,6 +127,27 @@ test("a comparison of faces says what its colours are, without the legend of the
   assert.ok(await page.locator("#legend").isVisible());
 });
 
+test("what is allowed of a face, and of all, is read whole in the narrow tree", async () => {
+  for (const width of [1250, 1110]) {
+    await page.setViewportSize({ width, height: 700 });
+    await page.locator("#tree-list .face").first().hover();
+    const own = page.locator("#tree-list .own-limit").first();
+    await own.fill("+0.2125/-0.10625");
+    await page.locator("#face-limit").fill("0.000123456");
+    for (const field of [own, page.locator("#face-limit")]) {
+      const isWhole = await field.evaluate((input) => {
+        const { left, right } = input.getBoundingClientRect();
+        const side = document.getElementById("side").getBoundingClientRect();
+        const isWithin = left >= side.left && right <= side.right;
+        return isWithin && input.scrollWidth <= input.clientWidth;
+      });
+      assert.ok(isWhole, `${width}`);
+    }
+    await own.fill("");
+  }
+  await page.locator("#face-limit").fill("0.2");
+});
+
 test("an error lies over the models on no screen", async () => {
   await page.selectOption("#direction", "isometric");
   await page.setInputFiles("#file-a", BROKEN);

@@ -1,6 +1,8 @@
 // What is picked to lay A on B: points of A with the points of B where they belong, or faces with faces.
+
 import { computed, signal } from "@preact/signals-core";
 import type { Datum, PointPair, Vector3 } from "nurbs-hausdorff";
+import { texts } from "../texts/index.ts";
 import type { Side } from "../worker/protocol.ts";
 
 /** What a pick is of: a point, or the face that it is on. */
@@ -39,13 +41,12 @@ export const isEnough = computed(() => pairs.value.length >= NEEDED[kind.value])
 /** What the user is asked for. */
 export const asked = computed((): string => {
   const { length } = pairs.value;
-  const what = kind.value === "points" ? "point" : "face";
-  if (length >= MOST[kind.value]) return `${length} pairs are the most: lay A on B.`;
-  if (nextSide.value === "b") return `Click the ${what} of B where that belongs.`;
+  const what = texts.places.picked[kind.value];
+  if (length >= MOST[kind.value]) return texts.places.pairsAreTheMostLay(length);
+  if (nextSide.value === "b") return texts.places.clickThatOfB(what);
   const missing = NEEDED[kind.value] - length;
-  const more =
-    missing > 0 ? `${missing} more ${missing === 1 ? "pair is" : "pairs are"} needed.` : "";
-  return `Click a ${what} of A. ${more}`.trim();
+  const more = missing > 0 ? texts.places.morePairsNeeded(missing) : "";
+  return texts.places.clickOneOfA(what, more).trim();
 });
 
 /** Adds a pick of the side that is asked for; returns whether it is one. */

@@ -1,5 +1,7 @@
 // The field in which the text of an annotation is written.
+
 import { make } from "../common/elements.ts";
+import { texts } from "../texts/index.ts";
 import { MAX_TEXT } from "./annotations.ts";
 
 export interface EditorListener {
@@ -13,10 +15,13 @@ export interface EditorListener {
 export function editor(text: string, { save, cancel, remove }: EditorListener): HTMLElement {
   const area = document.createElement("textarea");
   Object.assign(area, { value: text, maxLength: MAX_TEXT, rows: 3 });
-  area.placeholder = "What is to be said of this place";
-  area.setAttribute("aria-label", "Text of the annotation");
-  const keep = button("Save", () => save(area.value));
-  const others = remove === undefined ? [button("Cancel", cancel)] : [button("Delete", remove)];
+  area.placeholder = texts.places.whatIsToBeSaid;
+  area.setAttribute("aria-label", texts.places.textOfTheAnnotation);
+  const keep = button(texts.places.save, () => save(area.value));
+  const others =
+    remove === undefined
+      ? [button(texts.places.cancel, cancel)]
+      : [button(texts.places.delete, remove)];
   const field = make("div", [area, make("div", [keep, ...others], { class: "buttons" })], {
     class: "annotation editor",
   });

@@ -1,9 +1,11 @@
 // The annotations in the view: a label with a leader to its point, and the field in which a text is written.
+
 import { effect, signal } from "@preact/signals-core";
 import { draw } from "../common/drawing.ts";
 import { element, make } from "../common/elements.ts";
 import type { Viewport } from "../scene/camera/viewport.ts";
 import type { Models } from "../scene/models.ts";
+import { texts } from "../texts/index.ts";
 import {
   type Annotation,
   addAnnotation,
@@ -77,8 +79,8 @@ export class AnnotationLayer {
 
   #label(index: number, text: string): HTMLElement {
     const label = make("button", [make("b", `${index + 1}`), make("span", text)], {
-      ...{ type: "button", class: "annotation", title: "Change the text; Delete removes it" },
-      "aria-label": `Annotation ${index + 1}: ${text}. Change it`,
+      ...{ type: "button", class: "annotation", title: texts.places.changeTheTextDeleteRemoves },
+      "aria-label": texts.places.annotationChangeIt(index + 1, text),
     });
     label.addEventListener("click", () => this.edit(index));
     label.addEventListener("keydown", ({ key }) => {

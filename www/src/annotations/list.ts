@@ -1,8 +1,10 @@
 // The list of all annotations, in the step of the report: to look at, to change and to remove.
+
 import { effect } from "@preact/signals-core";
 import { element, make } from "../common/elements.ts";
 import type { ReportTable } from "../common/tables.ts";
 import { distanceText } from "../common/text/numbers.ts";
+import { texts } from "../texts/index.ts";
 import type { Side } from "../worker/protocol.ts";
 import { type Annotation, annotations, removeAnnotation } from "./annotations.ts";
 
@@ -31,14 +33,14 @@ export class AnnotationList {
     const { text, side } = annotation;
     const number = index + 1;
     const look = make("button", [make("b", `${number}`), make("span", text)], {
-      ...{ type: "button", class: "look", title: "Look at it from near" },
+      ...{ type: "button", class: "look", title: texts.places.lookAtItFromNear },
     });
     look.addEventListener("click", () => this.#listener.look(annotation));
     const letter = make("b", side.toUpperCase(), { class: side });
     return make("li", [
       ...[letter, look],
-      act("✎", `Change annotation ${number}`, () => this.#listener.edit(index)),
-      act("×", `Remove annotation ${number}`, () => removeAnnotation(index)),
+      act("✎", texts.places.changeAnnotation(number), () => this.#listener.edit(index)),
+      act("×", texts.places.removeAnnotation(number), () => removeAnnotation(index)),
     ]);
   }
 
@@ -51,7 +53,13 @@ export class AnnotationList {
       `${side.toUpperCase()} ${this.#listener.nameOf(side, face)}`,
       point.map((at) => distanceText(at, Math.hypot(...point))).join(", "),
     ]);
-    return [{ title: "Annotations", head: ["No.", "Text", "Face", "At, in its file"], rows }];
+    return [
+      {
+        title: texts.places.annotations,
+        head: [texts.places.number, texts.places.text, texts.places.face, texts.places.atInItsFile],
+        rows,
+      },
+    ];
   }
 }
 

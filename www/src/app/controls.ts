@@ -111,8 +111,11 @@ function connectFiles(parts: Parts, measurement: Measurement, opening: Opening):
     exportAs(format, {
       ...{ view, views, options: measurement.options, diff: faces.result },
       ...{ pins: view.pins.probes, result: view.result, models: view.models.drawn },
+      measures: parts.measureList.exported,
       ...{ facts: facts.found, overlap: overlap.result, check: check.result },
-      tables: [parts.annotationList, faces, facts, overlap, check].flatMap(({ tables }) => tables),
+      tables: [parts.measureList, parts.annotationList, faces, facts, overlap, check].flatMap(
+        ({ tables }) => tables,
+      ),
       ...{ requestCsv: () => client.csv(), places: places.all },
     }),
   );

@@ -1,5 +1,6 @@
 // The measurement of the models as they are: its options, what is shown of it, and the finer ones
 // that a verdict needs.
+
 import { checkRules } from "../check/rules.ts";
 import { showMeeting } from "../clearance/meeting.ts";
 import { element } from "../common/elements.ts";
@@ -16,6 +17,7 @@ import { ownLimits } from "../results/ownLimits.ts";
 import * as resultPanel from "../results/resultPanel.ts";
 import { allowed, needsPrecision } from "../results/verdict.ts";
 import { Pose } from "../scene/pose.ts";
+import { texts } from "../texts/index.ts";
 import type {
   BoundReply,
   CheckOf,
@@ -84,14 +86,14 @@ export class Measurement {
     const { client, overlap, view } = this.#parts;
     const { transform } = this.pose();
     if (view.models.complete) client.overlap({ maxSeconds, transform, scaleUnits: true });
-    else overlap.clear("Open two files first.");
+    else overlap.clear(texts.files.openTwoFilesFirst);
   }
 
   /** Checks all pairs of bodies by the rules: of one model, or of both, A where it was moved to. */
   check(of: CheckOf, below: number): void {
     const { client, check, view } = this.#parts;
     const isThere = of === "both" ? view.models.complete : view.models.drawn[of] !== undefined;
-    if (!isThere) check.clear("Open a file first.");
+    if (!isThere) check.clear(texts.files.openAFileFirst);
     else {
       const rules = checkRules();
       const options = {
@@ -116,15 +118,15 @@ export class Measurement {
     this.forgetFiner();
     if (faces.active) {
       client.cancelDiff();
-      faces.clear("outdated", "A was moved: compare again.");
+      faces.clear("outdated", texts.files.aWasMovedCompareAgain);
     }
     if (overlap.active) {
       client.cancelOverlap();
-      overlap.clear("A was moved: measure again.");
+      overlap.clear(texts.files.aWasMovedMeasureAgain);
     }
     if (check.isOfBoth) {
       client.cancelCheck();
-      check.clear("A was moved: check again.");
+      check.clear(texts.files.aWasMovedCheckAgain);
     } else check.unshow();
     past.record();
     this.measure();

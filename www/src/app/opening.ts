@@ -1,5 +1,6 @@
 // Opening of models: what the page begins with, files, links that name files, and what is shown
 // while they are read.
+
 import { clearAnnotations } from "../annotations/annotations.ts";
 import { element } from "../common/elements.ts";
 import { clearFit } from "../controls/bestFit.ts";
@@ -22,10 +23,12 @@ import { showFileNotes } from "../files/fileNotes.ts";
 import { type FileName, filesNamedBy, nameOf, parametersOf } from "../files/identity.ts";
 import { forgetFiles, keepFiles, keepLast, keptFiles, lastFiles } from "../files/kept.ts";
 import { showUnits, unitScale } from "../files/units.ts";
+import { clearMeasures } from "../measuring/measures.ts";
 import { clearOwnLimits } from "../results/ownLimits.ts";
 import * as resultPanel from "../results/resultPanel.ts";
 import { applyFormState, formState } from "../state/formState.ts";
 import { History } from "../state/history.ts";
+import { texts } from "../texts/index.ts";
 import {
   type Placement,
   type Reply,
@@ -121,7 +124,7 @@ export class Opening {
   /** Shows faces of a file as they are read; the result is that of models which are no longer drawn. */
   showDraft({ side, replaced, draft }: Extract<Reply, { kind: "draft" }>): void {
     const { view, probing } = this.#parts;
-    setLoading(true, `reading… ${Math.floor(100 * draft.fraction)} %`);
+    setLoading(true, texts.files.reading(Math.floor(100 * draft.fraction)));
     if (!view.isDrafting) {
       probing.clear();
       this.#measurement.hideResult();
@@ -146,6 +149,7 @@ export class Opening {
     void this.#keep();
     clearOwnLimits();
     clearAnnotations();
+    clearMeasures();
     view.models.explosion.bodies = {};
     setBodies(undefined);
     const state = this.#pending;

@@ -6,6 +6,7 @@ import { element, fillList } from "../common/elements.ts";
 import type { ReportTable } from "../common/tables.ts";
 import { unitScale } from "../files/units.ts";
 import { onChange } from "../state/store.ts";
+import { texts } from "../texts/index.ts";
 import type { CheckedFaces, CheckOf, CheckReply, CheckState, Side } from "../worker/protocol.ts";
 import { bodyRow, pairRow, ruleRow } from "./rows.ts";
 import { rules } from "./rules.ts";
@@ -82,21 +83,32 @@ export class CheckPanel {
     const { of: checked, result } = done;
     const isOfBoth = checked === "both";
     const pairs = listedPairs(result).map((pair) => [
-      pair.intended ? `${pair.state}, meant` : pair.state,
-      `${pair.a} and ${pair.b}`,
+      pair.intended
+        ? texts.bodies.stateMeant(texts.bodies.states[pair.state])
+        : texts.bodies.states[pair.state],
+      texts.bodies.pairOf(pair.a, pair.b),
       pairText(pair, scaleOf(checked)),
     ]);
     const faulty = result.bodies.flatMap((body) => {
       const faults = faultsOf(body, isOfBoth);
-      return faults.length === 0 ? [] : [["body", body.name, faults.join(", ")]];
+      return faults.length === 0 ? [] : [[texts.bodies.body, body.name, faults.join(", ")]];
     });
     const broken = result.rules.map((rule) => [
-      ...["rule", rule.rule === "mustTouch" ? rule.a : `${rule.a} and ${rule.b}`],
+      ...[
+        texts.bodies.oneRule,
+        rule.rule === "mustTouch" ? rule.a : texts.bodies.pairOf(rule.a, rule.b),
+      ],
       unkeptText(rule, scaleOf(checked)),
     ]);
-    const subject = isOfBoth ? "A and B as one assembly" : checked.toUpperCase();
-    const title = `Check of the bodies of ${subject}: ${verdictText(result)}`;
-    return [{ title, head: ["State", "Bodies", ""], rows: [...broken, ...pairs, ...faulty] }];
+    const subject = isOfBoth ? texts.bodies.aAndBAsOne : checked.toUpperCase();
+    const title = texts.bodies.checkOfTheBodiesOf(subject, verdictText(result));
+    return [
+      {
+        title,
+        head: [texts.bodies.state, texts.bodies.bodies, ""],
+        rows: [...broken, ...pairs, ...faulty],
+      },
+    ];
   }
 
   /** Whether both models are checked together, where their files place them. */
@@ -117,7 +129,7 @@ export class CheckPanel {
         this.#done.value = reply;
         break;
       case "cancelled":
-        this.clear("Cancelled.");
+        this.clear(texts.bodies.cancelled);
         break;
       case "failed":
         this.clear(`${reply.message} (${reply.code})`);
@@ -132,7 +144,7 @@ export class CheckPanel {
 
   /** Ends a check in progress, whose result will not come. */
   end(): void {
-    if (section.dataset.state === "working") this.clear("Cancelled.");
+    if (section.dataset.state === "working") this.clear(texts.bodies.cancelled);
   }
 
   /** Removes what is shown, and says this. */

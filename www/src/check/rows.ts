@@ -1,6 +1,8 @@
 // The rows of a check's lists: pairs of bodies, and bodies with a fault.
+
 import type { BodyPair, CheckedBody, UnkeptRule } from "nurbs-hausdorff";
 import { make, span } from "../common/elements.ts";
+import { texts } from "../texts/index.ts";
 import { addRule } from "./rules.ts";
 import { pairText, shortName, unkeptText } from "./words.ts";
 
@@ -18,16 +20,23 @@ export function pairRow(
 ): HTMLElement {
   const size = pairText(pair, scale);
   const { item, button } = row(
-    pair.intended ? `${pair.state}, meant` : pair.state,
+    pair.intended
+      ? texts.bodies.stateMeant(texts.bodies.states[pair.state])
+      : texts.bodies.states[pair.state],
     [pair.a, pair.b].map((name) => shortName(name, isOfBoth)),
     size,
   );
-  button.title = `${pair.a} and ${pair.b}`;
+  button.title = texts.bodies.pairOf(pair.a, pair.b);
   button.dataset.state = pair.intended ? "meant" : pair.state;
   // What is judged, and may be meant all the same.
   if (pair.state === "clash" && !pair.intended) item.append(meantButton(pair));
   button.addEventListener("click", () =>
-    press(button, pair.state === "clash" ? "clash" : `${pair.state}, ${size}`),
+    press(
+      button,
+      pair.state === "clash"
+        ? texts.bodies.states.clash
+        : `${texts.bodies.states[pair.state]}, ${size}`,
+    ),
   );
   return item;
 }
@@ -47,13 +56,13 @@ export function bodyRow(
 
 /** A button that makes a rule of a clash that is meant. */
 function meantButton({ a, b }: BodyPair): HTMLElement {
-  const button = make("button", "Is meant", {
+  const button = make("button", texts.bodies.isMeant, {
     ...{
       type: "button",
       class: "meant",
-      title: "Adds a rule, and is judged by it in the next check",
+      title: texts.bodies.addsARuleAndIs,
     },
-    "aria-label": `The clash of ${a} and ${b} is meant`,
+    "aria-label": texts.bodies.clashIsMeant(a, b),
   });
   button.addEventListener("click", () => addRule({ kind: "intended", a, b }));
   return button;
@@ -62,10 +71,10 @@ function meantButton({ a, b }: BodyPair): HTMLElement {
 /** A row of a rule that is not certainly kept. */
 export function ruleRow(rule: UnkeptRule, { isOfBoth, scale }: RowsOf): HTMLElement {
   const names = rule.rule === "mustTouch" ? [rule.a] : [rule.a, rule.b];
-  const shown = names.map((name) => shortName(name, isOfBoth)).join(" and ");
+  const shown = names.map((name) => shortName(name, isOfBoth)).join(texts.bodies.and);
   const item = make("li", [span("name", shown), span("size", unkeptText(rule, scale))]);
   item.dataset.broken = `${rule.broken}`;
-  item.title = `${rule.a} and ${rule.b}`;
+  item.title = texts.bodies.pairOf(rule.a, rule.b);
   return item;
 }
 
@@ -76,7 +85,7 @@ function row(state: string | undefined, names: readonly string[], size: string) 
   button.setAttribute("aria-pressed", "false");
   button.append(
     ...(state === undefined ? [] : [span("state", state)]),
-    span("name", names.join(" and ")),
+    span("name", names.join(texts.bodies.and)),
     span("size", size),
   );
   item.append(button);

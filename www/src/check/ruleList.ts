@@ -1,7 +1,9 @@
 // The rules in the panel of the check: read from a file that is chosen or dropped, listed, removed, saved.
+
 import { effect } from "@preact/signals-core";
 import { element, make } from "../common/elements.ts";
 import { download } from "../export/download.ts";
+import { texts } from "../texts/index.ts";
 import { clearRules, KINDS, type Rule, readRules, removeRule, rules, rulesText } from "./rules.ts";
 
 const chosen = element("rules-file", HTMLInputElement);
@@ -51,18 +53,18 @@ function show(all: readonly Rule[]): void {
 
 /** What a rule asks of a pair. */
 export function ruleText({ kind, a, b, distance }: Rule): string {
-  const least = distance === undefined ? "" : ` by ${distance}`;
+  const least = distance === undefined ? "" : texts.bodies.by(distance);
   return `${KINDS[kind].title}${least}: ${a} ${KINDS[kind].between} ${b}`;
 }
 
 function row(rule: Rule, index: number): HTMLElement {
   const { kind, a, b, distance } = rule;
   const remove = make("button", "×", {
-    ...{ type: "button", title: "Remove this rule" },
-    "aria-label": `Remove the rule ${ruleText(rule)}`,
+    ...{ type: "button", title: texts.bodies.removeThisRule },
+    "aria-label": texts.bodies.removeTheRule(ruleText(rule)),
   });
   remove.addEventListener("click", () => removeRule(index));
-  const title = `${KINDS[kind].title}${distance === undefined ? "" : ` by ≥ ${distance}`}`;
+  const title = `${KINDS[kind].title}${distance === undefined ? "" : texts.bodies.byAtLeast(distance)}`;
   return make("li", [
     make("span", title, { class: "state" }),
     make("span", `${a} · ${b}`, { class: "name" }),

@@ -1,15 +1,17 @@
 // The rules of a check: what is meant, and what must be, in a control of the form, so that links, undoing and
 // kept files hold them. They are those of the command's `--rules`, as JSON.
+
 import { computed } from "@preact/signals-core";
 import type { CheckRules, NamesOfPair } from "nurbs-hausdorff";
 import { field } from "../state/store.ts";
+import { texts } from "../texts/index.ts";
 
 /** The kinds of rules, with what is said of a pair. */
 export const KINDS = {
-  intended: { title: "meant", between: "in" },
-  mustTouch: { title: "must touch", between: "and" },
-  atLeast: { title: "apart", between: "and" },
-} as const;
+  intended: texts.bodies.ruleMeant,
+  mustTouch: texts.bodies.ruleMustTouch,
+  atLeast: texts.bodies.ruleApart,
+};
 
 export type Kind = keyof typeof KINDS;
 
@@ -47,7 +49,7 @@ export function checkRules(): CheckRules | undefined {
  * @throws {Error} that says what was found and what is expected.
  */
 export function readRules(text: string): void {
-  if (text.length > MAX_TEXT) throw new Error(`The rules are longer than ${MAX_TEXT} characters.`);
+  if (text.length > MAX_TEXT) throw new Error(texts.bodies.theRulesAreLongerThan(MAX_TEXT));
   write(rulesOf(text));
 }
 
@@ -82,29 +84,29 @@ function grouped(all: readonly Rule[]): Partial<Record<Kind, Omit<Rule, "kind">[
 function rulesOf(text: string): Rule[] {
   const parsed: unknown = JSON.parse(text);
   if (typeof parsed !== "object" || parsed === null || Array.isArray(parsed)) {
-    throw new Error("Rules are an object with the lists intended, mustTouch and atLeast.");
+    throw new Error(texts.bodies.rulesAreAnObjectWith);
   }
   const unknown = Object.keys(parsed).find((key) => !(key in KINDS));
   if (unknown !== undefined) {
-    throw new Error(`Rules have no list ${unknown}: they are intended, mustTouch and atLeast.`);
+    throw new Error(texts.bodies.rulesHaveNoListThey(unknown));
   }
   return (Object.keys(KINDS) as Kind[]).flatMap((kind) => {
     const list: unknown = (parsed as Record<string, unknown>)[kind] ?? [];
-    if (!Array.isArray(list)) throw new Error(`${kind} is no list.`);
-    return list.map((rule, index) => ruleOf(kind, rule, `${kind}, rule ${index + 1}`));
+    if (!Array.isArray(list)) throw new Error(texts.bodies.isNoList(kind));
+    return list.map((rule, index) => ruleOf(kind, rule, texts.bodies.rule(kind, index + 1)));
   });
 }
 
 function ruleOf(kind: Kind, rule: unknown, where: string): Rule {
   const { a, b, distance, ...others } = (rule ?? {}) as Record<string, unknown>;
   if (typeof a !== "string" || typeof b !== "string") {
-    throw new Error(`${where} has no names a and b.`);
+    throw new Error(texts.bodies.hasNoNames(where));
   }
   const [unknown] = Object.keys(others);
-  if (unknown !== undefined) throw new Error(`${where} has ${unknown}, which no rule has.`);
+  if (unknown !== undefined) throw new Error(texts.bodies.hasWhichNoRuleHas(where, unknown));
   if (kind !== "atLeast") return { kind, a, b };
   if (typeof distance !== "number" || !(distance >= 0)) {
-    throw new Error(`${where} has no distance of at least 0.`);
+    throw new Error(texts.bodies.hasNoDistance(where));
   }
   return { kind, a, b, distance };
 }

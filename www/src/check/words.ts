@@ -1,4 +1,5 @@
 // The words of a check: its verdict, its pairs and its bodies.
+
 import {
   type BodyPair,
   type CheckedBody,
@@ -9,29 +10,30 @@ import {
 import { grouped } from "../common/text/numbers.ts";
 import { listedQuantity, narrowText, shownQuantity } from "../common/text/quantities.ts";
 import { commonUnit } from "../files/units.ts";
+import { texts } from "../texts/index.ts";
 
 /** The first line: what is certain of all pairs. */
 export function verdictText(result: CheckResult): string {
   const { bodies, pairCount, pairs } = result;
-  if (bodies.length === 1) return "One body: it has nothing to clash with.";
+  if (bodies.length === 1) return texts.bodies.oneBodyItHasNothing;
   const of = (state: BodyPair["state"]) => pairs.filter((pair) => pair.state === state);
   const count = (state: BodyPair["state"]) => of(state).filter((pair) => !pair.intended).length;
   const meant = of("clash").filter((pair) => pair.intended).length;
-  const all = `${grouped(pairCount)} ${pairCount === 1 ? "pair" : "pairs"}`;
+  const all = texts.bodies.pairs(grouped(pairCount), pairCount);
   const [clashes, undecided] = [count("clash"), count("undecided")];
   const others = [
-    ...(undecided > 0 && clashes > 0 ? [`${undecided} undecided`] : []),
-    `${count("touching")} touching`,
-    `${count("near")} near`,
-    ...(meant > 0 ? [`${meant} meant`] : []),
+    ...(undecided > 0 && clashes > 0 ? [texts.bodies.undecided(undecided)] : []),
+    texts.bodies.touching(count("touching")),
+    texts.bodies.near(count("near")),
+    ...(meant > 0 ? [texts.bodies.meantCount(meant)] : []),
   ].join(", ");
-  if (clashes > 0) return `CLASH: ${clashes} of ${all}; ${others}`;
+  if (clashes > 0) return texts.bodies.clashOf(clashes, all, others);
   const broken = result.rules.filter((rule) => rule.broken).length;
-  if (broken > 0) return `BROKEN: ${broken} ${broken === 1 ? "rule" : "rules"}; ${others}`;
+  if (broken > 0) return texts.bodies.rulesBroken(broken, others);
   const open = result.rules.length;
-  if (open > 0) return `UNDECIDED: ${open} ${open === 1 ? "rule" : "rules"}; ${others}`;
-  if (undecided > 0) return `UNDECIDED: ${undecided} of ${all}; ${others}`;
-  return `CLEAN: ${all}, ${others}`;
+  if (open > 0) return texts.bodies.rulesUndecided(open, others);
+  if (undecided > 0) return texts.bodies.undecidedOf(undecided, all, others);
+  return texts.bodies.clean(all, others);
 }
 
 /** How near the bodies of a pair come, or how deep they are in each other; `scale` is the scene's units in one of the check's. */
@@ -43,14 +45,16 @@ export function pairText(
   const of = (power: string) => (unit === undefined ? "" : ` ${unit}${power}`);
   if (state === "clash") {
     const deep =
-      depth === null ? [] : [`depth ${narrowText(shownQuantity(depth, 1, scale))}${of("")}`];
+      depth === null
+        ? []
+        : [texts.bodies.depth(narrowText(shownQuantity(depth, 1, scale)), of(""))];
     const large =
       volume === null
         ? []
-        : [`volume ${listedQuantity(shownQuantity(volume, 3, scale))}${of("³")}`];
+        : [texts.bodies.volume(listedQuantity(shownQuantity(volume, 3, scale)), of("³"))];
     return [...deep, ...large].join(", ");
   }
-  const apart = `${listedQuantity(shownQuantity(clearance, 1, scale))}${of("")} apart`;
+  const apart = texts.bodies.apart(listedQuantity(shownQuantity(clearance, 1, scale)), of(""));
   return state === "undecided" && why !== undefined ? `${apart}: ${why}` : apart;
 }
 
@@ -63,8 +67,9 @@ export function unkeptText(
     clearance === undefined
       ? ""
       : `, ${listedQuantity(shownQuantity(clearance, 1, scale))} ${commonUnit() ?? ""}`.trimEnd();
-  const what = rule === "mustTouch" ? "touches none of" : `nearer than ${distance ?? 0}`;
-  return `${broken ? "broken" : "undecided"}: ${what}${found}`;
+  const what =
+    rule === "mustTouch" ? texts.bodies.touchesNoneOf : texts.bodies.nearerThan(distance ?? 0);
+  return texts.bodies.unkept(broken, `${what}${found}`);
 }
 
 /** What is wrong with a body by itself. */
@@ -73,14 +78,14 @@ export function faultsOf(
   isOfBoth: boolean,
 ): string[] {
   return [
-    ...(closed ? [] : ["open"]),
-    ...(orientation === "insideOut" ? ["inside out"] : []),
-    ...(orientation === "mixed" ? ["faces turned over"] : []),
-    ...(orientation === "notOrientable" ? ["no sides that agree"] : []),
-    ...(degenerate ? ["no inside within the tolerance"] : []),
-    ...(selfOverlap === null ? [] : ["meets itself"]),
+    ...(closed ? [] : [texts.bodies.open]),
+    ...(orientation === "insideOut" ? [texts.bodies.insideOut] : []),
+    ...(orientation === "mixed" ? [texts.bodies.facesTurnedOver] : []),
+    ...(orientation === "notOrientable" ? [texts.bodies.noSidesThatAgree] : []),
+    ...(degenerate ? [texts.bodies.noInsideWithinTheTolerance] : []),
+    ...(selfOverlap === null ? [] : [texts.bodies.meetsItself]),
     ...(duplicates.length > 0
-      ? [`duplicate of ${duplicates.map((name) => shortName(name, isOfBoth)).join(", ")}`]
+      ? [texts.bodies.duplicateOf(duplicates.map((name) => shortName(name, isOfBoth)).join(", "))]
       : []),
   ];
 }

@@ -1,9 +1,11 @@
 // The panel of clearance and clash: the least distance, and the faces that come near each other.
+
 import type { ClearanceResult, FaceGap, GapsResult } from "nurbs-hausdorff";
 import { element, fillList } from "../common/elements.ts";
 import { placeName } from "../common/text/names.ts";
 import { certifiedText, intervalText } from "../common/text/numbers.ts";
 import { commonUnit } from "../files/units.ts";
+import { texts } from "../texts/index.ts";
 import type { ClearanceReply } from "../worker/protocol.ts";
 
 /** Pairs listed; more are counted. */
@@ -63,7 +65,7 @@ export class ClearancePanel {
 
   #turn(on: boolean): void {
     start.setAttribute("aria-pressed", `${on}`);
-    start.textContent = on ? "End" : "Measure";
+    start.textContent = on ? texts.bodies.end : texts.bodies.measure;
     // Where the panel's part is folded away, the card ends it too.
     end.hidden = !on;
     section.dataset.state = on ? "working" : "idle";
@@ -80,7 +82,9 @@ export class ClearancePanel {
   show(reply: ClearanceReply): ShownClearance | undefined {
     if (reply.state !== "done") {
       section.dataset.state = reply.state;
-      this.#clear(reply.state === "failed" ? `${reply.message} (${reply.code})` : "cancelled");
+      this.#clear(
+        reply.state === "failed" ? `${reply.message} (${reply.code})` : texts.bodies.cancelledHere,
+      );
       return undefined;
     }
     const { clearance, gaps } = reply;
@@ -131,18 +135,26 @@ function sentence(result: ClearanceResult, meeting: Meeting): string {
   const { overlap, lower, upper, diagonal, witness, gap, withGaps } = result;
   if (meeting === "clash") {
     return overlap?.kind === "contained"
-      ? "Clash: a part of one lies inside the other."
-      : "Clash: the parts certainly overlap.";
+      ? texts.bodies.clashAPartOfOne
+      : texts.bodies.clashThePartsCertainlyOverlap;
   }
   const unit = commonUnit();
   const size = certifiedText(upper, [lower, upper], diagonal);
-  const places = `A ${placeName(witness.a)} and B ${placeName(witness.b)}`;
+  const places = texts.bodies.aAndB(placeName(witness.a), placeName(witness.b));
   if (meeting === "touching")
-    return `Touching or crossing: ${places}, ${size}${unit ? ` ${unit}` : ""}.`;
+    return texts.bodies.touchingOrCrossing(places, size, unit ? ` ${unit}` : "");
   // The files leave open what the models of both are, by their gaps.
   const open =
     gap > 0
-      ? `; with the gaps of the files in ${intervalText(Math.max(0, withGaps.lower), withGaps.upper, diagonal)}`
+      ? texts.bodies.withTheGapsOfThe(
+          intervalText(Math.max(0, withGaps.lower), withGaps.upper, diagonal),
+        )
       : "";
-  return `Apart by ${size}${unit ? ` ${unit}` : ""}, in ${intervalText(lower, upper, diagonal)}${open}: ${places}.`;
+  return texts.bodies.apartByIn(
+    size,
+    unit ? ` ${unit}` : "",
+    intervalText(lower, upper, diagonal),
+    open,
+    places,
+  );
 }

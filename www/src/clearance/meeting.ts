@@ -4,6 +4,7 @@ import { placeName } from "../common/text/names.ts";
 import { certifiedText } from "../common/text/numbers.ts";
 import type { FaceClass } from "../scene/faces.ts";
 import type { View } from "../scene/view.ts";
+import { texts } from "../texts/index.ts";
 import type { Side, Sides } from "../worker/protocol.ts";
 import type { ShownClearance } from "./clearancePanel.ts";
 
@@ -32,14 +33,21 @@ export function showMeeting(view: View, shown: ShownClearance | undefined): void
   const { overlap, witness, diagonal, lower, upper } = clearance;
   if (overlap !== undefined && "insideBoth" in overlap) {
     const { insideBoth } = overlap;
-    view.point({ from: insideBoth, to: insideBoth, texts: { length: "clash", from: "", to: "" } });
+    view.point({
+      from: insideBoth,
+      to: insideBoth,
+      texts: { length: texts.bodies.states.clash, from: "", to: "" },
+    });
     return;
   }
   const { a, b } = witness;
-  const texts = {
-    length: meeting === "touching" ? "touching" : certifiedText(upper, [lower, upper], diagonal),
+  const ends = {
+    length:
+      meeting === "touching"
+        ? texts.bodies.states.touching
+        : certifiedText(upper, [lower, upper], diagonal),
     from: `A: ${placeName(a)}`,
     to: `B: ${placeName(b)}`,
   };
-  view.point({ from: a.point, to: b.point, texts });
+  view.point({ from: a.point, to: b.point, texts: ends });
 }

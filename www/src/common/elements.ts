@@ -1,5 +1,6 @@
 // The page's elements: typed look-up, and what lists are made of.
 
+import { texts } from "../texts/index.ts";
 /**
  * Returns the element with this identifier.
  *
@@ -44,6 +45,6 @@ export function fillList<Entry>(
   if (entries.length <= most) return;
   const more = document.createElement("li");
   more.className = "note";
-  more.textContent = `and ${entries.length - most} more`;
+  more.textContent = texts.common.andMore(entries.length - most);
   list.append(more);
 }

@@ -1,16 +1,17 @@
 // The button that fits A to B, and what it found.
+
 import { element } from "../common/elements.ts";
 import { distanceText } from "../common/text/numbers.ts";
+import { texts } from "../texts/index.ts";
 import type { FitReply } from "../worker/protocol.ts";
 
-const START = "Best fit";
-const STOP = "Stop fitting";
+const START = texts.files.bestFit;
+const STOP = texts.files.stopFitting;
 
 const button = element("best-fit", HTMLButtonElement);
 const text = element("fit-text");
 
-const POOR_TEXT =
-  ". A poor fit: the parts differ much, or A has to be turned by hand near to where it belongs.";
+const POOR_TEXT = texts.files.poorFit;
 
 let running = false;
 /** Whether the fit lays A on B by what was picked alone. */
@@ -28,7 +29,7 @@ export function onFit(start: () => void, stop: () => void): void {
 export function showFitting(byHand: boolean): void {
   isByHand = byHand;
   setRunning(true);
-  text.textContent = "fitting…";
+  text.textContent = texts.files.fitting;
 }
 
 /** Shows the state of a fit; lengths are shown with the digits that the diagonal gives sense. */
@@ -38,16 +39,22 @@ export function showFit(reply: FitReply, diagonal: number): void {
     case "working":
       text.textContent =
         reply.step > 0
-          ? `step ${reply.step}: RMS ${length(reply.rms)}`
-          : `searching poses: ${Math.round(100 * reply.fraction)} %`;
+          ? texts.files.stepRMS(reply.step, length(reply.rms))
+          : texts.files.searchingPoses(Math.round(100 * reply.fraction));
       return;
     case "done": {
       const { rms, rmsBefore, steps, converged, ambiguous } = reply.fit;
-      const end = converged ? "" : ", not converged";
+      const end = converged ? "" : texts.files.notConverged;
       const poor = converged || isByHand ? "" : POOR_TEXT;
-      const how = isByHand ? "laid on by hand" : `${steps} steps${end}`;
-      const others = ambiguous.length > 0 ? `; ${ambiguous.length} other poses fit as well` : "";
-      text.textContent = `RMS ${length(rmsBefore)} before, ${length(rms)} now (${how})${others}${poor}`;
+      const how = isByHand ? texts.files.laidOnByHand : texts.files.steps(steps, end);
+      const others = ambiguous.length > 0 ? texts.files.otherPoses(ambiguous.length) : "";
+      text.textContent = texts.files.rmsBeforeNow(
+        length(rmsBefore),
+        length(rms),
+        how,
+        others,
+        poor,
+      );
       text.dataset.poor = `${poor !== ""}`;
       break;
     }

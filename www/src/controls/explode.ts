@@ -1,7 +1,9 @@
 // The exploded view: its switch, how far bodies are moved, and what is said of it.
+
 import { computed, effect, signal } from "@preact/signals-core";
 import { element } from "../common/elements.ts";
 import { field, onChange } from "../state/store.ts";
+import { texts } from "../texts/index.ts";
 import type { Sides } from "../worker/protocol.ts";
 
 const switched = field("explode");
@@ -31,9 +33,9 @@ export function onExplode(callback: () => void, ask: () => void): void {
 }
 
 function noteOf(bodies: number | undefined): string {
-  if (bodies === undefined) return "finding the bodies…";
-  if (bodies < 2) return "one body each: nothing to move apart";
-  return "to look at only: distances and pins are of models as they stand";
+  if (bodies === undefined) return texts.files.findingTheBodies;
+  if (bodies < 2) return texts.files.oneBodyEach;
+  return texts.files.toLookAtOnly;
 }
 
 /** Notes the bodies of the models; without them, they have to be asked for again. */

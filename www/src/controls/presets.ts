@@ -1,4 +1,5 @@
 // Pairs of shapes to choose from, with the initial position of A.
+import { texts } from "../texts/index.ts";
 import type { Placement } from "../worker/protocol.ts";
 
 export interface Preset {
@@ -18,35 +19,50 @@ const moved = (x: number, y: number, z: number, turn = 0): Placement => ({ move:
 
 export const presets: readonly Preset[] = [
   {
-    title: "Bracket and its revision",
+    title: texts.files.bracketAndItsRevision,
     ...{ a: "bracket", b: "bracket-revised", placement: IN_PLACE, allowed: 0.2 },
   },
-  { title: "Concentric spheres", a: "sphere", b: "sphere-larger", placement: IN_PLACE },
+  { title: texts.files.concentricSpheres, a: "sphere", b: "sphere-larger", placement: IN_PLACE },
   {
-    title: "NACA wings 2412 and 2415",
+    title: texts.files.nacaWingsAnd,
     a: "naca-wing",
     b: "naca-wing-thicker",
     placement: IN_PLACE,
   },
-  { title: "Glass and bottle", a: "glass", b: "bottle", placement: moved(0.04, 0, 0) },
+  { title: texts.files.glassAndBottle, a: "glass", b: "bottle", placement: moved(0.04, 0, 0) },
   {
-    title: "Bottle and copy, moved and rotated",
+    title: texts.files.bottleAndCopyMovedAnd,
     a: "bottle",
     b: "bottle",
     placement: moved(0.06, 0.02, 0.03, 12),
   },
-  { title: "Two Wigley hulls", a: "wigley-hull", b: "wigley-hull-wider", placement: IN_PLACE },
-  { title: "Two tori of different thickness", a: "torus", b: "torus-fatter", placement: IN_PLACE },
-  { title: "Torus and moved copy", a: "torus", b: "torus", placement: moved(0.12, 0.05, 0.08) },
-  { title: "Cone and cylinder", a: "cone", b: "cylinder", placement: moved(0.05, 0, 0) },
   {
-    title: "Plane and cylinder (2012 paper, Fig. 5)",
+    title: texts.files.twoWigleyHulls,
+    a: "wigley-hull",
+    b: "wigley-hull-wider",
+    placement: IN_PLACE,
+  },
+  {
+    title: texts.files.twoToriOfDifferentThickness,
+    a: "torus",
+    b: "torus-fatter",
+    placement: IN_PLACE,
+  },
+  {
+    title: texts.files.torusAndMovedCopy,
+    a: "torus",
+    b: "torus",
+    placement: moved(0.12, 0.05, 0.08),
+  },
+  { title: texts.files.coneAndCylinder, a: "cone", b: "cylinder", placement: moved(0.05, 0, 0) },
+  {
+    title: texts.files.planeAndCylinderPaperFig,
     a: "fig5-plane",
     b: "fig5-cylinder",
     placement: IN_PLACE,
   },
   {
-    title: "Experiments: two wavy sheets",
+    title: texts.files.experimentsTwoWavySheets,
     ...{ a: "wavy-sheet", b: "wavy-sheet-b", placement: moved(0, 0, 0.06) },
   },
 ];

@@ -1,9 +1,11 @@
 // The controls of the section: along an axis or by any normal, its offset and tilt.
+
 import { Vector3 } from "three";
 import { element } from "../common/elements.ts";
 import { PickingTool, type Take } from "../inspection/pickingTool.ts";
 import type { Models } from "../scene/models.ts";
 import { extentOf, type Section } from "../scene/section.ts";
+import { texts } from "../texts/index.ts";
 
 const input = (id: string) => element(id, HTMLInputElement);
 
@@ -123,9 +125,9 @@ export function sectionText({ cut, center }: Models): string | undefined {
   const point = cut.plane.coplanarPoint(new Vector3());
   if (cut.isStraight && own.axis !== undefined) {
     const at = point.getComponent(own.axis) + center.getComponent(own.axis);
-    return `section at ${["x", "y", "z"][own.axis]} = ${number(at)}`;
+    return texts.files.sectionAt(["x", "y", "z"][own.axis], number(at));
   }
-  return `section by the normal ${list(cut.plane.normal)} through ${list(point.add(center))}`;
+  return texts.files.sectionByTheNormalThrough(list(cut.plane.normal), list(point.add(center)));
 }
 
 /** The ends of the section's way, in what the field of its offset shows. */

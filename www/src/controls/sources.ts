@@ -1,9 +1,11 @@
 // Selection of the models: the lists of pairs and shapes, and files.
+
 import type { ShapeInfo } from "nurbs-hausdorff";
 import { onFilesDropped, sidesOf } from "../common/drop.ts";
 import { element } from "../common/elements.ts";
 import { ACCEPT } from "../files/formats.ts";
 import { allowed, setAllowed } from "../results/verdict.ts";
+import { texts } from "../texts/index.ts";
 import {
   type DisplayModel,
   type Placement,
@@ -65,7 +67,7 @@ export function onSource(listener: (opened: Opened) => void): void {
   open = listener;
   pair.append(
     ...presets.map(({ title }, index) => new Option(title, `${index}`)),
-    otherOption("own pair"),
+    otherOption(texts.files.ownPair),
   );
   pair.addEventListener("change", () => {
     const preset = presets[Number(pair.value)];
@@ -114,7 +116,7 @@ function openFiles(files: readonly File[], place: Side, without?: Side): void {
   if (sides === undefined) return;
   openAll({ sources: sourcesOf(sides), placement: IN_PLACE, files }, { aside: without });
   const more = files.slice(2).map(({ name }) => name);
-  note(more.length === 0 ? "" : `Two files are compared: ${more.join(", ")} was not opened.`);
+  note(more.length === 0 ? "" : texts.files.twoFilesAreComparedWas(more.join(", ")));
 }
 
 function openAll(opened: Opened, proposal: NonNullable<typeof awaited> = {}): void {
@@ -170,7 +172,7 @@ export function fillShapes(shapes: ShapeInfo[]): void {
 }
 
 /** Shows or hides the note that models are being loaded, or what for, which takes a while for large files. */
-export function setLoading(loading: boolean, text = "loading…"): void {
+export function setLoading(loading: boolean, text = texts.files.loading): void {
   element("loading").hidden = !loading;
   element("load-cancel").hidden = !loading;
   element("loading").textContent = text;
@@ -209,13 +211,13 @@ export function showNames(models: Sides<DisplayModel>): void {
   for (const side of SIDES) {
     const model = models[side];
     if (side === aside) {
-      nameOther(side, "no file yet");
+      nameOther(side, texts.files.noFileYet);
       shown[side] = OTHER;
     } else if (model !== undefined) {
       showName(side, model.source);
       shown[side] = lists[side].value;
       const { faceCount } = model;
-      lists[side].title = `${faceCount} ${faceCount === 1 ? "face" : "faces"}`;
+      lists[side].title = texts.files.faces(`${faceCount}`, faceCount);
     }
   }
 }

@@ -1,4 +1,5 @@
 // The page of a deforming surface: measures it frame after frame, and draws what is measured.
+import { texts } from "../texts/index.ts";
 import "uplot/dist/uPlot.min.css";
 import { Hausdorff } from "nurbs-hausdorff/worker";
 import { element } from "../common/elements.ts";
@@ -18,12 +19,16 @@ const [interval, rate, time] = ["interval", "rate", "time"].map((id) => element(
   HTMLElement,
 ];
 const distances = new LiveChart(element("chart-distance"), [
-  { label: "upper bound", color: "accent" },
-  { label: "lower bound", color: "a" },
+  { label: texts.experiments.upperBound, color: "accent" },
+  { label: texts.experiments.lowerBound, color: "a" },
 ]);
-const times = new LiveChart(element("chart-time"), [{ label: "a frame", color: "a" }], {
-  logarithmic: true,
-});
+const times = new LiveChart(
+  element("chart-time"),
+  [{ label: texts.experiments.aFrame, color: "a" }],
+  {
+    logarithmic: true,
+  },
+);
 const counted = new Rate();
 const scene = await openScene();
 
@@ -98,7 +103,7 @@ try {
   pause.disabled = false;
   pause.addEventListener("click", () => {
     const pausing = state.state !== "paused";
-    pause.textContent = pausing ? "Continue" : "Pause";
+    pause.textContent = pausing ? texts.experiments.continue : texts.experiments.pause;
     state.state = pausing ? "paused" : "starting";
     restart(hausdorff);
   });

@@ -1,12 +1,14 @@
 // The parts that the page makes itself, by the names with which shapes are opened.
+
 import type { InterchangeModel, ShapeInfo } from "nurbs-hausdorff";
+import { texts } from "../texts/index.ts";
 import { BRACKET, bracket, REVISED } from "./bracket.ts";
 
 const EXAMPLES: Readonly<Record<string, { title: string; model: () => InterchangeModel }>> = {
-  bracket: { title: "Bracket", model: () => bracket("bracket", BRACKET) },
+  bracket: { title: texts.files.bracket, model: () => bracket("bracket", BRACKET) },
   "bracket-revised": {
-    title: "Bracket, revised",
-    model: () => bracket("bracket, revised", REVISED),
+    title: texts.files.bracketRevised,
+    model: () => bracket(texts.files.bracketRevisedName, REVISED),
   },
 };
 

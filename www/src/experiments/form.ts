@@ -1,8 +1,10 @@
 // The form of the experiments: the pair, the methods and the settings.
+
 import type { ShapeInfo } from "nurbs-hausdorff";
 import { onFilesDropped, sidesOf } from "../common/drop.ts";
 import { element } from "../common/elements.ts";
 import { ACCEPT } from "../files/formats.ts";
+import { texts } from "../texts/index.ts";
 import { SIDES, type Side, type Sides, type Source } from "../worker/protocol.ts";
 import * as methodList from "./methodList.ts";
 import { type Entry, methods } from "./sweep/methods.ts";
@@ -101,10 +103,11 @@ function showModels(): void {
 }
 
 function describe(source: Source | undefined, part: Part | undefined): string {
-  if (source === undefined) return "no file";
-  if ("file" in source) return `${source.file.name}${source.firstSurface ? ", first surface" : ""}`;
+  if (source === undefined) return texts.experiments.noFile;
+  if ("file" in source)
+    return `${source.file.name}${source.firstSurface ? texts.experiments.firstSurface : ""}`;
   const title = titles.get(source.shape) ?? source.shape;
   return part?.substituteFor === undefined
     ? title
-    : `${title}, in place of ${part.substituteFor}.json`;
+    : texts.experiments.inPlaceOf(title, part.substituteFor);
 }

@@ -1,4 +1,5 @@
 // The page of experiments: runs the sweep that the form describes, and draws it.
+import { texts } from "../texts/index.ts";
 import "uplot/dist/uPlot.min.css";
 import { element } from "../common/elements.ts";
 import { engineText } from "../common/engineText.ts";
@@ -17,7 +18,7 @@ const runs = new Runs(
   ({ engine, shapes }) => {
     form.setShapeTitles(shapes);
     element("engine").textContent = engineText(engine);
-    setState("ready", "ready");
+    setState("ready", texts.experiments.states.ready);
   },
   (failure) => showFailure(failure),
 );
@@ -38,7 +39,7 @@ element("panel").addEventListener("submit", (event) => {
   void run();
 });
 stop.addEventListener("click", () => {
-  setState("stopping", "stopping");
+  setState("stopping", texts.experiments.states.stopping);
   sweep?.stop();
 });
 save.addEventListener("click", () => {
@@ -54,11 +55,11 @@ async function run(): Promise<void> {
   const plan = form.plan();
   const sources = form.sources();
   if (sources === undefined) {
-    setState("ready", "Open a file as A or B first.");
+    setState("ready", texts.experiments.openAFileAsA);
     return;
   }
   start.disabled = true;
-  setState("loading", "loading the models");
+  setState("loading", texts.experiments.loadingTheModels);
   const loaded = await runs.load(sources);
   if ("failure" in loaded) {
     showFailure(loaded.failure);
@@ -79,7 +80,7 @@ async function run(): Promise<void> {
       readout.show(positions, newCurves);
     },
     onRun(position, { name }) {
-      setState("running", `${name} at ${axisNumber(position)}`);
+      setState("running", texts.experiments.at(name, axisNumber(position)));
     },
     onPoint() {
       progress.value += 1;
@@ -88,7 +89,7 @@ async function run(): Promise<void> {
       for (const curve of curves) methodList.setNotes(curve.method.name, notesOf(curve));
     },
   });
-  setState(ended ? "done" : "stopped", ended ? "done" : "stopped");
+  setState(ended ? "done" : "stopped", texts.experiments.states[ended ? "done" : "stopped"]);
   start.disabled = false;
   stop.disabled = true;
 }
@@ -103,6 +104,6 @@ function showFailure({ code, message }: Failure): void {
   error.hidden = false;
   error.dataset.code = code;
   error.textContent = `${code}: ${message}`;
-  setState("failed", "failed");
+  setState("failed", texts.experiments.states.failed);
   start.disabled = false;
 }

@@ -1,4 +1,5 @@
 // Notes on a curve that the plots do not show.
+import { texts } from "../texts/index.ts";
 import { axisNumber } from "./charts/axisNumber.ts";
 import type { Curve, SweepPoint } from "./sweep/sweepPoint.ts";
 
@@ -15,17 +16,17 @@ export function notesOf({ method, points }: Curve): string[] {
   }
   const failures = [...byCode].map(([code, failed]) => {
     const reason = failed[0]?.failure?.message ?? "";
-    if (code === "left-out") return `left out: ${reason}`;
-    return `${code} ${positionsText(failed)}; ${failed.length > 1 ? "the first: " : ""}${reason}`;
+    if (code === "left-out") return texts.experiments.leftOut(reason);
+    return `${code} ${positionsText(failed)}; ${failed.length > 1 ? texts.experiments.theFirst : ""}${reason}`;
   });
   const wide = points.filter(
     ({ result }) => method.options.method === "certified" && result?.converged === false,
   );
   if (wide.length === 0) return failures;
-  return [...failures, `interval wider than the tolerance ${positionsText(wide)}: time limit`];
+  return [...failures, texts.experiments.intervalWiderThanTheTolerance(positionsText(wide))];
 }
 
 function positionsText(points: SweepPoint[]): string {
-  if (points.length > MAX_LISTED) return `at ${points.length} positions`;
-  return `at ${points.map(({ position }) => axisNumber(position)).join(", ")}`;
+  if (points.length > MAX_LISTED) return texts.experiments.atPositions(points.length);
+  return texts.experiments.atThese(points.map(({ position }) => axisNumber(position)).join(", "));
 }

@@ -1,5 +1,6 @@
 // Files that the page makes.
 
+import { texts } from "../texts/index.ts";
 /** Offers a file to the user, who saves it. */
 export function download(name: string, content: Blob): void {
   const link = document.createElement("a");
@@ -18,14 +19,14 @@ export function download(name: string, content: Blob): void {
  */
 export async function openMade(name: string, make: () => Promise<Blob>): Promise<void> {
   const tab = window.open("", "_blank");
-  tab?.document.body.append("The report is being made…");
+  tab?.document.body.append(texts.report.theReportIsBeingMade);
   try {
     const page = await make();
     // As long as this page is open, the tab can be loaded again.
     if (tab !== null) tab.location.replace(URL.createObjectURL(page));
     else {
       download(name, page);
-      throw new Error("The browser opens no tab for this page: the report was saved as a file.");
+      throw new Error(texts.report.theBrowserOpensNoTab);
     }
   } catch (error) {
     tab?.close();
@@ -40,7 +41,7 @@ const REVOKE_DELAY = 60_000;
 export function pictureOf(canvas: HTMLCanvasElement): Promise<Blob> {
   return new Promise((resolve, reject) => {
     canvas.toBlob((blob) => {
-      if (blob === null) reject(new Error("the picture could not be made"));
+      if (blob === null) reject(new Error(texts.report.thePictureCouldNotBe));
       else resolve(blob);
     }, "image/png");
   });

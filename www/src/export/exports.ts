@@ -1,4 +1,5 @@
 // What each export contains.
+
 import type {
   CheckResult,
   DiffResult,
@@ -12,8 +13,10 @@ import { metresPerUnit } from "../files/units.ts";
 import { painted } from "../inspection/deviationPanel.ts";
 import { sizeText } from "../inspection/places/placeList.ts";
 import type { Place } from "../inspection/places/places.ts";
+import type { MeasureList } from "../measuring/list.ts";
 import type { View } from "../scene/view.ts";
 import { formState } from "../state/formState.ts";
+import { texts } from "../texts/index.ts";
 import type { DisplayModel, ModelFacts, PlainOptions, Probe, Sides } from "../worker/protocol.ts";
 import { download, openMade } from "./download.ts";
 import type { ExportFormat } from "./exportPanel.ts";
@@ -33,6 +36,7 @@ export interface ExportedState {
   /** What the panels of these show, for the report. */
   tables: readonly ReportTable[];
   pins: Probe[];
+  measures: MeasureList["exported"];
   /** The worst place of each face. */
   places: Place[];
   options: PlainOptions;
@@ -55,7 +59,7 @@ export async function exportAs(format: ExportFormat, state: ExportedState): Prom
       break;
     case "csv":
       if (painted() === undefined) {
-        throw new Error("The table contains the deviations of the map: show its colours first.");
+        throw new Error(texts.report.theTableContainsTheDeviations);
       }
       state.requestCsv();
       break;
@@ -120,7 +124,7 @@ async function placesOf({ view, views, places, result }: ExportedState) {
 }
 
 function jsonOf(state: ExportedState): Blob {
-  const { result, diff, facts, overlap, check, pins, options, models } = state;
+  const { result, diff, facts, overlap, check, pins, measures, options, models } = state;
   const nameOf = (model: DisplayModel | undefined) => {
     const source = model?.source;
     if (source === undefined) return "";
@@ -129,7 +133,7 @@ function jsonOf(state: ExportedState): Blob {
   const names = { a: nameOf(models.a), b: nameOf(models.b) };
   const content = {
     ...{ models: names, options, state: formState(), result, faces: diff },
-    ...{ facts, overlap, check, pins, annotations: annotations.peek() },
+    ...{ facts, overlap, check, pins, measures, annotations: annotations.peek() },
   };
   return new Blob([JSON.stringify(content, undefined, 2)], { type: "application/json" });
 }

@@ -1,4 +1,5 @@
 // The views that the user chose for the report, each with the legend that it had.
+
 import type { DrawnLabel } from "../annotations/layer.ts";
 import { labelled } from "../annotations/picture.ts";
 import { element } from "../common/elements.ts";
@@ -6,6 +7,7 @@ import { sectionText } from "../controls/section.ts";
 import { painted } from "../inspection/deviationPanel.ts";
 import type { Legend } from "../inspection/legend.ts";
 import type { View } from "../scene/view.ts";
+import { texts } from "../texts/index.ts";
 import { dataUrl, pictureOf } from "./download.ts";
 
 /** A picture with what its colours mean. */
@@ -38,13 +40,16 @@ export class Views {
 
   /** The views chosen; without one, what is seen now. */
   async all(): Promise<ReportView[]> {
-    return this.#chosen.length > 0 ? this.#chosen : [await this.take("As seen")];
+    return this.#chosen.length > 0 ? this.#chosen : [await this.take(texts.report.asSeen)];
   }
 
   /** Adds what is seen now. Others may be added while its picture is made. */
   async add(): Promise<void> {
     const view = await this.take("");
-    this.#chosen = [...this.#chosen, { ...view, title: `View ${this.#chosen.length + 1}` }];
+    this.#chosen = [
+      ...this.#chosen,
+      { ...view, title: texts.report.view(this.#chosen.length + 1) },
+    ];
     this.#show();
     // What is done with the report; of a sheet, which is folded, the verdict stays in sight.
     const isSheet = element("sheet").offsetParent !== null;
@@ -71,8 +76,7 @@ export class Views {
 
   #show(): void {
     const { length } = this.#chosen;
-    element("view-count").textContent =
-      length === 0 ? NONE : `${length} ${length === 1 ? "view" : "views"} in the report`;
+    element("view-count").textContent = length === 0 ? NONE : texts.report.viewsInReport(length);
     // The panel may be elsewhere.
     if (add) add.textContent = length === 0 ? ADD : `${ADD} (${length})`;
   }

@@ -1,7 +1,7 @@
 // The faces that a comparison found changed or undecided, and their numbers.
 import type { DiffResult, FaceDifference, FaceState } from "nurbs-hausdorff";
 import type { FaceClass } from "../scene/faces.ts";
-import { SIDES, type Side } from "../worker/protocol.ts";
+import { type PlacedPart, SIDES, type Side } from "../worker/protocol.ts";
 import { isOfSamePlace, type Kind, kindsOf } from "./kinds.ts";
 
 /** One face of one of the models. */
@@ -19,9 +19,9 @@ export const facesOf = ({ facesOfA, facesOfB }: DiffResult, side: Side): FaceDif
  * Returns the changed faces of both models, the largest lower bound first, after them those that
  * were only extended or shortened, and the undecided ones at last.
  */
-export function changesOf(result: DiffResult): Change[] {
+export function changesOf(result: DiffResult, parts: readonly PlacedPart[] = []): Change[] {
   const all = SIDES.flatMap((side) => {
-    const kinds = kindsOf(result, side);
+    const kinds = kindsOf(result, side, parts);
     return facesOf(result, side)
       .map((difference, index) => ({ side, difference, kind: kinds[index] ?? difference.state }))
       .filter(({ kind }) => kind !== "unchanged");

@@ -1,7 +1,9 @@
 // The list of changed faces: buttons; arrow keys select the next and the previous.
+
 import { facePath } from "nurbs-hausdorff";
 import { span } from "../common/elements.ts";
 import { intervalText, listedText } from "../common/text/numbers.ts";
+import { texts } from "../texts/index.ts";
 import type { Change } from "./changes.ts";
 
 /** Rows shown; a list of more is not read. */
@@ -39,7 +41,7 @@ export class FaceList {
     );
     const hidden = changes.length - this.#changes.length;
     this.#more.hidden = hidden === 0;
-    this.#more.textContent = `and ${hidden} more, which the JSON export contains`;
+    this.#more.textContent = texts.faces.andMoreWhichTheJSON(hidden);
   }
 
   /** Selects a row, or with `undefined` none. */
@@ -67,12 +69,12 @@ export class FaceList {
     button.title = name ?? "";
     button.append(
       letter,
-      span("name", name === undefined ? `face ${difference.face}` : shortName(name)),
-      span("kind", kind === "changed" || kind === "undecided" ? "" : kind),
+      span("name", name === undefined ? texts.faces.face(difference.face) : shortName(name)),
+      span("kind", kind === "changed" || kind === "undecided" ? "" : texts.faces.kinds[kind]),
       span(
         "size",
         difference.state === "undecided"
-          ? "undecided"
+          ? texts.faces.kinds.undecided
           : listedText((lower + upper) / 2, [lower, upper], diagonal),
       ),
       span("interval", intervalText(lower, upper, diagonal)),

@@ -1,8 +1,10 @@
 // All parts and faces of both models by their names, to hide, to isolate and to filter.
+
 import { batch, computed, effect, signal, untracked } from "@preact/signals-core";
 import { element } from "../common/elements.ts";
 import { grouped } from "../common/text/numbers.ts";
 import { onOwnLimits } from "../results/ownLimits.ts";
+import { texts } from "../texts/index.ts";
 import {
   type DisplayModel,
   type PlacedPart,
@@ -164,7 +166,7 @@ export class FaceTree {
     }
     if (budget.left <= 0 && faces > MAX_ROWS) {
       const more = document.createElement("li");
-      more.textContent = `${grouped(faces)} faces in all: type a part of a name`;
+      more.textContent = texts.faces.facesInAll(grouped(faces));
       rows.push(more);
     }
     const focused = list.contains(document.activeElement)
@@ -239,7 +241,7 @@ export class FaceTree {
     unfold.className = "unfold";
     unfold.textContent = isOpen ? "▾" : "▸";
     unfold.setAttribute("aria-expanded", `${isOpen}`);
-    unfold.setAttribute("aria-label", `Contents of ${side.toUpperCase()} ${fullName}`);
+    unfold.setAttribute("aria-label", texts.faces.contentsOf(side.toUpperCase(), fullName));
     unfold.addEventListener("click", () => {
       const open = new Set(this.#open.peek());
       if (!open.delete(key)) open.add(key);

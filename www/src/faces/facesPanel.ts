@@ -1,4 +1,5 @@
 // The panel of changed faces: the limit, the comparison's progress, counts and list.
+
 import type { DiffResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import type { ReportTable } from "../common/tables.ts";
@@ -6,6 +7,7 @@ import { duration, grouped } from "../common/text/numbers.ts";
 import { modelUnit } from "../files/units.ts";
 import { ownLimits } from "../results/ownLimits.ts";
 import { allowed, onLimit } from "../results/verdict.ts";
+import { texts } from "../texts/index.ts";
 import { type DiffReply, type PlacedPart, SIDES, type Side } from "../worker/protocol.ts";
 import { type Change, changesOf, countsOf, facesOf } from "./changes.ts";
 import { FaceList } from "./faceList.ts";
@@ -19,8 +21,7 @@ const RELATIVE_LIMIT = 1e-5;
 const PAUSE = 300;
 
 /** What the colours of compared faces mean. */
-const COLORS =
-  "Changed faces have the colour of their model, those only extended or shortened a paler one; undecided ones are violet, others grey.";
+const COLORS = texts.faces.colourNote;
 
 const section = element("faces");
 const limit = element("face-limit", HTMLInputElement);
@@ -139,11 +140,11 @@ export class FacesPanel {
         progress.value = reply.fraction;
         break;
       case "done":
-        this.#showResult(reply.result);
+        this.#showResult(reply.result, reply.parts);
         this.#showParts(reply.parts, reply.result.diagonal);
         break;
       case "cancelled":
-        this.clear("cancelled", "Cancelled.");
+        this.clear("cancelled", texts.faces.cancelled);
         break;
       case "failed":
         this.clear("failed", `${reply.code}: ${reply.message}`);
@@ -153,7 +154,7 @@ export class FacesPanel {
 
   /** Ends a comparison in progress, whose result will not come. */
   end(): void {
-    if (section.dataset.state === "working") this.clear("cancelled", "Cancelled.");
+    if (section.dataset.state === "working") this.clear("cancelled", texts.faces.cancelled);
   }
 
   /** Removes the result and shows this text. */
@@ -168,37 +169,45 @@ export class FacesPanel {
     this.#listener.show(undefined);
   }
 
-  #showResult(result: DiffResult): void {
+  #showResult(result: DiffResult, parts: readonly PlacedPart[]): void {
     this.#setState("done");
     this.#result = result;
     const table = SIDES.map((side) => {
       const { unchanged, changed, undecided } = countsOf(facesOf(result, side));
       const name = side.toUpperCase();
-      const counts = `${name}: ${grouped(changed)} changed, ${grouped(undecided)} undecided, ${grouped(unchanged)} unchanged`;
+      const counts = texts.faces.faceCounts(
+        name,
+        grouped(changed),
+        grouped(undecided),
+        grouped(unchanged),
+      );
       return `${counts}${ofSamePlace(result, side)}`;
     });
-    const own = ownLimits().length > 0 ? ", or than is allowed of it alone" : "";
+    const own = ownLimits().length > 0 ? texts.faces.orThanIsAllowedOf : "";
     const unit = modelUnit();
     const limit = `${result.limit}${unit === undefined ? "" : ` ${unit}`}${own}`;
     const verdict = {
-      unchanged: `No face differs by more than ${limit}.`,
-      changed: `Faces differ by more than ${limit}:`,
-      undecided: `Undecided at ${limit}:`,
+      unchanged: texts.faces.noFaceDiffersByMore(limit),
+      changed: texts.faces.facesDifferByMoreThan(limit),
+      undecided: texts.faces.undecidedAt(limit),
     }[result.state];
     const colors = result.state === "unchanged" ? [] : [COLORS];
     summary.replaceChildren(
-      ...[verdict, ...table, ...colors, `in ${duration(result.seconds.solve)}`].map((text) => {
-        const line = document.createElement("span");
-        line.textContent = text;
-        return line;
-      }),
+      ...[verdict, ...table, ...colors, texts.faces.inSeconds(duration(result.seconds.solve))].map(
+        (text) => {
+          const line = document.createElement("span");
+          line.textContent = text;
+          return line;
+        },
+      ),
     );
     section.dataset.result = result.state;
     clear.hidden = false;
-    this.#list.show(changesOf(result), result.diagonal);
+    const changes = changesOf(result, parts);
+    this.#list.show(changes, result.diagonal);
     shownRow.hidden = false;
     // Both would be drawn over each other: first the one with the larger change.
-    const [first] = changesOf(result);
+    const [first] = changes;
     if (this.#isNew) shownSide.value = first?.side ?? "a";
     this.#isNew = false;
     this.#showSide();
@@ -233,5 +242,5 @@ export class FacesPanel {
 function ofSamePlace(result: DiffResult, side: Side): string {
   const count = kindsOf(result, side).filter(isOfSamePlace).length;
   if (count === 0) return "";
-  return `; ${grouped(count)} of the changed only ${side === "a" ? "shortened" : "extended"}`;
+  return texts.faces.ofTheChangedOnlyA(grouped(count), side);
 }

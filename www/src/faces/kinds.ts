@@ -1,12 +1,13 @@
 // What happened to a face, as far as the comparison of all faces proves it together with the names
 // that the files give them.
 import type { DiffResult, FaceDifference } from "nurbs-hausdorff";
-import type { Side } from "../worker/protocol.ts";
+import type { PlacedPart, Side } from "../worker/protocol.ts";
 
 /**
  * `extended`: all of the other model's face of that name is within the limit, so that nothing of it
  * is gone and this one reaches beyond; of A that is `shortened` in B. `added` in B or `removed` from
- * A: the other file has no face of that name. `changed` is all that is beyond and none of these.
+ * A: the other file has no face of that name. `moved`: of a part that is proven to be the other model's after a motion.
+ * `changed` is all that is beyond and none of these.
  */
 export type Kind =
   | "unchanged"
@@ -15,13 +16,21 @@ export type Kind =
   | "shortened"
   | "added"
   | "removed"
+  | "moved"
   | "undecided";
 
 /** Names that stand for none: the number of the face. */
 const UNNAMED = /^(face|surface|triangle|point)?\s*#?\d*$/i;
 
-/** Returns what happened to each face of a model. O(n). */
-export function kindsOf({ facesOfA, facesOfB }: DiffResult, side: Side): Kind[] {
+/** Returns what happened to each face of a model, of whose parts is known what became of them. O(n). */
+export function kindsOf(
+  { facesOfA, facesOfB }: DiffResult,
+  side: Side,
+  parts: readonly PlacedPart[] = [],
+): Kind[] {
+  const moved = new Set(
+    parts.flatMap(({ state, facesOf }) => (state === "moved" ? facesOf[side] : [])),
+  );
   const [own, other] = side === "a" ? [facesOfA, facesOfB] : [facesOfB, facesOfA];
   const [ownNames, otherNames] = [countedNames(own, side), countedNames(other, otherSide(side))];
   const states = new Map(other.map((one) => [nameOf(one, otherSide(side)), one.state]));
@@ -30,6 +39,7 @@ export function kindsOf({ facesOfA, facesOfB }: DiffResult, side: Side): Kind[] 
   return own.map((difference) => {
     const name = nameOf(difference, side);
     if (difference.state !== "changed") return difference.state;
+    if (moved.has(difference.face)) return "moved";
     if (name === undefined || ownNames.get(name) !== 1) return "changed";
     const count = otherNames.get(name) ?? 0;
     if (count === 0 && isNamed) return side === "a" ? "removed" : "added";

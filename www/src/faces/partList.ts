@@ -1,6 +1,8 @@
 // The list of parts that are not the same in both revisions.
+
 import { element, fillList, span } from "../common/elements.ts";
 import type { ReportTable } from "../common/tables.ts";
+import { texts } from "../texts/index.ts";
 import type { PlacedPart } from "../worker/protocol.ts";
 import { detailText, partName, partsSummary, WORDS } from "./partWords.ts";
 
@@ -33,7 +35,7 @@ export function partTables(parts: readonly PlacedPart[], diagonal: number): Repo
       WORDS[part.state],
       detailText(part, diagonal),
     ]);
-  return [{ title: partsSummary(parts), head: ["Part", "State", ""], rows }];
+  return [{ title: partsSummary(parts), head: [texts.faces.part, texts.faces.state, ""], rows }];
 }
 
 function row(

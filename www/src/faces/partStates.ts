@@ -1,4 +1,5 @@
 // What became of the parts that a level of the tree has.
+import { texts } from "../texts/index.ts";
 import type { PlacedPart, Side } from "../worker/protocol.ts";
 import { WORDS } from "./partWords.ts";
 
@@ -23,7 +24,12 @@ export class PartStates {
     if (parts.size === 1)
       return { text: WORDS[only.state], title: "", isSame: only.state === "same" };
     const others = [...parts].filter(({ state }) => state !== "same").length;
-    if (others === 0) return { text: "same", title: `all ${parts.size} parts`, isSame: true };
-    return { text: `${others} differ`, title: `of ${parts.size} parts`, isSame: false };
+    if (others === 0)
+      return { text: WORDS.same, title: texts.faces.allParts(parts.size), isSame: true };
+    return {
+      text: texts.faces.differ(others),
+      title: texts.faces.ofParts(parts.size),
+      isSame: false,
+    };
   }
 }

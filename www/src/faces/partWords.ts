@@ -1,24 +1,16 @@
 // What became of parts, in words.
+
 import { facePath } from "nurbs-hausdorff";
 import { distanceText, shownLength, upperText } from "../common/text/numbers.ts";
 import { commonUnit } from "../files/units.ts";
+import { texts } from "../texts/index.ts";
 import type { PlacedPart } from "../worker/protocol.ts";
 
 type State = PlacedPart["state"];
 type Motion = NonNullable<PlacedPart["motion"]>;
 
 /** The words of states: in the tree, in lists and in the summary. */
-export const WORDS: Record<State, string> = {
-  same: "same",
-  renamed: "renamed",
-  moved: "moved",
-  mirrored: "mirrored",
-  changed: "changed",
-  movedAndChanged: "moved, changed",
-  added: "added",
-  removed: "removed",
-  undecided: "undecided",
-};
+export const WORDS: Record<State, string> = texts.faces.partStates;
 
 /** The angle in degrees, and the relative length across an axis, up to which a part is not turned or skew. */
 const NO_TURN = 1e-6;
@@ -29,14 +21,15 @@ const NO_WAY = 1e-9;
 export function detailText(part: PlacedPart, diagonal: number): string {
   const { state, motion, faces, upper, nameOfB } = part;
   const details: string[] = [];
-  if (state === "renamed") details.push(`to ${nameOfB ?? ""}`);
+  if (state === "renamed") details.push(texts.faces.to(nameOfB ?? ""));
   if (motion !== null && (state === "moved" || state === "movedAndChanged")) {
     details.push(motionText(motion, diagonal));
   }
   if (state === "changed" || state === "movedAndChanged") {
     const count = Math.max(faces.ofA.length, faces.ofB.length);
-    const most = upper === null ? "" : `, at most ${upperText(shownLength(upper))}${unitText()}`;
-    details.push(`${count} ${count === 1 ? "face" : "faces"}${most}`);
+    const most =
+      upper === null ? "" : texts.faces.atMost(upperText(shownLength(upper)), unitText());
+    details.push(`${texts.files.faces(`${count}`, count)}${most}`);
   }
   return details.join("; ");
 }
@@ -48,10 +41,11 @@ const unitText = (): string => {
 
 function motionText({ shift, angle, axis }: Motion, diagonal: number): string {
   const way = Math.hypot(...shift);
-  const turn = angle > NO_TURN ? [`turned by ${angle.toFixed(3)}° about ${direction(axis)}`] : [];
+  const turn =
+    angle > NO_TURN ? [texts.faces.turnedByAbout(angle.toFixed(3), direction(axis))] : [];
   const move =
     way > NO_WAY * diagonal
-      ? [`by ${distanceText(way, diagonal)}${unitText()} along ${direction(shift)}`]
+      ? [texts.faces.byAlong(distanceText(way, diagonal), unitText(), direction(shift))]
       : [];
   return [...turn, ...move].join(", ");
 }
@@ -69,14 +63,14 @@ function direction(of: readonly [number, number, number]): string {
 /** The line above the list: how many parts are not the same, and what became of them. */
 export function partsSummary(parts: readonly PlacedPart[]): string {
   const others = parts.filter(({ state }) => state !== "same");
-  if (others.length === 0) return `All ${parts.length} parts are the same.`;
+  if (others.length === 0) return texts.faces.allPartsAreTheSame(parts.length);
   const counts = new Map<State, number>();
   for (const { state } of others) counts.set(state, (counts.get(state) ?? 0) + 1);
-  const texts = (Object.keys(WORDS) as State[]).flatMap((state) => {
+  const words = (Object.keys(WORDS) as State[]).flatMap((state) => {
     const count = counts.get(state);
     return count === undefined ? [] : [`${count} ${WORDS[state]}`];
   });
-  return `${others.length} of ${parts.length} parts are not the same: ${texts.join("; ")}.`;
+  return texts.faces.partsAreNotTheSame(others.length, parts.length, words.join("; "));
 }
 
 /** A part's name for lists: its last level in A, else in B. */

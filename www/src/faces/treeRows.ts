@@ -1,5 +1,7 @@
 // The rows of the tree of parts and faces.
+
 import { limitText, ownLimit, setOwnLimit } from "../results/ownLimits.ts";
+import { texts } from "../texts/index.ts";
 import type { Side } from "../worker/protocol.ts";
 
 /** What a row stands for, and what its controls do. */
@@ -29,13 +31,13 @@ export function rowParts(options: RowOptions) {
   box.type = "checkbox";
   box.checked = shown === true;
   box.indeterminate = shown === undefined;
-  box.setAttribute("aria-label", `Show ${side.toUpperCase()} ${fullName}`);
+  box.setAttribute("aria-label", texts.faces.show(side.toUpperCase(), fullName));
   box.addEventListener("input", (event) => {
     event.stopPropagation();
     options.show(box.checked);
   });
-  const alone = button("only", options.only);
-  alone.setAttribute("aria-label", `Show only ${side.toUpperCase()} ${fullName}`);
+  const alone = button(texts.faces.only, options.only);
+  alone.setAttribute("aria-label", texts.faces.showOnly(side.toUpperCase(), fullName));
   return { box, letter, look, alone };
 }
 
@@ -56,7 +58,7 @@ export function limitInput(side: Side, face: number, name: string): HTMLInputEle
   input.className = "own-limit";
   Object.assign(input.dataset, { side, face });
   input.value = ownText(side, face);
-  input.setAttribute("aria-label", `Allowed deviation of ${side.toUpperCase()} ${name}`);
+  input.setAttribute("aria-label", texts.faces.allowedDeviationOf(side.toUpperCase(), name));
   input.addEventListener("input", (event) => event.stopPropagation());
   input.addEventListener("change", () => {
     input.setAttribute("aria-invalid", `${!setOwnLimit(side, face, input.value)}`);

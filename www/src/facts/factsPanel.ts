@@ -1,4 +1,5 @@
 // The panel of facts: volume, mass, area, extents and centroid of both models and of their bodies.
+
 import { batch, effect, signal } from "@preact/signals-core";
 import { element, span } from "../common/elements.ts";
 import type { ReportTable } from "../common/tables.ts";
@@ -11,6 +12,7 @@ import {
 } from "../common/text/quantities.ts";
 import { commonUnit, metresPerUnit, unitScale } from "../files/units.ts";
 import { field, sizeOf } from "../state/store.ts";
+import { texts } from "../texts/index.ts";
 import { type FactsReply, type ModelFacts, SIDES, type Sides } from "../worker/protocol.ts";
 import { type Subject, subjectsOf } from "./pairs.ts";
 import {
@@ -58,7 +60,7 @@ export class FactsPanel {
 
   #request(): void {
     section.dataset.state = "working";
-    state.textContent = "computing…";
+    state.textContent = texts.bodies.computing;
     this.#ask();
   }
 
@@ -105,7 +107,7 @@ export class FactsPanel {
       .peek()
       .slice(0, MAX_TABLES)
       .map((subject, index) => ({
-        title: index === 0 ? "Facts of the files as they are" : `Facts: ${subject.title}`,
+        title: index === 0 ? texts.bodies.factsOfTheFilesAs : texts.bodies.facts(subject.title),
         head: [unitsText(unitsNow()), "A", "B", "B − A"],
         rows: factRows(subject, unitsNow()).map(({ name, facts, difference }) => [
           name,
@@ -187,7 +189,7 @@ function tableRows(
 }
 
 const labelled = (label: string, fact: Fact | undefined): string[] =>
-  typeof fact === "object" ? [`${label} in ${rangeText(fact)}`] : [];
+  typeof fact === "object" ? [texts.bodies.labelIn(label, rangeText(fact))] : [];
 
 function factCell(fact: Fact | undefined): HTMLTableCellElement {
   if (typeof fact !== "object") {
@@ -197,7 +199,7 @@ function factCell(fact: Fact | undefined): HTMLTableCellElement {
   }
   const node = cell("td", narrowText(fact));
   if (!isNarrow(fact)) node.className = "wide";
-  node.title = `${quantityText(fact)}, in ${rangeText(fact)}`;
+  node.title = texts.bodies.numberAndInterval(quantityText(fact), rangeText(fact));
   return node;
 }
 

@@ -13,28 +13,29 @@ import {
   wholeText,
 } from "../common/text/quantities.ts";
 import { commonUnit } from "../files/units.ts";
+import { texts } from "../texts/index.ts";
 import type { OverlapReply } from "../worker/protocol.ts";
 
 /** Seconds where none is typed. */
 const SECONDS = 20;
 /** Why there are no volumes. */
 const UNKNOWN: Record<VolumesUnknown, string> = {
-  "a-open": "A is not closed, so that it has no inside.",
-  "b-open": "B is not closed, so that it has no inside.",
-  "both-open": "Neither model is closed, so that they have no inside.",
-  "too-large": "A mesh has more than 250,000 triangles, which are not joined.",
-  "a-volume": "A body of A has no volume that is known.",
-  "b-volume": "A body of B has no volume that is known.",
-  "a-bodies": "Bodies of A meet or overlap each other.",
-  "b-bodies": "Bodies of B meet or overlap each other.",
+  "a-open": texts.bodies.aIsNotClosedSo,
+  "b-open": texts.bodies.bIsNotClosedSo,
+  "both-open": texts.bodies.neitherModelIsClosedSo,
+  "too-large": texts.bodies.aMeshHasMoreThan,
+  "a-volume": texts.bodies.aBodyOfAHas,
+  "b-volume": texts.bodies.aBodyOfBHas,
+  "a-bodies": texts.bodies.bodiesOfAMeetOr,
+  "b-bodies": texts.bodies.bodiesOfBMeetOr,
 };
 /** Why intervals are wider than requested. */
 const STOPS: Record<OverlapResult["stop"], string> = {
   converged: "",
-  time: "The time was over: more of it narrows them.",
-  cells: "The limit on pieces was reached.",
-  precision: "Narrower ones would need finer arithmetic, as faces nearly lie on each other.",
-  cancelled: "Cancelled.",
+  time: texts.bodies.theTimeWasOverMore,
+  cells: texts.bodies.theLimitOnPiecesWas,
+  precision: texts.bodies.narrowerOnesWouldNeedFiner,
+  cancelled: texts.bodies.cancelled,
 };
 
 const section = element("overlap");
@@ -73,7 +74,7 @@ export class OverlapPanel {
         this.#result.value = reply.result;
         break;
       case "cancelled":
-        this.clear("Cancelled.");
+        this.clear(texts.bodies.cancelled);
         break;
       case "failed":
         this.clear(`${reply.message} (${reply.code})`);
@@ -88,7 +89,7 @@ export class OverlapPanel {
 
   /** Ends a measurement in progress, whose result will not come. */
   end(): void {
-    if (section.dataset.state === "working") this.clear("Cancelled.");
+    if (section.dataset.state === "working") this.clear(texts.bodies.cancelled);
   }
 
   /** Removes what is shown, and says this. */
@@ -111,7 +112,7 @@ export class OverlapPanel {
     const { result } = this;
     if (result === undefined) return [];
     const rows = rowsOf(result).map(([name, interval]) => [name, wholeText(interval)]);
-    return [{ title: "Volume in common, as placed", head: ["", ""], rows }];
+    return [{ title: texts.bodies.volumeInCommonAsPlaced, head: ["", ""], rows }];
   }
 
   #draw(result: OverlapResult | undefined): void {
@@ -122,7 +123,7 @@ export class OverlapPanel {
       return;
     }
     list.replaceChildren(...rowsOf(result).flatMap(([name, interval]) => row(name, interval)));
-    const ends = [STOPS[stop], hint ?? "", `Measured in ${duration(spent.solve)}.`];
+    const ends = [STOPS[stop], hint ?? "", texts.bodies.measuredIn(duration(spent.solve))];
     text.textContent = ends.filter((end) => end !== "").join(" ");
   }
 }
@@ -136,11 +137,11 @@ function rowsOf({ volumes, ratio }: OverlapResult): [name: string, interval: Int
     shownQuantity(volume, 3),
   ];
   return [
-    cubic("In common", volumes.intersection),
-    cubic("Of A alone", volumes.onlyA),
-    cubic("Of B alone", volumes.onlyB),
-    cubic("Together", volumes.union),
-    ["In common / together", ratio],
+    cubic(texts.bodies.inCommon, volumes.intersection),
+    cubic(texts.bodies.ofAAlone, volumes.onlyA),
+    cubic(texts.bodies.ofBAlone, volumes.onlyB),
+    cubic(texts.bodies.together, volumes.union),
+    [texts.bodies.inCommonTogether, ratio],
   ];
 }
 

@@ -1,5 +1,7 @@
 // What facts are stated of, side by side: both models, and their bodies, which go together by their names.
+
 import type { Body, Facts } from "nurbs-hausdorff";
+import { texts } from "../texts/index.ts";
 import { type ModelFacts, SIDES, type Sides } from "../worker/protocol.ts";
 
 /** Models, or a body of one or of each. */
@@ -11,7 +13,7 @@ export interface Subject {
 
 /** Returns both models, then their bodies; the models alone where each has one body. */
 export function subjectsOf(models: Sides<ModelFacts>): Subject[] {
-  const whole: Subject = { title: "whole models", facts: {}, bodies: {} };
+  const whole: Subject = { title: texts.bodies.wholeModels, facts: {}, bodies: {} };
   const named = new Map<string, Subject>();
   let isMany = false;
   for (const side of SIDES) {

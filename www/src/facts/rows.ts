@@ -1,6 +1,8 @@
 // The rows of the table of facts: what is certain of A, of B, and of how B differs from A.
+
 import type { Body, Facts, Interval, VolumeUnknown } from "nurbs-hausdorff";
 import { minus, percentText, shownQuantity, times } from "../common/text/quantities.ts";
+import { texts } from "../texts/index.ts";
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import type { Subject } from "./pairs.ts";
 
@@ -35,26 +37,29 @@ const KILO = 1000;
 const CUBE_ROUNDING = 2 ** -49;
 /** Why there is no volume. */
 const NO_VOLUME: Record<VolumeUnknown, string> = {
-  open: "not closed",
-  notOrientable: "no inside",
-  nesting: "not decided",
-  points: "points",
+  open: texts.bodies.notClosed,
+  notOrientable: texts.bodies.noInside,
+  nesting: texts.bodies.notDecided,
+  points: texts.bodies.points,
 };
 const AXES = ["x", "y", "z"] as const;
-/** What has a size, and not a place. */
-const SIZES = /^(Volume|Mass|Area|Extent)/;
 
 /** What lengths, areas and volumes are in. */
 export const unitsText = ({ name }: FactUnits): string =>
-  name === undefined ? "model units" : `${name}, ${name}², ${name}³`;
+  name === undefined ? texts.bodies.modelUnits : `${name}, ${name}², ${name}³`;
 
 /** The same in a sentence. */
 export const unitsSentence = (units: FactUnits): string =>
-  `Lengths, areas and volumes: ${unitsText(units)}.`;
+  texts.bodies.lengthsAreasAndVolumes(unitsText(units));
 
 /** Returns the rows of models or bodies. */
 export function factRows({ facts, bodies }: Subject, units: FactUnits): FactRow[] {
-  const row = (title: string, power: number, of: (facts: Facts) => Fact | null): FactRow =>
+  const row = (
+    title: string,
+    power: number,
+    of: (facts: Facts) => Fact | null,
+    isSize?: boolean,
+  ): FactRow =>
     withDifference(
       title,
       each(facts, (own, side) => {
@@ -62,14 +67,19 @@ export function factRows({ facts, bodies }: Subject, units: FactUnits): FactRow[
         const scale = side === "b" ? units.scale : 1;
         return typeof fact === "string" ? fact : shownQuantity(fact, power, scale);
       }),
+      isSize,
     );
   return [
-    row("Volume", 3, volumeOf),
+    row(texts.bodies.volumeRow, 3, volumeOf),
     ...massRow(facts, units),
-    row("Area", 2, ({ area }) => area),
-    ...AXES.map((axis, at) => row(`Extent ${axis}`, 1, ({ extents }) => extents[at] ?? null)),
-    ...AXES.map((axis, at) => row(`Centroid ${axis}`, 1, ({ centroid }) => centroid?.[at] ?? null)),
-    { name: "Bodies", facts: each(bodies, bodiesText) },
+    row(texts.bodies.area, 2, ({ area }) => area),
+    ...AXES.map((axis, at) =>
+      row(texts.bodies.extent(axis), 1, ({ extents }) => extents[at] ?? null),
+    ),
+    ...AXES.map((axis, at) =>
+      row(texts.bodies.centroid(axis), 1, ({ centroid }) => centroid?.[at] ?? null, false),
+    ),
+    { name: texts.bodies.bodies, facts: each(bodies, bodiesText) },
   ];
 }
 
@@ -81,7 +91,7 @@ function massRow(facts: Subject["facts"], units: FactUnits): FactRow[] {
   const { density, metres, scale, name } = units;
   if (density === undefined) return [];
   if (name === undefined) {
-    return [{ name: "Mass", facts: each(facts, () => "unit unknown") }];
+    return [{ name: texts.bodies.mass, facts: each(facts, () => texts.bodies.unitUnknown) }];
   }
   const grams = each(facts, (own, side) => {
     const volume = volumeOf(own);
@@ -93,25 +103,22 @@ function massRow(facts: Subject["facts"], units: FactUnits): FactRow[] {
   const shown = each(grams, (one) =>
     typeof one === "string" || !isHeavy ? one : times(one, 1 / KILO, CUBE_ROUNDING),
   );
-  return [withDifference(isHeavy ? "Mass, kg" : "Mass, g", shown)];
+  return [withDifference(isHeavy ? texts.bodies.massKg : texts.bodies.massG, shown)];
 }
-
-const counted = (count: number, noun: string): string =>
-  `${count} ${noun}${count === 1 ? "" : "s"}`;
 
 /** How many bodies there are, and how many of them have no volume. */
 function bodiesText(bodies: readonly Body[]): string {
   const [only] = bodies;
   if (bodies.length === 1 && only) {
-    if (only.kind === "points") return "points";
-    const holes = only.voids > 0 ? `, ${counted(only.voids, "void")}` : "";
-    return `${only.kind === "solid" ? "1 solid" : "1 sheet"}${holes}`;
+    if (only.kind === "points") return texts.bodies.points;
+    const holes = only.voids > 0 ? `, ${texts.bodies.voids(only.voids)}` : "";
+    return `${only.kind === "solid" ? texts.bodies.solids(1) : texts.bodies.sheets(1)}${holes}`;
   }
   const sheets = bodies.filter(({ kind }) => kind === "sheet").length;
   const solids = bodies.filter(({ kind }) => kind === "solid").length;
   return [
-    ...(solids > 0 ? [counted(solids, "solid")] : []),
-    ...(sheets > 0 ? [counted(sheets, "sheet")] : []),
+    ...(solids > 0 ? [texts.bodies.solids(solids)] : []),
+    ...(sheets > 0 ? [texts.bodies.sheets(sheets)] : []),
   ].join(", ");
 }
 
@@ -124,9 +131,10 @@ function each<Of, To>(of: Sides<Of>, to: (one: Of, side: Side) => To): Sides<To>
   return all;
 }
 
-function withDifference(name: string, facts: Sides<Fact>): FactRow {
+/** A row with the difference where it is known, in percent too of what has a size and is no place. */
+function withDifference(name: string, facts: Sides<Fact>, isSize = true): FactRow {
   const { a, b } = facts;
   if (typeof a !== "object" || typeof b !== "object") return { name, facts };
   const difference = minus(b, a);
-  return { name, facts, difference, percent: SIZES.test(name) ? percentText(difference, a) : "" };
+  return { name, facts, difference, percent: isSize ? percentText(difference, a) : "" };
 }

@@ -1,5 +1,7 @@
 // The files that a link names and that are not here: the page asks for them, and shows nothing before.
+
 import { element } from "../common/elements.ts";
+import { texts } from "../texts/index.ts";
 import { SIDES, type Sides, type Source } from "../worker/protocol.ts";
 import { type FileName, isNamed, nameOf, shortHash } from "./identity.ts";
 
@@ -68,15 +70,15 @@ export class AskedFiles {
   #refusal({ name, hash }: FileName): string {
     const isSameName = Object.values(this.#missing).some((wanted) => wanted.name === name);
     return isSameName
-      ? `${name} has another content than the link’s: its SHA-256 begins with ${shortHash(hash)}.`
-      : `${name} is not a file of this link.`;
+      ? texts.files.hasAnotherContent(name, shortHash(hash))
+      : texts.files.isNoFileOfTheLink(name);
   }
 
   #draw(): void {
     const called = ({ name, hash }: FileName) =>
       hash === "" ? name : `${name} (SHA-256 ${shortHash(hash)}…)`;
     const names = SIDES.flatMap((side) => this.#missing[side] ?? []).map(called);
-    text.textContent = `The link is about ${names.join(" and ")}. A link holds no files: drop ${names.length > 1 ? "them" : "it"} here to see what it shows.`;
+    text.textContent = texts.files.theLinkIsAbout(names.join(texts.files.and), names.length);
     note.hidden = false;
   }
 }

@@ -1,9 +1,11 @@
 // Below each model, a line about its file: format, unit, faces, and everything
 // that reading it left out or approximated, which unfolds to the details.
+
 import type { CadReport, SkippedFace } from "nurbs-hausdorff/cad";
 import { element } from "../common/elements.ts";
 import { grouped, upperText } from "../common/text/numbers.ts";
 import { unitName } from "../common/text/units.ts";
+import { texts } from "../texts/index.ts";
 import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { FORMATS } from "./formats.ts";
 
@@ -35,13 +37,13 @@ export const skippedFaces = (): number => (skipped.a ?? 0) + (skipped.b ?? 0);
 function meshNote({ isMesh, tessellation, unit }: DisplayModel): HTMLElement | undefined {
   if (!isMesh) return undefined;
   const { indices, positions } = tessellation;
-  const [count, what] =
-    indices.length > 0 ? [indices.length / 3, "triangle"] : [positions.length / 3, "point"];
+  const isMeshOfTriangles = indices.length > 0;
+  const count = (isMeshOfTriangles ? indices : positions).length / 3;
   const line = document.createElement("span");
   line.textContent = [
-    indices.length > 0 ? "mesh" : "points",
-    `${grouped(count)} ${what}${count === 1 ? "" : "s"}`,
-    unit === null ? "unit unknown" : unitName(unit),
+    isMeshOfTriangles ? texts.files.mesh : texts.files.points,
+    (isMeshOfTriangles ? texts.files.triangles : texts.files.pointCount)(grouped(count), count),
+    unit === null ? texts.files.unitUnknown : unitName(unit),
   ].join(" · ");
   return line;
 }
@@ -52,12 +54,15 @@ const isSilent = ({ kind, skipped, notes }: CadReport): boolean =>
 
 function note(report: CadReport): HTMLElement {
   const { kind, reader, faces: read, unit, skipped, fitted } = report;
-  const format = reader === "occt" ? `${FORMATS[kind]} by OpenCASCADE` : FORMATS[kind];
+  const format = reader === "occt" ? texts.files.byOpenCASCADE(FORMATS[kind]) : FORMATS[kind];
   const summary = document.createElement("summary");
-  const faces = `${grouped(read)} ${read === 1 ? "face" : "faces"}`;
-  summary.append([format, faces, unit === null ? "unit unknown" : unitName(unit)].join(" · "));
-  if (skipped.length > 0) summary.append(" · ", strong(`${grouped(skipped.length)} skipped`));
-  if (fitted > 0) summary.append(" · ", strong(`${grouped(fitted)} curves fitted`));
+  const faces = texts.files.faces(grouped(read), read);
+  summary.append(
+    [format, faces, unit === null ? texts.files.unitUnknown : unitName(unit)].join(" · "),
+  );
+  if (skipped.length > 0)
+    summary.append(" · ", strong(texts.files.skipped(grouped(skipped.length))));
+  if (fitted > 0) summary.append(" · ", strong(texts.files.curvesFitted(grouped(fitted))));
   const details = document.createElement("details");
   details.append(summary, list(report));
   return details;
@@ -67,15 +72,15 @@ function list({ kind, trims, exact, fitted, gap, unit, skipped, notes }: CadRepo
   const suffix = unit === null ? "" : ` ${unitName(unit)}`;
   const lines = [
     ...(kind === "mesh"
-      ? [`its triangles are up to ${upperText(gap)}${suffix} from what they stand for`]
+      ? [texts.files.itsTrianglesAreUpTo(upperText(gap), suffix)]
       : [
-          `${grouped(trims)} trimming curves: ${grouped(exact)} exact, ${grouped(fitted)} fitted`,
-          `edges and faces of the file are up to ${upperText(gap)}${suffix} apart`,
+          texts.files.trimmingCurvesExactFitted(grouped(trims), grouped(exact), grouped(fitted)),
+          texts.files.edgesAndFacesOfThe(upperText(gap), suffix),
         ]),
     ...skipped.slice(0, MAX_SKIPPED).map(skippedLine),
   ];
   const more = skipped.length - MAX_SKIPPED;
-  if (more > 0) lines.push(`and ${grouped(more)} more skipped`);
+  if (more > 0) lines.push(texts.files.andMoreSkipped(grouped(more)));
   lines.push(...notes.slice(0, MAX_SKIPPED).map(({ face, why }) => `${called(face)}: ${why}`));
   const node = document.createElement("ul");
   node.append(
@@ -89,10 +94,11 @@ function list({ kind, trims, exact, fitted, gap, unit, skipped, notes }: CadRepo
 }
 
 function skippedLine({ face, entity, why }: SkippedFace): string {
-  return `${called(face)}${entity === undefined ? "" : ` (#${entity})`} skipped: ${why}`;
+  return texts.files.faceSkipped(called(face), entity === undefined ? "" : ` (#${entity})`, why);
 }
 
-const called = (face: number | string) => (typeof face === "number" ? `face ${face}` : face);
+const called = (face: number | string) =>
+  typeof face === "number" ? texts.files.face(face) : face;
 
 function strong(text: string): HTMLElement {
   const node = document.createElement("b");

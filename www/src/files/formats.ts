@@ -1,5 +1,7 @@
 // The formats of files, for the dialogues that choose them.
+
 import type { CadKind } from "nurbs-hausdorff/cad";
+import { texts } from "../texts/index.ts";
 
 /** The value of `accept`: endings, since browsers know no types of CAD files. */
 export const ACCEPT =
@@ -13,5 +15,5 @@ export const FORMATS: Readonly<Record<CadKind | "mesh", string>> = {
   brep: "BREP",
   fcstd: "FreeCAD",
   json: "JSON",
-  mesh: "mesh",
+  mesh: texts.files.mesh,
 };

@@ -1,5 +1,7 @@
 // What names a file wherever it is: its name, and the hash of its content.
+
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
+import { sha256Of } from "./hash.ts";
 
 /** A file as a link names it; without a hash where the page that made the link could compute none. */
 export interface FileName {
@@ -22,10 +24,24 @@ export function hashOf(file: File): Promise<string> {
   return hash;
 }
 
+/** The bytes from which on a worker is worth its start: the page would stand still for 10 ms a MB. */
+const LARGE = 2 ** 21;
+
 async function computed(file: File): Promise<string> {
   if (globalThis.crypto?.subtle === undefined) return "";
-  const hash = await crypto.subtle.digest("SHA-256", await file.arrayBuffer());
-  return [...new Uint8Array(hash)].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+  if (file.size < LARGE) return sha256Of(file);
+  const worker = new Worker(new URL("./hashWorker.ts", import.meta.url), { type: "module" });
+  try {
+    const hash = await new Promise<string | undefined>((resolve, reject) => {
+      worker.onmessage = ({ data }: MessageEvent<string | undefined>) => resolve(data);
+      worker.onerror = ({ message }) => reject(new Error(message));
+      worker.postMessage(file);
+    });
+    // A file that cannot be read says so here.
+    return hash ?? (await sha256Of(file));
+  } finally {
+    worker.terminate();
+  }
 }
 
 /** Returns what names a file. */

@@ -1,18 +1,20 @@
 // The unit beside each model: what its file states, or what the user says of one that states none.
+
 import { batch, computed, effect, signal } from "@preact/signals-core";
 import { element } from "../common/elements.ts";
 import { setShownFactor } from "../common/text/numbers.ts";
 import { unitName } from "../common/text/units.ts";
 import { field, onChange } from "../state/store.ts";
+import { texts } from "../texts/index.ts";
 import { type DisplayModel, SIDES, type Side, type Sides } from "../worker/protocol.ts";
 
 /** Lengths that files are often in, in metres. */
 const COMMON: readonly number[] = [1e-6, 1e-3, 1e-2, 0.0254, 0.3048, 1];
 /** Factors between units that are confused, with their names. */
 const CONFUSED: readonly (readonly [factor: number, names: string])[] = [
-  [25.4, "inches and millimetres"],
-  [10, "centimetres and millimetres"],
-  [1000, "metres and millimetres"],
+  [25.4, texts.files.inchesAndMillimetres],
+  [10, texts.files.centimetresAndMillimetres],
+  [1000, texts.files.metresAndMillimetres],
 ];
 /** The part by which the sizes of models may differ from such a factor: one is a revision of the other. */
 const LIKE = 0.05;
@@ -34,7 +36,7 @@ const known = computed((): number | undefined => {
 
 for (const select of Object.values(selects)) {
   select.append(
-    new Option("unit?", ""),
+    new Option(texts.files.whichUnit, ""),
     ...COMMON.map((metres) => new Option(unitName(metres), `${metres}`)),
   );
 }
@@ -44,7 +46,7 @@ effect(() => {
   const metres = known.value;
   setShownFactor(metres !== undefined && shown.value !== "" ? metres / Number(shown.value) : 1);
   element("shown-offer").hidden = metres === undefined;
-  const fields = `in ${modelUnit() ?? "model units"}`;
+  const fields = texts.files.inUnit(modelUnit() ?? texts.files.modelUnits);
   for (const id of ["position-unit", "limit-unit"]) element(id).textContent = fields;
 });
 
@@ -76,11 +78,9 @@ export function showUnits(models: Sides<DisplayModel>): void {
     const said = "file" in source ? source.unit : undefined;
     const isOpen = "file" in source && (unit === null || said !== undefined);
     const [none] = selects[side].options;
-    if (none) none.textContent = isOpen || unit === null ? "unit?" : unitName(unit);
+    if (none) none.textContent = isOpen || unit === null ? texts.files.whichUnit : unitName(unit);
     selects[side].disabled = !isOpen;
-    selects[side].title = isOpen
-      ? "The file states no unit: say which one its numbers are in"
-      : "As the model states it";
+    selects[side].title = isOpen ? texts.files.theFileStatesNoUnit : texts.files.asTheModelStatesIt;
     selects[side].value = said === undefined ? "" : `${said}`;
   }
 }
@@ -89,12 +89,17 @@ export function showUnits(models: Sides<DisplayModel>): void {
 function textOf({ a = null, b = null }: Sides<number | null>, sizes: Sides<number>): string {
   if (a !== null && b !== null) {
     if (unitName(a) === unitName(b)) return "";
-    return `A is in ${unitName(a)} and B in ${unitName(b)}: B is converted to ${unitName(a)}.`;
+    return texts.files.bIsConverted(unitName(a), unitName(b));
   }
   const hint = hintOf((sizes.a ?? 0) / (sizes.b || 1));
   if (a === null && b === null) return hint;
   const [known, unknown] = a === null ? ["B", "A"] : ["A", "B"];
-  return `${known} is in ${unitName(a ?? b ?? 1)}, and the file of ${unknown} states no unit: its numbers are taken as they are until you say which.${hint === "" ? "" : ` ${hint}`}`;
+  return texts.files.oneUnitUnknown(
+    known,
+    unitName(a ?? b ?? 1),
+    unknown,
+    hint === "" ? "" : ` ${hint}`,
+  );
 }
 
 /** What a factor between the sizes of models suggests. */
@@ -103,7 +108,7 @@ function hintOf(factor: number): string {
     [factor, 1 / factor].some((size) => Math.abs(size / one - 1) < LIKE),
   );
   if (found === undefined) return "";
-  return `One model is about ${found[0]} times as large as the other, as ${found[1]} are.`;
+  return texts.files.timesAsLarge(found[0], found[1]);
 }
 
 /** Calls back with the metres in a unit that the user says a file is in; with `undefined`, none. */

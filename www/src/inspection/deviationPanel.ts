@@ -1,5 +1,6 @@
 // The deviation shown: the scale's options, the legend, statistics, and the area that is beyond
 // what is allowed.
+
 import type { DiffResult, DistanceResult } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { distanceText, shownLength } from "../common/text/numbers.ts";
@@ -14,6 +15,7 @@ import {
   type ScaleMap,
   type ScaleOptions,
 } from "../scene/colors/scale.ts";
+import { texts } from "../texts/index.ts";
 import type { MapDisplay } from "../worker/map/display.ts";
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { areaBeyond, totalArea } from "./cumulative.ts";
@@ -184,7 +186,7 @@ function legendOf({ maps, drawn, result, extent }: ShownMaps): Legend {
     SIDES.filter((side) => which[side]).map((side) => side.toUpperCase());
   const names = namesOf(drawn);
   const without = namesOf(maps).filter((name) => !names.includes(name));
-  const what = absolute ? "Distance" : "Signed deviation";
+  const what = absolute ? texts.places.distance : texts.places.signedDeviation;
   const unit = commonUnit();
   return {
     // A legend shows all colours, whichever are in focus.
@@ -192,7 +194,12 @@ function legendOf({ maps, drawn, result, extent }: ShownMaps): Legend {
     ...{ absolute, allowed: allowed(), diagonal: result.diagonal },
     lowest: absolute ? 0 : extent.lowest,
     highest: absolute ? extent.largest : extent.highest,
-    title: `${what} of ${names.join(" and ")}${unit === undefined ? "" : `, ${unit}`}${without.map((name) => `; ${name}’s has no sign`).join("")}`,
+    title: texts.places.deviationOf(
+      what,
+      names.join(texts.places.and),
+      unit === undefined ? "" : `, ${unit}`,
+      without.map(texts.places.hasNoSign).join(""),
+    ),
     distributions: Object.values(drawn).map(({ distribution }) => distribution),
   };
 }
@@ -207,7 +214,7 @@ function draw(now: ShownMaps): ColorScale {
     const text = beyond(maps[side], extent.largest, diagonal);
     return text === "" ? [] : [`${side.toUpperCase()}: ${text}`];
   })
-    .concat(ownLimits().length > 0 ? ["colours and areas by the limits of the whole"] : [])
+    .concat(ownLimits().length > 0 ? [texts.places.coloursAndAreasByThe] : [])
     .join("; ");
   showDetails(element("statistics"), [
     ...SIDES.flatMap((side) => {
@@ -216,7 +223,7 @@ function draw(now: ShownMaps): ColorScale {
       const signs = isUnsigned(map) ? undefined : map.signs;
       return statisticsOf(side, map.estimates, signs, diagonal);
     }),
-    ["maximum of the map", distanceText(extent.largest, diagonal)],
+    [texts.places.maximumOfTheMap, distanceText(extent.largest, diagonal)],
   ]);
   section.hidden = false;
   range.placeholder = `${Number(extent.largest.toPrecision(3))}`;
@@ -231,15 +238,15 @@ function beyond(map: MapDisplay | undefined, largest: number, diagonal: number):
   const unit = commonUnit();
   const isCloud = map.indices.length === 0;
   const size = isCloud
-    ? `${area} of ${total}`
+    ? texts.places.ofTotal(area, total)
     : `${distanceText(shownLength(area), diagonal)}${unit === undefined ? "" : ` ${unit}²`}`;
-  const what = isCloud ? "points are" : "area is";
+  const what = isCloud ? texts.places.pointsAre : texts.places.areaIs;
   const out = ((100 * area) / total).toFixed(1);
   const within = (100 - Number(out)).toFixed(1);
-  const share = `≈ ${out} % of the ${what} beyond (${size}), ${within} % within`;
+  const share = texts.places.beyondAndWithin(out, what, size, within);
   // Less area than the map resolves is not none.
   const isBeyond = largest > Math.max(limits.above, limits.below);
   return area === 0 && isBeyond && map.largest === largest
-    ? `${share}, but the farthest point is`
+    ? texts.places.butTheFarthestPoint(share)
     : share;
 }

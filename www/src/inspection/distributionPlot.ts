@@ -1,7 +1,9 @@
 // The histogram of the deviation over the area, with axes: deviations to the right, shares of the
 // area upwards, linear or logarithmic. An estimate, as the map is.
+
 import { element } from "../common/elements.ts";
 import { distanceText, signedText } from "../common/text/numbers.ts";
+import { texts } from "../texts/index.ts";
 import { BINS, binsOf } from "./histogram.ts";
 import type { Legend } from "./legend.ts";
 
@@ -45,7 +47,7 @@ export function showDistribution(legend: Legend): void {
     MARGIN.left +
     ((WIDTH - MARGIN.left - MARGIN.right) * (value - scale.low)) / (scale.high - scale.low || 1);
   const drawing = node("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img" });
-  drawing.setAttribute("aria-label", "Shares of the area by their deviation");
+  drawing.setAttribute("aria-label", texts.places.sharesOfTheAreaBy);
   drawing.append(...ticks.flatMap((share) => shareTick(share, up(share))));
   drawing.append(...bars(bins, legend, across, up), ...valueTicks(legend, across));
   figure.replaceChildren(drawing);

@@ -1,5 +1,7 @@
 // The histogram of the deviation beside the upright scale, in its colours.
+
 import type { ColorScale } from "../scene/colors/scale.ts";
+import { texts } from "../texts/index.ts";
 import type { Distribution } from "../worker/map/distribution.ts";
 import { histogramOf } from "./cumulative.ts";
 
@@ -31,7 +33,7 @@ export function histogram(
   drawing.setAttribute("viewBox", `0 0 ${WIDTH} ${BINS}`);
   drawing.setAttribute("preserveAspectRatio", "none");
   drawing.setAttribute("role", "img");
-  drawing.setAttribute("aria-label", "Histogram of the deviation over the area");
+  drawing.setAttribute("aria-label", texts.places.histogramOfTheDeviationOver);
   for (const [bin, fraction] of bins.entries()) {
     const y = BINS - 1 - bin;
     // Little area is seen too.

@@ -1,5 +1,7 @@
 // On a small screen the panel is a sheet at the foot, which is pulled up.
+
 import { element } from "../common/elements.ts";
+import { texts } from "../texts/index.ts";
 
 /** Connects the button that pulls the sheet up. */
 export function connectSheet(): void {
@@ -7,6 +9,6 @@ export function connectSheet(): void {
   button.addEventListener("click", () => {
     const open = element("panel").classList.toggle("open");
     button.setAttribute("aria-expanded", `${open}`);
-    button.textContent = open ? "Show the parts" : "Show all";
+    button.textContent = open ? texts.common.showTheParts : texts.common.showAll;
   });
 }

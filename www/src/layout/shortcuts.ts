@@ -1,14 +1,16 @@
 // The keys of tools, as the page's markup states them beside each tool, and the list of all keys.
+
 import { element } from "../common/elements.ts";
+import { texts } from "../texts/index.ts";
 
 type Tool = HTMLButtonElement | HTMLInputElement | HTMLSelectElement;
 
 /** Keys that are no tool's. */
 const OTHERS: readonly (readonly [keys: string, what: string])[] = [
-  ["Esc", "Show what was seen before; end picking"],
-  ["Enter", "Pin a point in the middle of the view"],
-  ["← ↑ → ↓", "Turn the view"],
-  ["Double click", "Show both models"],
+  [texts.common.esc, texts.common.showWhatWasSeenBefore],
+  [texts.common.enter, texts.common.pinAPointInThe],
+  ["← ↑ → ↓", texts.common.turnTheView],
+  [texts.common.doubleClick, texts.common.showBothModels],
 ];
 
 const dialog = element("shortcuts", HTMLDialogElement);

@@ -1,6 +1,8 @@
 // What the card says first: the distance beside what is allowed, in the same digits.
+
 import { shownLength } from "../common/text/numbers.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
+import { texts } from "../texts/index.ts";
 import type { Verdict } from "./judgement.ts";
 
 /** Decimals up to which a distance and what is allowed are compared digit by digit. */
@@ -17,9 +19,9 @@ export function comparedText(text: string, allowed: Allowed, verdict: Verdict | 
   const [above, below] = [shownLength(allowed.above), shownLength(allowed.below)];
   const decimals = /\.(\d+)/.exec(text)?.[1]?.length ?? 0;
   if (above !== below) {
-    return `, +${inDigits(above, decimals)}/−${inDigits(below, decimals)} allowed`;
+    return texts.results.allowedBothWays(inDigits(above, decimals), inDigits(below, decimals));
   }
-  const limit = `${inDigits(above, decimals)} allowed`;
+  const limit = texts.results.allowedOne(inDigits(above, decimals));
   const distance = Number(text.replace(/^≤ /, ""));
   if (verdict === "pass" && distance <= above) return `≤ ${limit}`;
   if (verdict === "fail" && distance > above) return `> ${limit}`;

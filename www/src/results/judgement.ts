@@ -1,5 +1,7 @@
 // What follows for a verdict from the interval of the distance and from measured faces.
+
 import type { Allowed } from "../scene/colors/scale.ts";
+import { texts } from "../texts/index.ts";
 
 export type Verdict = "pass" | "fail" | "undecided";
 
@@ -33,9 +35,9 @@ export interface Judged {
 }
 
 const WORDS: Readonly<Record<Verdict, string>> = {
-  pass: "certainly within",
-  fail: "certainly beyond",
-  undecided: "the interval contains it",
+  pass: texts.results.certainlyWithin,
+  fail: texts.results.certainlyBeyond,
+  undecided: texts.results.theIntervalContainsIt,
 };
 
 /** A float32 differs from what was measured by at most half of this part of it. */
@@ -65,7 +67,7 @@ export function judge(judged: Judged, limits: readonly Allowed[]): Judgement {
   const verdict = verdictOn(interval, limits);
   if (verdict === "undecided") return byFaces(judged, limits);
   const isDoubtful = verdictOn(withGaps, limits) !== verdict;
-  const doubt = isDoubtful ? `, but the gaps of the files (${gap}) could change that` : "";
+  const doubt = isDoubtful ? texts.results.butTheGapsOfThe(gap) : "";
   return { verdict, text: `${WORDS[verdict]}${doubt}`, isDoubtful };
 }
 
@@ -77,11 +79,11 @@ function byFaces({ interval, measured }: Judged, limits: readonly Allowed[]): Ju
   }
   const beyond = measured.find(({ face, allowed }) => exceeds(face, allowed));
   if (beyond !== undefined) {
-    return { verdict: "fail", text: `a measured point is beyond: ${beyond.name}` };
+    return { verdict: "fail", text: texts.results.aMeasuredPointIsBeyond(beyond.name) };
   }
   const text =
     interval[1] <= Math.max(...all)
-      ? "within at all measured points, which is certain only for the largest limit"
-      : "within at all measured points, no more is certain";
+      ? texts.results.withinAtAllMeasuredPoints
+      : texts.results.withinAtAllNoMore;
   return { verdict: "undecided", text };
 }

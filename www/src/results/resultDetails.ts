@@ -1,4 +1,5 @@
 // The details of a result, as terms and texts.
+
 import type { DistanceResult, Signs } from "nurbs-hausdorff";
 import {
   certifiedText,
@@ -10,6 +11,7 @@ import {
   twoDigits,
   upperText,
 } from "../common/text/numbers.ts";
+import { texts } from "../texts/index.ts";
 import type { Estimates } from "../worker/map/distribution.ts";
 import type { Side } from "../worker/protocol.ts";
 
@@ -17,62 +19,74 @@ export type Detail = [term: string, text: string];
 
 /** The reasons for which a certified search ends, in words. */
 const STOPS = {
-  converged: "tolerance reached",
-  cells: "limit on cells",
-  time: "time limit",
-  precision: "precision of float64",
+  converged: texts.results.toleranceReached,
+  cells: texts.results.limitOnCells,
+  time: texts.results.timeLimit,
+  precision: texts.results.precisionOfFloat64,
 };
 
 export function detailsOf(result: DistanceResult): Detail[] {
   const { seconds, patches, diagonal } = result;
   return [
     ...directions(result),
-    ["time", `${duration(seconds.solve)} on the ${result.backend.toUpperCase()}`],
-    ["preparation", duration(seconds.prepare + seconds.compile)],
+    [
+      texts.results.time,
+      texts.results.onThe(duration(seconds.solve), result.backend.toUpperCase()),
+    ],
+    [texts.results.preparation, duration(seconds.prepare + seconds.compile)],
     ...methods(result),
-    ["patches", `${grouped(patches.a)} · ${grouped(patches.b)}`],
-    ["diagonal", distanceText(diagonal, diagonal)],
+    [texts.results.patches, `${grouped(patches.a)} · ${grouped(patches.b)}`],
+    [texts.results.diagonal, distanceText(diagonal, diagonal)],
     ...gapOf(result),
   ];
 }
 
 /** How far the files themselves leave the models open, which is not part of the interval. */
 function gapOf({ gap }: DistanceResult): Detail[] {
-  return gap > 0 ? [["gaps of both files, at most", upperText(shownLength(gap))]] : [];
+  return gap > 0 ? [[texts.results.gapsOfBothFilesAt, upperText(shownLength(gap))]] : [];
 }
 
 /** The directed distances of a symmetric result. */
 function directions({ forward, reverse, diagonal }: DistanceResult): Detail[] {
   if (forward === undefined || reverse === undefined) return [];
   return [
-    ["directed, A to B", certifiedText(forward.computed, [forward.lower, forward.upper], diagonal)],
-    ["directed, B to A", certifiedText(reverse.computed, [reverse.lower, reverse.upper], diagonal)],
+    [
+      texts.results.directedAToB,
+      certifiedText(forward.computed, [forward.lower, forward.upper], diagonal),
+    ],
+    [
+      texts.results.directedBToA,
+      certifiedText(reverse.computed, [reverse.lower, reverse.upper], diagonal),
+    ],
   ];
 }
 
 function methods(result: DistanceResult): Detail[] {
   if (result.method === "certified") {
     return [
-      ["cells", `${grouped(result.cells)} in ${result.levels} levels`],
-      ["search ended", STOPS[result.stop]],
+      [texts.results.cells, texts.results.inLevels(grouped(result.cells), result.levels)],
+      [texts.results.searchEnded, STOPS[result.stop]],
     ];
   }
   if (result.method === "hierarchy") {
     const { grid, pairs } = result;
     return [
-      ["cells per surface", `${grid} × ${grid}`],
-      ["box pairs on one level, at most", grouped(Math.max(...pairs))],
+      [texts.results.cellsPerSurface, `${grid} × ${grid}`],
+      [texts.results.boxPairsOnOneLevel, grouped(Math.max(...pairs))],
     ];
   }
   const { bounds, samples, statuses } = result;
   return [
-    ["K_A (2012 paper)", bounds.kA.toPrecision(4)],
-    ["K_A (rigorous)", bounds.kARigorous.toPrecision(4)],
-    ["K_B (estimate)", bounds.kB === null ? "does not apply" : twoDigits(bounds.kB)],
-    ["samples", grouped(samples)],
-    ["samples converged", grouped(statuses.converged)],
-    ["samples on an edge", grouped(statuses.onEdge)],
-    ["samples at the step limit", grouped(statuses.iterationLimit)],
+    [texts.results.kA, bounds.kA.toPrecision(4)],
+    [texts.results.kARigorous, bounds.kARigorous.toPrecision(4)],
+    [
+      texts.results.kBEstimate,
+      bounds.kB === null ? texts.results.doesNotApply : twoDigits(bounds.kB),
+    ],
+    [texts.results.samples, grouped(samples)],
+    [texts.results.samplesConverged, grouped(statuses.converged)],
+    [texts.results.samplesOnAnEdge, grouped(statuses.onEdge)],
+    [texts.results.samplesAtTheStepLimit, grouped(statuses.iterationLimit)],
   ];
 }
 
@@ -87,20 +101,22 @@ export function statisticsOf(
   const text = (value: number) => `≈ ${distanceText(value, diagonal)}`;
   const bySign: Detail[] =
     signs === undefined
-      ? [[`${side}: signs`, `none: ${other} has no inside`]]
+      ? [[texts.results.signs(side), texts.results.noneHasNoInside(other)]]
       : [
-          [`${side}: signed mean`, `≈ ${signedText(estimates.signedMean, diagonal)}`],
+          [texts.results.signedMean(side), `≈ ${signedText(estimates.signedMean, diagonal)}`],
           [
-            `${side}: negative`,
-            signs === "solid" ? `inside the solid ${other}` : `behind ${other}'s normals`,
+            texts.results.negative(side),
+            signs === "solid"
+              ? texts.results.insideTheSolid(other)
+              : texts.results.behindSNormals(other),
           ],
         ];
   return [
-    [`${side}: mean`, text(estimates.mean)],
+    [texts.results.mean(side), text(estimates.mean)],
     ...bySign,
-    [`${side}: RMS`, text(estimates.rms)],
-    [`${side}: median`, text(estimates.median)],
-    [`${side}: 95th percentile`, text(estimates.percentile95)],
-    [`${side}: 99th percentile`, text(estimates.percentile99)],
+    [texts.results.rms(side), text(estimates.rms)],
+    [texts.results.median(side), text(estimates.median)],
+    [texts.results.percentile95(side), text(estimates.percentile95)],
+    [texts.results.percentile99(side), text(estimates.percentile99)],
   ];
 }

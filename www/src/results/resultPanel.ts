@@ -1,5 +1,6 @@
 // The panel of results: distance, interval and details, or an error. The
 // section's data attributes hold the same for tests and other programs.
+
 import type { DistanceResult } from "nurbs-hausdorff";
 import { agrees, farthestSide } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
@@ -13,19 +14,20 @@ import {
 } from "../common/text/numbers.ts";
 import { skippedFaces } from "../files/fileNotes.ts";
 import { commonUnit } from "../files/units.ts";
+import { texts } from "../texts/index.ts";
 import { type Detail, detailsOf } from "./resultDetails.ts";
 import { showVerdict } from "./verdict.ts";
 
 /** What stands for a distance that is not known. */
 const NONE = "–";
 /** The meaning of the interval shown. */
-const SO_FAR = "certified so far";
-const STALLED = " · narrows slowly, may take long";
+const SO_FAR = texts.results.certifiedSoFar;
+const STALLED = texts.results.narrowsSlowlyMayTakeLong;
 /** The note on the interval of a cancelled measurement. */
-const REACHED = "cancelled; contains the distance";
+const REACHED = texts.results.cancelledContainsTheDistance;
 
 /** The two directions are computed in turn, each with an interval of its own. */
-const ONE_DIRECTION = "one direction so far";
+const ONE_DIRECTION = texts.results.oneDirectionSoFar;
 
 const section = element("result");
 const kind = element("kind");
@@ -74,7 +76,7 @@ export function showResult(
   kind.textContent = kindOf(result);
   section.classList.remove("undistanced");
   stateText.textContent = "";
-  unit.textContent = commonUnit() ?? "model units";
+  unit.textContent = commonUnit() ?? texts.results.modelUnits;
   const ends = [result.lower, result.upper] as const;
   distance.textContent = certifiedText(result.computed, ends, result.diagonal);
   showInterval(result.lower, result.upper, result.diagonal, meaning(result, last));
@@ -125,12 +127,12 @@ export function onWhere(callback: () => void): void {
 /** Where the distance is attained. */
 function whereText(result: DistanceResult): string {
   // Between models that agree, no place is farther than another.
-  if (agrees(result)) return "The models agree: no place is farther than another";
+  if (agrees(result)) return texts.results.theModelsAgreeNoPlace;
   const { a, b } = result.witness;
   const fromA = farthestSide(result) === "a";
   const [onA, onB] = [`A ${placeName(a)}`, `B ${placeName(b)}`];
   const [from, to] = fromA ? [onA, onB] : [onB, onA];
-  return `Farthest: ${from}, from ${to}`;
+  return texts.results.farthestFrom(from, to);
 }
 
 /** What the interval leaves open: the gaps of the files, and faces that were skipped. */
@@ -140,10 +142,13 @@ function doubtsText(result: DistanceResult): string {
   const parts = [
     ...(gap > 0
       ? [
-          `gaps of the files up to ${gapText(result)}: with them ${intervalText(Math.max(0, withGaps.lower), withGaps.upper, diagonal)}`,
+          texts.results.gapsOfTheFilesUp(
+            gapText(result),
+            intervalText(Math.max(0, withGaps.lower), withGaps.upper, diagonal),
+          ),
         ]
       : []),
-    ...(skipped > 0 ? [`${skipped} ${skipped === 1 ? "face" : "faces"} skipped on reading`] : []),
+    ...(skipped > 0 ? [texts.results.skippedOnReading(skipped)] : []),
   ];
   return parts.join("; ");
 }
@@ -151,7 +156,7 @@ function doubtsText(result: DistanceResult): string {
 /** The gap of both files, with its unit and whether it is proven. */
 function gapText({ gap, gapProven }: DistanceResult): string {
   const known = commonUnit();
-  return `${upperText(shownLength(gap))}${known === undefined ? "" : ` ${known}`}${gapProven ? "" : ", measured"}`;
+  return `${upperText(shownLength(gap))}${known === undefined ? "" : ` ${known}`}${gapProven ? "" : texts.results.measured}`;
 }
 
 function stateOf(last: boolean, pending: boolean): string {
@@ -161,12 +166,12 @@ function stateOf(last: boolean, pending: boolean): string {
 
 /** The result's states without a distance, and what the card says of each. */
 const CLEARED = {
-  asked: "waiting for the files of the link",
-  cancelled: "cancelled",
-  failed: "failed",
-  lone: "one file is open: drop the one to compare it with",
-  paused: "not measured while clearance and clash are",
-  working: "measuring",
+  asked: texts.results.waitingForTheFilesOf,
+  cancelled: texts.results.cancelled,
+  failed: texts.results.failed,
+  lone: texts.results.oneFileIsOpenDrop,
+  paused: texts.results.notMeasuredWhileClearanceAnd,
+  working: texts.results.measuring,
 };
 
 /**
@@ -174,7 +179,7 @@ const CLEARED = {
  * clearance is measured instead.
  */
 export function clearResult(state: keyof typeof CLEARED): void {
-  kind.textContent = "Distance";
+  kind.textContent = texts.results.distance;
   distance.textContent = NONE;
   interval.textContent = CLEARED[state];
   stateText.textContent = CLEARED[state];
@@ -192,7 +197,7 @@ export function clearResult(state: keyof typeof CLEARED): void {
 /** Shows the interval that a cancelled measurement had reached. */
 export function showReached([lower, upper]: readonly [number, number], diagonal: number): void {
   showInterval(lower, upper, diagonal, REACHED);
-  stateText.textContent = `${REACHED}: in ${intervalText(lower, upper, diagonal)}`;
+  stateText.textContent = texts.results.reachedIn(REACHED, intervalText(lower, upper, diagonal));
   Object.assign(section.dataset, { lower, upper });
 }
 
@@ -209,22 +214,22 @@ export function hideError(): void {
 
 function showInterval(lower: number, upper: number, diagonal: number, note: string): void {
   interval.textContent = intervalText(lower, upper, diagonal);
-  width.textContent = `${note} · width ${twoDigits(shownLength(upper - lower))}`;
+  width.textContent = texts.results.width(note, twoDigits(shownLength(upper - lower)));
   // One direction's interval decides nothing about the larger of both.
   showVerdict(note === ONE_DIRECTION ? undefined : { interval: [lower, upper] });
 }
 
 /** The meaning of the interval. It contains the distance whether the method converged or not. */
 function meaning({ method, converged }: DistanceResult, last: boolean): string {
-  if (method !== "certified" || converged) return "contains the distance";
-  return last ? "certified, wider than the tolerance" : SO_FAR;
+  if (method !== "certified" || converged) return texts.results.containsTheDistance;
+  return last ? texts.results.certifiedWiderThanTheTolerance : SO_FAR;
 }
 
 /** The kind of the distance, and the direction in which it is attained. */
 function kindOf(result: DistanceResult): string {
   const [from, to] = farthestSide(result) === "a" ? ["A", "B"] : ["B", "A"];
-  const kind = result.forward === undefined ? "Directed" : "Symmetric";
-  return `${kind} distance, ${from} to ${to}`;
+  const kind = result.forward === undefined ? texts.results.directed : texts.results.symmetric;
+  return texts.results.distanceTo(kind, from, to);
 }
 
 /** Fills a list with terms and texts. */

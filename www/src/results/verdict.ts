@@ -1,9 +1,11 @@
 // The verdict on what the user allows: its controls, and its card.
+
 import { batch, computed, effect, signal } from "@preact/signals-core";
 import { element } from "../common/elements.ts";
 import { skippedFaces } from "../files/fileNotes.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
 import { field, onChange, sizeOf } from "../state/store.ts";
+import { texts } from "../texts/index.ts";
 import type { Side } from "../worker/protocol.ts";
 import { comparedText } from "./headline.ts";
 import { type Judged, type Judgement, judge, type Verdict } from "./judgement.ts";
@@ -82,7 +84,7 @@ function draw(now: Judged | undefined, whole: Allowed | undefined): void {
   const { verdict, text, isDoubtful = false } = judgement(now, whole);
   output.textContent = text;
   output.dataset.doubt = `${isDoubtful}`;
-  badge.textContent = verdict.toUpperCase();
+  badge.textContent = texts.results.verdicts[verdict];
   const distance = element("distance").textContent ?? "";
   compared.textContent = /\d/.test(distance) ? comparedText(distance, whole, verdict) : "";
   for (const node of [output, badge]) node.dataset.verdict = verdict;
@@ -94,5 +96,4 @@ function judgement(now: Judged, whole: Allowed): Judgement {
   return judge(now, [whole, ...ownLimits()]);
 }
 
-const skippedText = (count: number): string =>
-  `${count} ${count === 1 ? "face was" : "faces were"} skipped on reading`;
+const skippedText = (count: number): string => texts.results.facesWereSkipped(count);

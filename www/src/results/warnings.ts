@@ -1,13 +1,15 @@
 // Warnings about what this machine cannot do. Each shows one line that unfolds
 // to the reason; it goes when it no longer applies.
+
 import { element } from "../common/elements.ts";
 import { engineText } from "../common/engineText.ts";
+import { texts } from "../texts/index.ts";
 import type { EngineState } from "../worker/protocol.ts";
 
 const TITLES = {
-  webgl: "No WebGL: the models cannot be drawn, but distances are computed",
-  context: "The view stands still: the browser took its 3D context away",
-  result: "The GPU could not be used for all of this distance",
+  webgl: texts.results.noWebGLTheModelsCannot,
+  context: texts.results.theViewStandsStillThe,
+  result: texts.results.theGPUCouldNotBe,
 };
 type Kind = keyof typeof TITLES;
 
@@ -42,8 +44,7 @@ export function showNoWebGl(reason: string): void {
 
 /** Shows that the view cannot be drawn for a while, or that it can again. */
 export function showContext(isThere: boolean): void {
-  const reason =
-    "Numbers and verdict are right. The view comes back by itself when the browser allows; else reload the page.";
+  const reason = texts.results.numbersAndVerdictAreRight;
   set("context", isThere ? null : reason);
 }
 

@@ -5,6 +5,7 @@ import {
   BufferGeometry,
   Color,
   Group,
+  type Intersection,
   LineBasicMaterial,
   LineSegments,
   type Material,
@@ -22,6 +23,7 @@ import type { DisplayModel, Side } from "../worker/protocol.ts";
 import { Cap } from "./cap.ts";
 import {
   displace,
+  faceOfTriangle,
   facesByTriangles,
   facesOfVertices,
   forgetAllBounds,
@@ -30,6 +32,7 @@ import {
 } from "./exploded/displaced.ts";
 import { type FaceClass, FaceColors } from "./faces.ts";
 import { glass, painted, rounded, satin } from "./material.ts";
+import { TriangleTree } from "./picking/tree.ts";
 
 /** How much of a model is shown: all, a see-through surface, or nothing. */
 export type Visibility = "solid" | "glass" | "hidden";
@@ -49,6 +52,7 @@ export class ModelMesh {
   readonly #satin: Material;
   readonly #glass: Material;
   readonly #surface: Mesh | Points;
+  readonly #tree: TriangleTree | undefined;
   readonly #painted: Mesh | Points;
   readonly #triangles: Mesh;
   readonly #outline: LineSegments<BufferGeometry, LineBasicMaterial>;
@@ -88,6 +92,8 @@ export class ModelMesh {
       ? rounded(new PointsMaterial({ color, ...dots, transparent: true, opacity: SEE_THROUGH }))
       : glass(color);
     this.#surface = isCloud ? new Points(geometry, this.#satin) : new Mesh(geometry, this.#satin);
+    if (this.#surface instanceof Mesh)
+      this.#tree = new TriangleTree(this.#surface, { positions, indices });
     // B lies a little behind A, so that coincident colours do not fight for depth.
     const paint = isCloud
       ? rounded(new PointsMaterial({ map, ...dots, transparent: true }))
@@ -215,6 +221,7 @@ export class ModelMesh {
     if (offsets === undefined) positions.set(this.#rest);
     else displace(this.#rest, this.#facesOfVertices, offsets, positions);
     position.needsUpdate = true;
+    this.#tree?.moved();
     this.#displacePaint();
     forgetAllBounds(this.group);
   }
@@ -239,9 +246,9 @@ export class ModelMesh {
     return this.#vertexFaces;
   }
 
-  /** The face that a vertex is of. */
-  faceOf(vertex: number): number {
-    return this.#facesOfVertices[vertex] ?? 0;
+  /** The face that a ray hit. */
+  faceHit(hit: Intersection): number {
+    return faceOfTriangle(hit.faceIndex ?? 0, this.model.tessellation.faces);
   }
 
   /** The way of a face, where bodies are moved apart. */
@@ -325,6 +332,7 @@ export class ModelMesh {
 
   dispose(): void {
     this.group.removeFromParent();
+    this.#tree?.dispose();
     this.#faces.dispose();
     this.#cap?.dispose();
     const parts = [this.#surface, this.#painted, this.#outline, this.#triangles];

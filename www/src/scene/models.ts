@@ -18,7 +18,7 @@ import { Explosion } from "./exploded/explosion.ts";
 import type { FaceClass } from "./faces.ts";
 import { ModelMesh, type Visibility } from "./mesh.ts";
 import { deviationGeometry } from "./overlays/deviation.ts";
-import { type FirstHit, firstHit } from "./picking.ts";
+import { type FirstHit, firstHit } from "./picking/firstHit.ts";
 import type { Pose } from "./pose.ts";
 import { type Cut, cutOf, type Section } from "./section.ts";
 
@@ -227,21 +227,22 @@ export class Models {
     return boxA.clone().expandByScalar(-margin).containsBox(boxB) ? "a" : undefined;
   }
 
-  /** The point of a model that the view's ray hits first, in the model's coordinates. */
+  /** The point of a model that the view's ray hits first, with the normal there, in the model's coordinates. */
   hit(
     viewport: Viewport,
     clientX: number,
     clientY: number,
-  ): { side: Side; face: number; near: Point } | undefined {
+  ): { side: Side; face: number; near: Point; normal: Point } | undefined {
     const found = this.#hit(viewport, clientX, clientY);
     if (found === undefined) return undefined;
     const { side, hit, mesh } = found;
-    const face = mesh.faceOf(hit.face?.a ?? hit.index ?? 0);
+    const face = mesh.faceHit(hit);
     const local = mesh.target.worldToLocal(hit.point.clone());
     const offset = mesh.offsetOf(face);
     if (offset !== undefined) local.sub(offset);
     const near = local.add(new Vector3(...mesh.model.tessellation.origin)).toArray();
-    return { side, face, near };
+    // Points of a scan have no normal.
+    return { side, face, near, normal: hit.normal?.toArray() ?? [0, 0, 0] };
   }
 
   /** Where a point of a face is drawn, from the model's own coordinates; undefined where it is not. */
@@ -368,8 +369,7 @@ export class Models {
     const box = new Box3();
     for (const side of SIDES) {
       const mesh = this.#meshes[side];
-      if (mesh === undefined) continue;
-      if (this.#absent.includes(side)) continue;
+      if (mesh === undefined || this.#absent.includes(side)) continue;
       mesh.group.updateWorldMatrix(true, true);
       box.union(new Box3().setFromObject(mesh.target));
     }

@@ -158,6 +158,14 @@ export class View {
     return this.#viewport && this.models.facing(this.#viewport, clientX, clientY);
   }
 
+  /** The size of a pixel at a point of a model, in the model's own coordinates and unit. */
+  pixelAt(side: Side, point: Point): number {
+    const origin = this.models.drawn[side]?.tessellation.origin ?? [0, 0, 0];
+    const [x, y, z] = point.map((at, axis) => at - (origin[axis] ?? 0)) as Point;
+    const pixel = this.#viewport?.pixelAt(this.models.place(side, [x, y, z])) ?? 0;
+    return side === "b" ? pixel / this.models.scale : pixel;
+  }
+
   /** What the view looks at, and the direction from there to the eye. */
   get seen(): { point: Vector3; normal: Vector3 } | undefined {
     return this.#viewport?.seen;

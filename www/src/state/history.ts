@@ -24,7 +24,7 @@ const OF_PAIR = [
     "range-below",
     "section-at",
   ],
-  ...["section-free", "section-tilt", "section-turn", "annotations", "check-rules"],
+  ...["section-free", "section-tilt", "section-turn", "annotations", "measures", "check-rules"],
   ...["x", "y", "z", "turn-x", "turn-y", "turn-z"],
 ];
 

@@ -1,5 +1,7 @@
 // The page's side of the worker.
+
 import type { Transform, Vector3 } from "nurbs-hausdorff";
+import { texts } from "../texts/index.ts";
 import type {
   CheckOf,
   Placement,
@@ -42,7 +44,7 @@ export class Client {
     const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
     worker.onmessage = ({ data }: MessageEvent<Reply>) => this.#take(data);
     worker.onerror = (event) => {
-      const message = event.message ?? "the worker's script could not be loaded";
+      const message = event.message ?? texts.files.workerNotLoaded;
       this.#onReply({ kind: "failed", code: "UNEXPECTED", message });
     };
     return worker;

@@ -1,5 +1,7 @@
 // The distance of one point of a model from the other model, for the point under the pointer.
+
 import type { Hausdorff, NurbsModel, Transform, Vector3 } from "nurbs-hausdorff/worker";
+import { texts } from "../texts/index.ts";
 import { placed, unplaced } from "./map/placed.ts";
 import type { Probe, Side, Sides } from "./protocol.ts";
 
@@ -42,4 +44,4 @@ const vector = ([x = 0, y = 0, z = 0]: Float64Array): Vector3 => [x, y, z];
 
 /** The name of a face in its source, or its number. */
 export const faceName = (model: NurbsModel, face = 0): string =>
-  model.faceName(face) ?? `face ${face}`;
+  model.faceName(face) ?? texts.files.face(face);

@@ -1,5 +1,7 @@
 // Formatting of numbers.
+
 import { signal } from "@preact/signals-core";
+import { texts } from "../../texts/index.ts";
 
 /** Decimal digits that float64 represents faithfully. */
 const SIGNIFICANT_DIGITS = 15;
@@ -177,7 +179,9 @@ const SUPERSCRIPTS: Record<string, string> = {
 
 /** A duration in milliseconds or seconds. */
 export function duration(seconds: number): string {
-  return seconds < 1 ? `${(seconds * 1e3).toFixed(1)} ms` : `${seconds.toFixed(2)} s`;
+  return seconds < 1
+    ? texts.common.milliseconds((seconds * 1e3).toFixed(1))
+    : texts.common.seconds(seconds.toFixed(2));
 }
 
 /** An integer with its digits in groups of three. */

@@ -1,5 +1,7 @@
 // Formatting of intervals of any quantity: areas, volumes, coordinates and masses, of either sign.
+
 import type { Interval } from "nurbs-hausdorff";
+import { texts } from "../../texts/index.ts";
 import { heldNumber, magnitude, shownLength, upperText } from "./numbers.ts";
 
 /** The relative rounding of a factor between units, which has three roundings, and of a product with it. */
@@ -146,5 +148,5 @@ export const narrowText = (interval: Interval): string =>
 /** A number that the interval holds, with the interval; a wide interval alone. */
 export const wholeText = (interval: Interval): string =>
   isNarrow(interval)
-    ? `${listedQuantity(interval)} in ${rangeText(interval)}`
+    ? texts.common.numberIn(listedQuantity(interval), rangeText(interval))
     : rangeText(interval);

@@ -1,5 +1,7 @@
 // The data of the four panels, which are the figures of docs/paper.md.
+
 import type { DistanceResult } from "nurbs-hausdorff";
+import { texts } from "../../texts/index.ts";
 import { CERTIFIED } from "../sweep/methods.ts";
 import type { Curve } from "../sweep/sweepPoint.ts";
 
@@ -29,28 +31,28 @@ const CLOCK_RESOLUTION = 1e-4;
 export const panels: readonly Panel[] = [
   {
     id: "time",
-    unit: "seconds",
+    unit: texts.experiments.seconds,
     logarithmic: true,
     marksFailures: true,
     series: (curves) => each(curves, ({ seconds }) => Math.max(seconds.solve, CLOCK_RESOLUTION)),
   },
   {
     id: "distance",
-    unit: "model units",
+    unit: texts.experiments.modelUnits,
     logarithmic: false,
     marksFailures: false,
     series: (curves) => each(curves, ({ computed }) => computed),
   },
   {
     id: "difference",
-    unit: "model units",
+    unit: texts.experiments.modelUnits,
     logarithmic: false,
     marksFailures: false,
     series: differences,
   },
   {
     id: "size",
-    unit: "model units",
+    unit: texts.experiments.modelUnits,
     logarithmic: true,
     marksFailures: false,
     series: sizes,
@@ -118,8 +120,8 @@ function boundsOf(name: string): [string, Value][] {
   }
   if (name !== "hierarchy") return [];
   return [
-    [": upper", ({ upper }) => upper],
-    [": lower", ({ lower }) => lower],
+    [texts.experiments.upper, ({ upper }) => upper],
+    [texts.experiments.lower, ({ lower }) => lower],
   ];
 }
 

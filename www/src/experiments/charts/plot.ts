@@ -1,5 +1,7 @@
 // One panel, drawn on a canvas and updated as results arrive.
+
 import uPlot from "uplot";
+import { texts } from "../../texts/index.ts";
 import type { Curve } from "../sweep/sweepPoint.ts";
 import { axisNumber } from "./axisNumber.ts";
 import { markFailures } from "./failureMarks.ts";
@@ -95,7 +97,7 @@ export class Plot {
         y: this.#panel.logarithmic ? { distr: 3 } : {},
       },
       axes: [
-        { ...axis, label: "position of A’s centre relative to B’s, model units", size: 32 },
+        { ...axis, label: texts.experiments.positionOfA, size: 32 },
         { ...axis, label: this.#panel.unit, size: 58, grid: coarse, ticks: coarse },
       ],
       series: [{}, ...this.#panel.series(this.#curves).map((series) => this.#style(series))],

@@ -1,5 +1,7 @@
 // The methods compared, with the names that the command line's experiments use.
+
 import type { IterationOptions } from "nurbs-hausdorff";
+import { texts } from "../../texts/index.ts";
 import type { Plain, PlainOptions } from "../../worker/protocol.ts";
 
 export interface Entry {
@@ -48,13 +50,13 @@ export function methods({ samples, memoryBudget }: Settings): Entry[] {
     // On the CPU, so that its times do not depend on the GPU or its emulation.
     entry(CERTIFIED, { method: "certified", backend: "cpu" }),
     entry("iteration", iteration),
-    entry("2012 paper: none", cut(published, "none")),
-    entry("2012 paper: loose", cut(published, "loose")),
-    entry("2012 paper: tight", cut(published, "tight")),
+    entry(texts.experiments.paper2012None, cut(published, "none")),
+    entry(texts.experiments.paper2012Loose, cut(published, "loose")),
+    entry(texts.experiments.paper2012Tight, cut(published, "tight")),
     entry("hierarchy", { ...boxes, grid: samples }),
-    entry("hierarchy: finer", { ...boxes, grid: FINER * samples }, false),
+    entry(texts.experiments.hierarchyFiner, { ...boxes, grid: FINER * samples }, false),
     // Flatness changes the time of `iteration` but not its result.
-    entry("iteration: none", cut(iteration, "none"), false),
-    entry("iteration: tight", cut(iteration, "tight"), false),
+    entry(texts.experiments.iterationNone, cut(iteration, "none"), false),
+    entry(texts.experiments.iterationTight, cut(iteration, "tight"), false),
   ];
 }

@@ -1,6 +1,8 @@
 // The pairs of the sweeps, shared with the command line's experiments, and the path of A past B.
+
 import type { Transform, Vector3 } from "nurbs-hausdorff";
 import sweep from "../../../../examples/experiments/sweep.json";
+import { texts } from "../../texts/index.ts";
 import type { DisplayModel, Side } from "../../worker/protocol.ts";
 
 /** One model of a pair. */
@@ -44,7 +46,7 @@ const part = ({ shape, for: substituteFor, first_surface }: Listed): Part => ({
 /** The pair of the user's files, with the path of the list's solid bodies. */
 const OWN: Pair = {
   name: "own",
-  title: "Own files (chosen below)",
+  title: texts.experiments.ownFilesChosenBelow,
   parts: undefined,
   axis: [1, 0, 0],
   aside: [0.05, 0.04, 0.03],

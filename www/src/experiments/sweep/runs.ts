@@ -1,5 +1,7 @@
 // Promises for the worker's replies, one request at a time.
+
 import type { DistanceResult } from "nurbs-hausdorff";
+import { texts } from "../../texts/index.ts";
 import { Client } from "../../worker/client.ts";
 import type { DisplayModel, PlainOptions, Reply, Sides, Source } from "../../worker/protocol.ts";
 import type { Failure } from "./sweepPoint.ts";
@@ -33,7 +35,8 @@ export class Runs {
     });
     if (reply.kind === "failed") return { failure: reply };
     const { a, b } = reply.kind === "loaded" ? reply.models : {};
-    if (a === undefined || b === undefined) throw new Error(`${reply.kind} for two models`);
+    if (a === undefined || b === undefined)
+      throw new Error(texts.experiments.forTwoModels(reply.kind));
     return { value: { a, b } };
   }
 
@@ -55,7 +58,7 @@ export class Runs {
     clearTimeout(timer);
     if (reply.kind === "measured") return { value: reply.result };
     if (reply.kind === "failed") return { failure: reply };
-    const message = `exceeded the time limit of ${limit} s per run`;
+    const message = texts.experiments.exceededTheTimeLimitOf(limit);
     return { failure: { code: "time-limit", message } };
   }
 

@@ -1,7 +1,9 @@
 // A sweep: all methods, in turn, at every position of one pair.
+
 import type { DistanceResult, IterationOptions, Transform } from "nurbs-hausdorff";
 import settings from "../../../../examples/experiments/sweep.json";
 import { grouped } from "../../common/text/numbers.ts";
+import { texts } from "../../texts/index.ts";
 import type { DisplayModel, Plain, PlainOptions, Sides } from "../../worker/protocol.ts";
 import type { Entry } from "./methods.ts";
 import { type Pair, positions, transformAt } from "./pairs.ts";
@@ -80,7 +82,7 @@ export class Sweep {
     const answer = await this.#runs.measure(few, Number.POSITIVE_INFINITY);
     if ("value" in answer) return { value: answer.value.patches.b };
     const { code, message } = answer.failure;
-    return { failure: { code, message: `the patches of B could not be counted: ${message}` } };
+    return { failure: { code, message: texts.experiments.patchesNotCounted(message) } };
   }
 
   /**
@@ -95,11 +97,11 @@ export class Sweep {
     const { samples = 0, flatness } = options;
     const all = this.#models.a.faceCount * samples ** 2;
     if (all * patches.value <= settings.most_projections) return undefined;
-    const found = `${grouped(all)} samples on ${grouped(patches.value)} patches`;
+    const found = texts.experiments.samplesOnPatches(grouped(all), grouped(patches.value));
     const code = "left-out";
-    if (flatness !== "none") return { code, message: `${found} or more: too slow for a sweep` };
+    if (flatness !== "none") return { code, message: texts.experiments.orMoreTooSlowFor(found) };
     if (atMiddle) return undefined;
-    return { code, message: `${found}: too slow except at the middle position` };
+    return { code, message: texts.experiments.tooSlowExceptAtThe(found) };
   }
 
   /** Returns the result with the shortest of several times: other work on the machine only adds time. */

@@ -1,4 +1,5 @@
 // What the report says, from the state of the page.
+
 import { element } from "../../common/elements.ts";
 import { placeName } from "../../common/text/names.ts";
 import {
@@ -14,6 +15,7 @@ import { isBeyond, sizeText } from "../../inspection/places/placeList.ts";
 import type { Place } from "../../inspection/places/places.ts";
 import { limitText } from "../../results/ownLimits.ts";
 import { allowed, allowedOf, shownVerdict } from "../../results/verdict.ts";
+import { texts } from "../../texts/index.ts";
 import { type DisplayModel, SIDES, type Sides } from "../../worker/protocol.ts";
 import type { ExportedState } from "../exports.ts";
 import type { ReportContent } from "./report.ts";
@@ -36,7 +38,14 @@ export async function contentOf(
       })),
     ),
     faces: {
-      head: ["Face", "Least", "Most", "Largest", "Allowed", ""],
+      head: [
+        texts.report.face,
+        texts.report.least,
+        texts.report.most,
+        texts.report.largest,
+        texts.report.allowed,
+        "",
+      ],
       rows: places.slice(0, MAX_FACES).map((place) => faceRow(place, diagonal)),
     },
     pins: pins.map(({ side, face, point, distance, signed }) => [
@@ -52,21 +61,21 @@ export async function contentOf(
 function verdictTerms({ result }: ExportedState): [string, string][] {
   if (result === undefined) return [];
   const { lower, upper, computed, diagonal, gap, withGaps, witness } = result;
-  const unit = commonUnit() ?? "model units";
+  const unit = commonUnit() ?? texts.report.modelUnits;
   const limits = allowed();
   const limit =
     limits === undefined
-      ? "not stated"
-      : `+${limits.above} / −${limits.below} ${modelUnit() ?? "model units"}`;
+      ? texts.report.notStated
+      : `+${limits.above} / −${limits.below} ${modelUnit() ?? texts.report.modelUnits}`;
   return [
-    ["Measured", element("kind").textContent ?? ""],
-    ["Allowed deviation", limit],
-    ["Found", `${certifiedText(computed, [lower, upper], diagonal)} ${unit}`],
-    ["Certified interval", `${intervalText(lower, upper, diagonal)} ${unit}`],
-    ["Where", `A ${placeName(witness.a)}, B ${placeName(witness.b)}`],
-    ["At", witness.a.point.map((at) => distanceText(at, diagonal)).join(", ")],
+    [texts.report.measured, element("kind").textContent ?? ""],
+    [texts.report.allowedDeviation, limit],
+    [texts.report.found, `${certifiedText(computed, [lower, upper], diagonal)} ${unit}`],
+    [texts.report.certifiedInterval, `${intervalText(lower, upper, diagonal)} ${unit}`],
+    [texts.report.where, `A ${placeName(witness.a)}, B ${placeName(witness.b)}`],
+    [texts.report.at, witness.a.point.map((at) => distanceText(at, diagonal)).join(", ")],
     [
-      "With the gaps of the files",
+      texts.report.withTheGapsOfThe,
       gap > 0
         ? `${intervalText(Math.max(0, withGaps.lower), withGaps.upper, diagonal)} ${unit}`
         : "",
@@ -82,18 +91,18 @@ async function fileTerms(
   if (model === undefined) return [];
   const { source, faceCount, unit, report } = model;
   const common: [string, string][] = [
-    ["Faces", `${faceCount}`],
-    ["Unit", unit === null ? "unknown" : unitName(unit)],
-    ["Skipped faces", report === null ? "" : `${report.skipped.length}`],
-    ["Gap of the file", report === null ? "" : `${report.gap}`],
+    [texts.report.faces, `${faceCount}`],
+    [texts.report.unit, unit === null ? texts.report.unknown : unitName(unit)],
+    [texts.report.skippedFaces, report === null ? "" : `${report.skipped.length}`],
+    [texts.report.gapOfTheFile, report === null ? "" : `${report.gap}`],
   ];
-  if ("shape" in source) return [["Model", source.shape], ...common];
+  if ("shape" in source) return [[texts.report.model, source.shape], ...common];
   const { file } = source;
   return [
-    ["File", file.name],
-    ["Bytes", `${file.size}`],
-    ["Changed", new Date(file.lastModified).toISOString()],
-    ["SHA-256", await hashOf(file)],
+    [texts.report.file, file.name],
+    [texts.report.bytes, `${file.size}`],
+    [texts.report.changed, new Date(file.lastModified).toISOString()],
+    [texts.report.sha256, await hashOf(file)],
     ...common,
   ];
 }
@@ -107,7 +116,7 @@ function faceRow(place: Place, diagonal: number): string[] {
     signedText(highest, diagonal),
     sizeText(place, diagonal),
     limits === undefined ? "" : limitText(limits),
-    limits === undefined ? "" : isBeyond(place, limits) ? "beyond" : "within",
+    limits === undefined ? "" : isBeyond(place, limits) ? texts.report.beyond : texts.report.within,
   ];
 }
 
@@ -115,10 +124,13 @@ function settingsOf({ options }: ExportedState): [string, string][] {
   const { method, relativeTolerance, symmetric, transform } = options;
   const rotation = transform?.rotation ?? [0, 0, 0, 1];
   return [
-    ["Method", `${method}`],
-    ["Precision", `${relativeTolerance} of the diagonal`],
-    ["Distance", symmetric ? "symmetric: the larger of A from B and B from A" : "directed, A to B"],
-    ["Translation of A", (transform?.translation ?? [0, 0, 0]).join(", ")],
-    ["Rotation of A, quaternion", rotation.join(", ")],
+    [texts.report.method, `${method}`],
+    [texts.report.precision, texts.report.ofTheDiagonal(relativeTolerance)],
+    [
+      texts.report.distance,
+      symmetric ? texts.report.symmetricTheLargerOfA : texts.report.directedAToB,
+    ],
+    [texts.report.translationOfA, (transform?.translation ?? [0, 0, 0]).join(", ")],
+    [texts.report.rotationOfAQuaternion, rotation.join(", ")],
   ];
 }

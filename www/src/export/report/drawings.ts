@@ -1,7 +1,9 @@
 // The report's drawings: the legend of a picture, and the histogram with its axes.
+
 import { draw } from "../../common/drawing.ts";
 import { BINS, binsOf } from "../../inspection/histogram.ts";
 import { type Legend, ticksOf } from "../../inspection/legend.ts";
+import { texts } from "../../texts/index.ts";
 
 /** The sizes of the drawings in their own units. */
 const LEGEND = { width: 150, height: 260, bar: 16, top: 12 };
@@ -17,7 +19,7 @@ export function legendDrawing(legend: Legend): SVGElement {
   const size = height - 2 * top;
   const y = (value: number) => top + (size * (scale.high - value)) / (scale.high - scale.low);
   const drawing = draw("svg", { viewBox: `0 0 ${width} ${height}`, class: "legend", role: "img" });
-  drawing.setAttribute("aria-label", "Legend of the colours");
+  drawing.setAttribute("aria-label", texts.report.legendOfTheColours);
   drawing.append(
     ...colors.map((color, bin) =>
       draw("rect", {
@@ -48,7 +50,7 @@ export function histogramDrawing(legend: Legend): SVGElement {
     class: "histogram",
     role: "img",
   });
-  drawing.setAttribute("aria-label", "Histogram of the deviation");
+  drawing.setAttribute("aria-label", texts.report.histogramOfTheDeviation);
   drawing.append(
     ...bins.map((fraction, bin) =>
       draw("rect", {
@@ -91,7 +93,7 @@ export function histogramDrawing(legend: Legend): SVGElement {
     draw(
       "text",
       { x: left + across / 2, y: height - 2, "text-anchor": "middle" },
-      "deviation; share of the area upwards",
+      texts.report.deviationShareOfTheArea,
     ),
   );
   return drawing;

@@ -1,6 +1,9 @@
 // A report to print: verdict, files, pictures with their legends, worst places, faces and figures.
+
 import { element, make } from "../../common/elements.ts";
 import type { ReportTable } from "../../common/tables.ts";
+import type { Verdict } from "../../results/judgement.ts";
+import { texts } from "../../texts/index.ts";
 import type { ReportView } from "../views.ts";
 import { table, terms } from "./dom.ts";
 import { histogramDrawing, legendDrawing } from "./drawings.ts";
@@ -14,7 +17,7 @@ export interface ReportContent {
   views: readonly ReportView[];
   /** Pictures of the worst places. */
   places: readonly { title: string; picture: string }[];
-  verdict: { verdict: string | undefined; terms: Terms };
+  verdict: { verdict: Verdict | undefined; terms: Terms };
   files: readonly { title: string; terms: Terms }[];
   /** A face a row. */
   faces: { head: readonly string[]; rows: readonly (readonly string[])[] };
@@ -28,7 +31,7 @@ export interface ReportContent {
 /** Returns the report as a page of its own, which needs nothing else. */
 export function reportOf(content: ReportContent): Blob {
   const page = document.implementation.createHTMLDocument(titleOf());
-  page.documentElement.lang = "en";
+  page.documentElement.lang = texts.language;
   page.head.append(make("meta", [], { charset: "utf-8" }), make("style", styleFor(chosenPaper())));
   page.body.append(...sections(content));
   return new Blob(["<!doctype html>\n", page.documentElement.outerHTML], { type: "text/html" });
@@ -38,13 +41,13 @@ const value = (id: string): string => element(id, HTMLInputElement).value.trim()
 const text = (id: string): string => element(id).textContent?.trim() ?? "";
 
 const titleOf = (): string => {
-  const title = value("report-title") || "Comparison";
+  const title = value("report-title") || texts.report.comparison;
   return `${title}${value("report-part") === "" ? "" : `: ${value("report-part")}`}`;
 };
 
 function* sections(content: ReportContent) {
   const { views, places, verdict, files, faces, pins, tables, settings } = content;
-  yield make("p", [make("button", "Print, or save as PDF", { onclick: "print()" })], {
+  yield make("p", [make("button", texts.report.printOrSaveAsPDF, { onclick: "print()" })], {
     class: "screen",
   });
   const picture = logo();
@@ -53,15 +56,21 @@ function* sections(content: ReportContent) {
     ...(picture === undefined ? [] : [make("img", [], { src: picture, alt: "" })]),
   ]);
   yield terms([
-    ["Part", value("report-part")],
-    ["Operator", value("report-operator")],
-    ["Date", value("report-date") || new Date().toISOString().slice(0, 10)],
+    [texts.report.part, value("report-part")],
+    [texts.report.operator, value("report-operator")],
+    [texts.report.date, value("report-date") || new Date().toISOString().slice(0, 10)],
   ]);
   yield make(
     "section",
     [
       make("p", [
-        make("span", (verdict.verdict ?? "no verdict").toUpperCase(), { class: "badge" }),
+        make(
+          "span",
+          verdict.verdict === undefined
+            ? texts.report.noVerdict
+            : texts.results.verdicts[verdict.verdict],
+          { class: "badge" },
+        ),
         text("verdict"),
       ]),
       terms(verdict.terms),
@@ -70,11 +79,11 @@ function* sections(content: ReportContent) {
   );
   for (const { title, terms: of } of files) yield* [make("h2", title), terms(of)];
   if (hasSection("views")) {
-    yield make("h2", "Views");
+    yield make("h2", texts.report.views);
     for (const view of views) yield figure(view);
   }
   if (places.length > 0 && hasSection("places")) {
-    yield make("h2", "Worst places");
+    yield make("h2", texts.report.worstPlaces);
     yield make(
       "div",
       places.map(({ title, picture }) =>
@@ -85,24 +94,27 @@ function* sections(content: ReportContent) {
   }
   const legend = views.find((view) => view.legend !== undefined)?.legend;
   if (legend !== undefined && hasSection("histogram")) {
-    yield make("h2", "Deviation over the area (estimates)");
+    yield make("h2", texts.report.deviationOverTheAreaEstimates);
     const drawing = make("figure", [make("figcaption", legend.title)]);
     drawing.append(histogramDrawing(legend));
     yield* [drawing, element("statistics").cloneNode(true), make("p", text("beyond-limit"))];
   }
   if (faces.rows.length > 0 && hasSection("faces"))
-    yield* [make("h2", "Faces"), table(faces.head, faces.rows)];
+    yield* [make("h2", texts.report.faces), table(faces.head, faces.rows)];
   if (pins.length > 0 && hasSection("points")) {
-    yield* [make("h2", "Points"), table(["Point", "Place", "Deviation"], pins)];
+    yield* [
+      make("h2", texts.report.points),
+      table([texts.report.point, texts.report.place, texts.report.deviation], pins),
+    ];
   }
   for (const { title, head, rows } of hasSection("tables") ? tables : []) {
     yield* [make("h2", title), ...(rows.length > 0 ? [table(head, rows)] : [])];
   }
   if (hasSection("settings")) {
-    yield* [make("h2", "Settings"), terms(settings)];
-    yield* [make("h2", "Details"), element("facts").cloneNode(true)];
+    yield* [make("h2", texts.report.settings), terms(settings)];
+    yield* [make("h2", texts.report.details), element("facts").cloneNode(true)];
   }
-  yield make("footer", `Made by nurbs-hausdorff ${VERSION} · ${text("engine")}`);
+  yield make("footer", texts.report.madeBy(VERSION, text("engine")));
 }
 
 function figure({ title, picture, legend, section }: ReportView): HTMLElement {

@@ -1,8 +1,10 @@
 // What the user wants of the report: paper, logo, and what is in it. They are kept in this browser, as they are of a
 // workplace and not of a pair of models.
+
 import { effect, signal } from "@preact/signals-core";
 import { element } from "../../common/elements.ts";
 import { keep, kept } from "../../state/workplace.ts";
+import { texts } from "../../texts/index.ts";
 import { dataUrl } from "../download.ts";
 import type { Paper } from "./style.ts";
 
@@ -60,6 +62,6 @@ export function connectReportSettings(refuse: (why: string) => void): void {
     if (file === undefined) return;
     const isPicture = file.type.startsWith("image/");
     if (isPicture && file.size <= MAX_LOGO) picture.value = await dataUrl(file);
-    else refuse(`${file.name} is no picture of at most ${MAX_LOGO / 1000} kB.`);
+    else refuse(texts.report.isNoPictureOfAt(file.name, MAX_LOGO / 1000));
   });
 }

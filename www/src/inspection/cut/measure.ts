@@ -1,8 +1,10 @@
 // Measuring on the plot of a section: the deviation under the pointer, and the distance of two
 // points of the contours. Contours are those of the drawn triangles, so that numbers are estimates.
+
 import { element } from "../../common/elements.ts";
 import { distanceText, signedText } from "../../common/text/numbers.ts";
 import { commonUnit } from "../../files/units.ts";
+import { texts } from "../../texts/index.ts";
 import type { Side } from "../../worker/protocol.ts";
 import type { Piece, Vertex } from "./plot.ts";
 
@@ -120,13 +122,13 @@ function textOf(hovered: Picked | undefined, { names: [across, up], size }: Plot
   if (first !== undefined && second !== undefined) {
     const [dx, dy] = [second.x - first.x, second.y - first.y];
     const along = `${across} ${signedText(dx, size)}, ${up} ${signedText(dy, size)}`;
-    const sides = [first, second].map(({ side }) => side.toUpperCase()).join(" to ");
-    return `${measured(distanceText(Math.hypot(dx, dy), size))} from ${sides} (${along})`;
+    const sides = [first, second].map(({ side }) => side.toUpperCase()).join(texts.places.to);
+    return texts.places.from(measured(distanceText(Math.hypot(dx, dy), size)), sides, along);
   }
   const point = first ?? hovered;
-  if (point === undefined) return "Point at the contour; click two points for their distance.";
+  if (point === undefined) return texts.places.pointAtTheContourClick;
   const deviation = `${point.side.toUpperCase()} ${measured(signedText(point.deviation, size))}`;
-  return first === undefined ? deviation : `${deviation}; click a second point`;
+  return first === undefined ? deviation : texts.places.clickASecondPoint(deviation);
 }
 
 /** Pixels in a unit of the drawing. */

@@ -1,9 +1,11 @@
 // The deviation along a section: the cut of the painted models in its plane, and from it the
 // deviations, enlarged.
+
 import { Vector3 } from "three";
 import { element } from "../../common/elements.ts";
 import type { ColorScale } from "../../scene/colors/scale.ts";
 import type { Cut } from "../../scene/section.ts";
+import { texts } from "../../texts/index.ts";
 import type { MapDisplay } from "../../worker/map/display.ts";
 import { SIDES, type Side, type Sides } from "../../worker/protocol.ts";
 import { type AxisTexts, drawAxes } from "./axes.ts";
@@ -65,7 +67,7 @@ export function showCut(cut: CutModels | undefined): void {
   const drawing = document.createElementNS(SVG, "svg");
   const margin = UNIT * size * 2 ** factorInput.valueAsNumber;
   drawing.setAttribute("role", "img");
-  drawing.setAttribute("aria-label", "The section with its deviations enlarged");
+  drawing.setAttribute("aria-label", texts.places.theSectionWithItsDeviations);
   measureOn(drawing, pieces, { names: cut.cut.names, size });
   // Outwards is to the left along a piece, unless the plot shows the plane from behind.
   const facing = new Vector3().crossVectors(cut.cut.right, cut.cut.up);

@@ -1,10 +1,12 @@
 // Points of the models with their distances: the one under the pointer, and those pinned.
+
 import { Vector3 } from "three";
 import { element } from "../../common/elements.ts";
 import { distanceText, shownLength, signedText } from "../../common/text/numbers.ts";
 import { commonUnit } from "../../files/units.ts";
 import type { Viewport } from "../../scene/camera/viewport.ts";
 import type { Models } from "../../scene/models.ts";
+import { texts } from "../../texts/index.ts";
 import type { Probe } from "../../worker/protocol.ts";
 
 const layer = element("pins");
@@ -37,7 +39,7 @@ export class Pins {
     const remove = document.createElement("button");
     remove.type = "button";
     remove.textContent = "×";
-    remove.setAttribute("aria-label", "Remove the pinned point");
+    remove.setAttribute("aria-label", texts.places.removeThePinnedPoint);
     remove.addEventListener("click", () => {
       this.#pins = this.#pins.filter((pin) => pin.node !== node);
       node.remove();
@@ -91,12 +93,12 @@ function lines({ side, face, u, v, distance, signed, footFace, foot }: Probe, di
   const size = Number.isNaN(signed)
     ? distanceText(distance, diagonal)
     : signedText(signed, diagonal);
-  const texts = [
+  const said = [
     `${size}${unit === undefined ? "" : ` ${unit}`}`,
-    `${side.toUpperCase()} ${face} · u ${short(u)} · v ${short(v)}`,
-    `foot on ${other} ${footFace}: ${foot.map((at) => short(shownLength(at))).join(", ")}`,
+    texts.places.onFace(side.toUpperCase(), face, short(u), short(v)),
+    texts.places.footOn(other, footFace, foot.map((at) => short(shownLength(at))).join(", ")),
   ];
-  return texts.map((text) => {
+  return said.map((text) => {
     const line = document.createElement("span");
     line.textContent = text;
     return line;

@@ -1,6 +1,8 @@
 // The worst place of each face of the maps, the largest first.
+
 import type { FaceDifference } from "nurbs-hausdorff";
 import type { MeasuredFace } from "../../results/judgement.ts";
+import { texts } from "../../texts/index.ts";
 import type { MapDisplay } from "../../worker/map/display.ts";
 import type { DisplayModel, Side, Sides } from "../../worker/protocol.ts";
 import { SIDES } from "../../worker/protocol.ts";
@@ -29,16 +31,19 @@ export function placesOf(maps: Sides<MapDisplay>, models: Sides<DisplayModel>): 
 
 function byFace(map: MapDisplay, side: Side, names: readonly string[]): Map<number, Place> {
   const places = new Map<number, Place>();
+  // Triangles of a face follow each other.
+  let place: Place | undefined;
   const { indices, faces, distances, signed, slacks } = map;
   // A scan is one face.
   const count = indices.length > 0 ? indices.length : distances.length;
   for (let corner = 0; corner < count; corner++) {
     const vertex = indices.length > 0 ? (indices[corner] ?? 0) : corner;
     const face = faces[Math.floor(corner / 3)] ?? 0;
-    const [distance, value] = [distances[vertex] ?? 0, signed[vertex] ?? Number.NaN];
-    let place = places.get(face);
+    const distance = distances[vertex] ?? 0;
+    const value = signed[vertex] ?? Number.NaN;
+    if (place?.face !== face) place = places.get(face);
     if (place === undefined) {
-      const name = names[face] ?? `face ${face}`;
+      const name = names[face] ?? texts.places.faceNumber(face);
       const sign = Number.isNaN(value) ? 0 : value;
       const found = { vertex, distance, signed: value, lowest: sign, highest: sign };
       place = { side, face, name, ...found, sure: { lowest: 0, highest: 0, distance: 0 } };
@@ -46,13 +51,15 @@ function byFace(map: MapDisplay, side: Side, names: readonly string[]): Map<numb
     }
     const { sure } = place;
     const slack = slacks[vertex] ?? 0;
-    sure.distance = Math.max(sure.distance, distance - slack);
+    if (distance - slack > sure.distance) sure.distance = distance - slack;
     if (value + slack < sure.lowest) sure.lowest = value + slack;
     if (value - slack > sure.highest) sure.highest = value - slack;
     if (value < place.lowest) place.lowest = value;
     if (value > place.highest) place.highest = value;
     if (distance <= place.distance) continue;
-    Object.assign(place, { vertex, distance, signed: value });
+    place.vertex = vertex;
+    place.distance = distance;
+    place.signed = value;
   }
   return places;
 }

@@ -1,6 +1,8 @@
 // A cube in the corner of the view, seen as the camera sees the models: each side shows a
 // standard view when it is pressed. The axes start at its corner.
+
 import { type Camera, Vector3 } from "three";
+import { texts } from "../../texts/index.ts";
 import { STANDARD_VIEWS, type StandardView } from "./standardViews.ts";
 
 /** Half a side of the cube in the drawing, the length of an axis, and the place of its letter. */
@@ -22,10 +24,10 @@ export class ViewCube {
     this.#sides = SIDES.map((view) => {
       const node = svg("polygon");
       const text = svg("text");
-      text.textContent = view;
+      text.textContent = texts.places.sides[view];
       node.setAttribute("role", "button");
       node.setAttribute("tabindex", "0");
-      node.setAttribute("aria-label", `View from ${view}`);
+      node.setAttribute("aria-label", texts.places.viewFrom(texts.places.sides[view]));
       node.addEventListener("click", () => onLook(view));
       node.addEventListener("keydown", (event) => {
         if (event.key !== "Enter" && event.key !== " ") return;

@@ -63,3 +63,17 @@ function forgetBounds(geometry: BufferGeometry): void {
   geometry.boundingBox = null;
   geometry.boundingSphere = null;
 }
+
+/** The face that a triangle is of, by the ranges of indices that faces have in order. O(log n). */
+export function faceOfTriangle(
+  triangle: number,
+  ranges: readonly { firstIndex: number; indexCount: number }[],
+): number {
+  let [low, high] = [0, ranges.length - 1];
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if ((ranges[middle]?.firstIndex ?? 0) <= 3 * triangle) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}

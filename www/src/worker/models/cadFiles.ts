@@ -1,6 +1,8 @@
 // CAD files, and the notes while a library is fetched that one of them needs.
+
 import type { FaceDraft } from "nurbs-hausdorff/cad";
 import type { Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
+import { texts } from "../../texts/index.ts";
 
 /** Reads a model from a file's bytes; the name is for errors, the unit for a file that states none. */
 export type FileReader = (
@@ -10,8 +12,8 @@ export type FileReader = (
 ) => Promise<NurbsModel>;
 
 const NOTES = {
-  occt: "loading OpenCASCADE (5 MB)…",
-  rhino: "loading rhino3dm (1 MB)…",
+  occt: texts.files.loadingOpenCascade,
+  rhino: texts.files.loadingRhino,
 };
 
 /** Returns the reader of files, which announces the library that it fetches. */

@@ -3,6 +3,7 @@
 import { meshFormatOf } from "nurbs-hausdorff/cad";
 import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff/worker";
 import { example } from "../../examples/index.ts";
+import { texts } from "../../texts/index.ts";
 import { faceName } from "../probe.ts";
 import {
   type DisplayModel,
@@ -89,7 +90,9 @@ async function displayOf(source: Source, model: NurbsModel): Promise<DisplayMode
 /** A face by its name; the groups of a mesh and the points of a scan are no faces. */
 function listedName(model: NurbsModel, face: number): string {
   if (!isMesh(model)) return faceName(model, face);
-  return model.faceName(face) ?? (model.faceCount === 1 ? "all of it" : `group ${face}`);
+  return (
+    model.faceName(face) ?? (model.faceCount === 1 ? texts.files.allOfIt : texts.files.group(face))
+  );
 }
 
 /** The colours of the faces; none at all if no face has one. */

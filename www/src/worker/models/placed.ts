@@ -1,8 +1,10 @@
 // A model where the user moved it: read again, as instances by its motion, for what takes no motion.
+
 import type { InterchangeModel, Transform } from "nurbs-hausdorff";
 import { convertCad, meshFormatOf } from "nurbs-hausdorff/cad";
 import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff/worker";
 import { example } from "../../examples/index.ts";
+import { texts } from "../../texts/index.ts";
 import type { Source } from "../protocol.ts";
 import { moved } from "../rigid.ts";
 
@@ -50,10 +52,7 @@ async function interchangeOf(source: Source): Promise<InterchangeModel> {
 }
 
 const notPlaced = (name: string): HausdorffError =>
-  new HausdorffError(
-    "OPTION_INVALID",
-    `${name} was moved, and only exact CAD is checked where it was moved to: undo that, or check A and B each alone`,
-  );
+  new HausdorffError("OPTION_INVALID", texts.files.movedMeshNotChecked(name));
 
 /** A motion as a row-major 3x4 matrix: its columns are where the axes go to. */
 function matrixOf(transform: Transform): number[] {

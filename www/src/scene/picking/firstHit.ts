@@ -1,8 +1,8 @@
 // What is seen at a position in the window: the model that the view's ray hits first.
 import type { Intersection, Plane } from "three";
-import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
-import type { Viewport } from "./camera/viewport.ts";
-import type { ModelMesh } from "./mesh.ts";
+import { SIDES, type Side, type Sides } from "../../worker/protocol.ts";
+import type { Viewport } from "../camera/viewport.ts";
+import type { ModelMesh } from "../mesh.ts";
 
 export interface FirstHit {
   side: Side;
@@ -22,10 +22,15 @@ export function firstHit(
     (side) => meshes[side]?.group.visible && (alone === undefined || alone === side),
   );
   const targets = visible.flatMap((side) => meshes[side]?.target ?? []);
+  const sideOf = (object: unknown) => visible.find((side) => meshes[side]?.target === object);
+  const isDrawn = (hit: Intersection) => {
+    const mesh = meshes[sideOf(hit.object) ?? "a"];
+    return mesh?.draws(mesh.faceHit(hit)) ?? false;
+  };
   const hits = viewport
     .hits(clientX, clientY, targets)
-    .filter(({ point }) => planes.every((plane) => plane.distanceToPoint(point) >= 0));
-  const sideOf = (object: unknown) => visible.find((side) => meshes[side]?.target === object);
+    .filter(({ point }) => planes.every((plane) => plane.distanceToPoint(point) >= 0))
+    .filter(isDrawn);
   // What is seen through is meant only where nothing else is.
   const hit =
     hits.find(({ object }) => meshes[sideOf(object) ?? "a"]?.visibility === "solid") ?? hits[0];

@@ -1,0 +1,43 @@
+// The pages of experiments and of the deforming sheet.
+
+export const experiments = {
+  upperBound: "upper bound",
+  lowerBound: "lower bound",
+  aFrame: "a frame",
+  continue: "Continue",
+  pause: "Pause",
+  noFile: "no file",
+  firstSurface: ", first surface",
+  inPlaceOf: (title: string, substituteFor: string) =>
+    `${title}, in place of ${substituteFor}.json`,
+  openAFileAsA: "Open a file as A or B first.",
+  loadingTheModels: "loading the models",
+  at: (name: string, position: string) => `${name} at ${position}`,
+  leftOut: (reason: string) => `left out: ${reason}`,
+  theFirst: "the first: ",
+  intervalWiderThanTheTolerance: (wide: string) =>
+    `interval wider than the tolerance ${wide}: time limit`,
+  atPositions: (points: number) => `at ${points} positions`,
+  atThese: (points: string) => `at ${points}`,
+  modelUnits: "model units",
+  upper: ": upper",
+  lower: ": lower",
+  positionOfA: "position of A’s centre relative to B’s, model units",
+  paper2012None: "2012 paper: none",
+  paper2012Loose: "2012 paper: loose",
+  paper2012Tight: "2012 paper: tight",
+  hierarchyFiner: "hierarchy: finer",
+  iterationNone: "iteration: none",
+  iterationTight: "iteration: tight",
+  ownFilesChosenBelow: "Own files (chosen below)",
+  forTwoModels: (kind: string) => `${kind} for two models`,
+  exceededTheTimeLimitOf: (limit: number) => `exceeded the time limit of ${limit} s per run`,
+  patchesNotCounted: (message: string) => `the patches of B could not be counted: ${message}`,
+  samplesOnPatches: (all: string, value: string) => `${all} samples on ${value} patches`,
+  orMoreTooSlowFor: (found: string) => `${found} or more: too slow for a sweep`,
+  tooSlowExceptAtThe: (found: string) => `${found}: too slow except at the middle position`,
+  states: {
+    ...{ ready: "ready", stopping: "stopping", done: "done", stopped: "stopped", failed: "failed" },
+  },
+  seconds: "seconds",
+};

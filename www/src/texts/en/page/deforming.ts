@@ -1,0 +1,38 @@
+// The page of the deforming sheet.
+
+export const deforming = {
+  distanceOfADeformingSurface: "Distance of a deforming surface",
+  theSheetThePartAnd:
+    "The sheet, the part, and an arrow from the sheet’s farthest point to its closest point of the part",
+  distanceFromTheSheetTo: "Distance from the sheet to the part, upper and lower bound",
+  millisecondsAFrame: "Milliseconds a frame",
+  sheetPartAndMethod: "Sheet, part and method",
+  aWaveRunsThroughThe: "A wave runs through the sheet",
+  thePart: "; the part",
+  stays: "stays ·",
+  twoModels: "two models",
+  experiments: "experiments",
+  results: "Results",
+  pause: "Pause",
+  directedDistance: "directed distance",
+  resultsASecond: "results a second",
+  aFrameTakes: "a frame takes",
+  settings: "Settings",
+  sheet: "Sheet",
+  of14x13ControlPoints: "14 × 13 control points",
+  of40ControlPoints: "40 × 40 control points",
+  of100ControlPoints: "100 × 100 control points",
+  part: "Part",
+  torus: "torus",
+  sphere: "sphere",
+  method: "Method",
+  certified: "certified",
+  hierarchyOfBoxes: "hierarchy of boxes",
+  tolerance: "Tolerance",
+  of1em2OfTheDiagonal: "1e-2 of the diagonal",
+  of1em3OfTheDiagonal: "1e-3 of the diagonal",
+  of1em4OfTheDiagonal: "1e-4 of the diagonal",
+  of1em6OfTheDiagonal: "1e-6 of the diagonal",
+  everyFrameGivesTheSheet:
+    "Every frame gives the sheet new control points, keeps its cuts and trees, and computes the distance in a worker. The next frame begins when the result is there.",
+};
