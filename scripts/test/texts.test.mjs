@@ -27,7 +27,6 @@ const CODE = [
   [/^common\/drop\.ts$/, /^Files$/],
   // Units are the same in all languages.
   [/./, /^ (s|ms|m)$/],
-  [/^inspection\/legend\.ts$/, /^(allowed|least|most) $/],
 ];
 
 /** Whether a text has two words, a capital word, or a word before a mark: names in code have none of these. */

@@ -3,6 +3,7 @@
 import { element } from "../common/elements.ts";
 import { distanceText, signedText } from "../common/text/numbers.ts";
 import type { Allowed, ColorScale } from "../scene/colors/scale.ts";
+import { texts } from "../texts/index.ts";
 import type { Distribution } from "../worker/map/distribution.ts";
 import { BINS, binsOf, histogram } from "./histogram.ts";
 
@@ -67,18 +68,19 @@ function stopsOf(scale: ColorScale): string {
 export function ticksOf({ scale, absolute, allowed, lowest, highest, diagonal }: Legend): Tick[] {
   const text = (value: number) =>
     value === 0 || absolute ? distanceText(value, diagonal) : signedText(value, diagonal);
-  const tick = (kind: Tick["kind"], value: number, prefix = ""): Tick => ({
+  const tick = (kind: Tick["kind"], value: number, named = (shown: string) => shown): Tick => ({
     ...{ kind, value },
-    text: `${prefix}${text(value)}`,
+    text: named(text(value)),
   });
+  const { allowedAt, leastAt, mostAt } = texts.places;
   const limits =
     allowed === undefined ? [] : [allowed.above, ...(absolute ? [] : [-allowed.below])];
   const all = [
     tick("end", scale.high),
     tick("end", scale.low),
-    ...limits.map((value) => tick("allowed", value, "allowed ")),
-    ...(absolute ? [] : [tick("extreme", lowest, "least ")]),
-    tick("extreme", highest, "most "),
+    ...limits.map((value) => tick("allowed", value, allowedAt)),
+    ...(absolute ? [] : [tick("extreme", lowest, leastAt)]),
+    tick("extreme", highest, mostAt),
     tick("zero", 0),
   ];
   const width = scale.high - scale.low;
