@@ -72,15 +72,14 @@ export function ticksOf({ scale, absolute, allowed, lowest, highest, diagonal }:
     ...{ kind, value },
     text: named(text(value)),
   });
-  const { allowedAt, leastAt, mostAt } = texts.places;
   const limits =
     allowed === undefined ? [] : [allowed.above, ...(absolute ? [] : [-allowed.below])];
   const all = [
     tick("end", scale.high),
     tick("end", scale.low),
-    ...limits.map((value) => tick("allowed", value, allowedAt)),
-    ...(absolute ? [] : [tick("extreme", lowest, leastAt)]),
-    tick("extreme", highest, mostAt),
+    ...limits.map((value) => tick("allowed", value, texts.places.allowedAt)),
+    ...(absolute ? [] : [tick("extreme", lowest, texts.places.leastAt)]),
+    tick("extreme", highest, texts.places.mostAt),
     tick("zero", 0),
   ];
   const width = scale.high - scale.low;
