@@ -32,7 +32,7 @@ impl Engine {
                     let _ = on_coarse.call1(&JsValue::UNDEFINED, &maps);
                 }
             };
-            maps(&engine.deviation_maps_told(&a, &b, &options?, tell).monitored(monitor).await?)
+            maps(&engine.deviation_maps_with_coarse(&a, &b, &options?, tell).monitored(monitor).await?)
         })
     }
 }

@@ -73,22 +73,22 @@ impl Engine {
         b: &'a PreparedModel,
         options: &'a DeviationMapOptions,
     ) -> Computation<'a, DeviationMaps> {
-        self.deviation_maps_told(a, b, options, |_| {})
+        self.deviation_maps_with_coarse(a, b, options, |_| {})
     }
 
-    /// As [`Self::deviation_maps`]; calls the function with the maps before their triangles are split, if they
+    /// As [`Self::deviation_maps`]; calls `on_coarse` with the maps before their triangles are split, if they
     /// will be.
-    pub(crate) fn deviation_maps_told<'a>(
+    pub(crate) fn deviation_maps_with_coarse<'a>(
         &'a self,
         a: &'a PreparedModel,
         b: &'a PreparedModel,
         options: &'a DeviationMapOptions,
-        mut told: impl FnMut(DeviationMaps) + MaybeSend + 'a,
+        mut on_coarse: impl FnMut(DeviationMaps) + MaybeSend + 'a,
     ) -> Computation<'a, DeviationMaps> {
         Computation::new(move |mut watched| {
             Box::pin(async move {
                 let pair = MapPair::new(a, b, options.transform, options.scale_units)?;
-                self.maps_of(&pair, options, &mut told, watched.monitor()).await
+                self.maps_of(&pair, options, &mut on_coarse, watched.monitor()).await
             })
         })
     }
@@ -97,7 +97,7 @@ impl Engine {
         &self,
         pair: &MapPair<'_>,
         options: &DeviationMapOptions,
-        told: &mut (impl FnMut(DeviationMaps) + MaybeSend),
+        on_coarse: &mut (impl FnMut(DeviationMaps) + MaybeSend),
         monitor: &mut dyn Monitor,
     ) -> Result<DeviationMaps> {
         options.validate()?;
@@ -121,7 +121,7 @@ impl Engine {
             search.builder.refine();
         }
         if searches.iter().any(|(_, search)| !search.builder.pending().is_empty()) {
-            told(maps(&searches));
+            on_coarse(maps(&searches));
             for (index, (_, search)) in searches.iter_mut().enumerate() {
                 let begin = BASE_PART + (1.0 - BASE_PART) * index as f64 / count;
                 search

@@ -106,8 +106,14 @@ impl Crossing {
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
+    use crate::bezier::extract;
+    use crate::overlap::BoundarySide;
+    use crate::overlap::piece::Patches;
+    use crate::shapes;
+    use glam::DVec3;
 
     fn crossing(middle: f64, slopes: [f64; 2], levels: [f64; 2]) -> Crossing {
         Crossing { height: Affine { middle, slopes }, levels, is_inside: [Some(true), Some(false)] }
@@ -123,9 +129,47 @@ mod tests {
         assert!(!across.is_one_part());
         assert!(crossing(2.0, [2.0, 1.0], [0.25, -1.25]).is_one_part());
         assert!(crossing(-3.0, [2.0, 1.0], [0.25, -1.25]).is_one_part());
+        // Beyond a level by no more than rounding may have made.
+        assert_eq!(crossing(0.0, [2.0, 1.0], [1.5 - 1e-15, -1.5 + 1e-15]).corners(), [None; 2]);
         // On a level, and where it is not told from it.
         assert_eq!(crossing(0.0, [2.0, 1.0], [1.5, -1.5 - 1e-17]).corners(), [None; 2]);
         assert_eq!(crossing(f64::NAN, [2.0, 1.0], [0.0; 2]).corners(), [None; 2]);
+    }
+
+    /// A function that bends over a piece: corners count as above a value, and below one, only where all of the piece
+    /// from there to the line is.
+    #[test]
+    fn parts_leave_out_what_the_function_differs_by() {
+        let ball = |radius: f64| {
+            let model = shapes::sphere(DVec3::ZERO, radius).unwrap();
+            Patches::new(&extract(&model).patches, std::iter::empty(), None, |_| BoundarySide::Outward)
+        };
+        let (on, through) = (ball(2.0), ball(1.0));
+        let mut bent = 0;
+        for (whole, other) in on.faces().zip(through.faces()) {
+            let near = (whole, &whole.root);
+            let level = Level::around(&[near], (other, &other.root), None).unwrap();
+            let piece = &whole.halves(&whole.root).unwrap()[0];
+            // A sphere has one value on its own carrier: its affine function is it, up to rounding.
+            let own = Crossing::new(&level.form(whole, piece), [1e-6, -1e-6]);
+            assert_eq!(own.corners(), [None; 2]);
+            let turned = ball(2.0).moved_by(DVec3::new(0.5, 0.25, 0.125));
+            for whole in turned.faces() {
+                let form = level.form(whole, &whole.root);
+                let (function, [low, high]) = form.affine();
+                let crossing = Crossing::new(&form, [0.0, 0.0]);
+                for (corner, place) in CORNERS.into_iter().enumerate() {
+                    let value = function.at(place);
+                    bent += usize::from(value.abs() > 1e-9 && value + low < 0.0 && value + high > 0.0);
+                    match crossing.part(corner) {
+                        Some(0) => assert!(value + low > 0.0, "{value} {low}"),
+                        Some(_) => assert!(value + high < 0.0, "{value} {high}"),
+                        None => {}
+                    }
+                }
+            }
+        }
+        assert!(bent > 10, "{bent} corners are near");
     }
 
     #[test]
@@ -177,6 +221,10 @@ mod tests {
         close(found, [0.25 - 0.25 * variation, 0.25 + 0.25 * variation]);
         let found = crossing(0.0, [2.0, 0.0], [-0.5, -0.5]).inner(&slopes, &weight, cone, 0.0);
         close(found, [0.75 - 0.25 * variation, 0.75 + 0.25 * variation]);
+        // A part of which it is not known whether it is inside has any of what it may have.
+        let unknown = Crossing { is_inside: [None, Some(false)], ..crossing(0.0, [2.0, 0.0], [0.5, 0.5]) };
+        let found = unknown.inner(&slopes, &weight, cone, 0.0);
+        close(found, [0.0, 0.25 + 0.25 * variation]);
         // Moved by 0.01, with borders of at most 2 about each of the three parts: 3 (1 + 3 · 2 / 3) / 100.
         let found = crossing(0.0, [2.0, 0.0], [0.5, 0.5]).inner(&slopes, &weight, cone, 0.01);
         close(found, [0.25 - 0.25 * variation - 0.09, 0.25 + 0.25 * variation + 0.09]);

@@ -94,3 +94,41 @@ fn moved_part(first: &PlacedSolid, partners: &Partners, diagonal: f64) -> f64 {
     let sum: f64 = paired.map(|(_, whole)| change(whole.root.radius)).sum();
     if sum > first.area { first.area / sum } else { 1.0 }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::super::solid::Known;
+    use super::*;
+    use crate::bezier::{PointError, extract};
+    use crate::facts::Interval;
+    use crate::shapes::cuboid;
+
+    fn placed(corner: [f64; 3], size: [f64; 3]) -> PlacedSolid {
+        let [x, y, z] = size;
+        let known = Known {
+            volume: Interval::exactly(x * y * z),
+            area: Interval::exactly(2.0 * (x * y + y * z + z * x)),
+            cracks: 0.0,
+            point_error: PointError::default(),
+            deviation: 0.0,
+            rounding: 0.0,
+        };
+        let patches = extract(&cuboid(corner, size).unwrap()).patches;
+        PlacedSolid::new(&patches, std::iter::empty(), None, |_| BoundarySide::Outward, known)
+    }
+
+    /// Lemma O4, nearly attained: a thin plate that a plane halves moves by v across it, so that v times its face
+    /// changes sides, and its whole area is little more than twice that.
+    #[test]
+    fn the_volume_in_common_of_a_plate_changes_by_nearly_all_of_the_bound() {
+        let plate = placed([0.0; 3], [1.0, 1.0, 0.01]);
+        let block = placed([-1.0, -1.0, 0.005], [3.0; 3]);
+        let pair = Pair::new([plate, block], 1e-3, false);
+        assert_eq!((pair.shift, pair.change), (DVec3::ZERO, 0.0));
+        let length = 0.004;
+        let Pair { change, shift, .. } = pair.shifted(length * DVec3::Z, 1e-9);
+        assert_eq!(shift, length * DVec3::Z);
+        assert!(change >= length && change <= 1.03 * length, "{change}");
+    }
+}

@@ -138,6 +138,55 @@ mod tests {
     use glam::DVec3;
     use std::cell::Cell;
 
+    fn patches(model: &crate::model::Model) -> Patches {
+        Patches::new(&extract(model).patches, std::iter::empty(), None, |_| BoundarySide::Outward)
+    }
+
+    /// A patch and it moved: all points have the distance of the motion.
+    #[test]
+    fn the_distance_of_a_patch_that_moved_is_that_of_the_motion() {
+        let ball = sphere(DVec3::ZERO, 1.0).unwrap();
+        let vector = DVec3::new(3e-9, -2e-9, 6e-9);
+        let (a, b) = (patches(&ball), patches(&ball).moved_by(vector));
+        for (one, other) in a.faces().zip(b.faces()) {
+            let found = distance(one, other).unwrap();
+            assert!(found >= 7e-9 * (1.0 - 1e-6) && found <= 7e-9 * (1.0 + 1e-5), "{found}");
+        }
+    }
+
+    /// One weight of a patch in another proportion moves points, and no more than is added for it: the middle of a
+    /// quarter of a circle about its control point, which has the weight cos 45°.
+    #[test]
+    fn weights_in_other_proportions_count_in_the_distance() {
+        let ball = sphere(DVec3::ZERO, 1.0).unwrap();
+        let a = patches(&ball);
+        let mut b = patches(&ball);
+        let change = 8e-12;
+        let mut found = 0.0_f64;
+        for (one, other) in a.faces().zip(&mut b.wholes) {
+            let [p, q] = one.degree();
+            let place = (p / 2) * (q + 1) + q / 2;
+            // The point stays where it is, and counts more.
+            other.root.controls[place] *= 1.0 + change;
+            let same = distance(one, one).unwrap();
+            let bound = distance(one, other).unwrap();
+            let share = |controls: &[DVec4]| {
+                // Of the middle of the square.
+                let basis =
+                    |degree: usize, k: usize| crate::bezier::binomials(degree)[k] / (1_u64 << degree) as f64;
+                let at = |(index, control): (usize, &DVec4)| {
+                    basis(p, index / (q + 1)) * basis(q, index % (q + 1)) * *control
+                };
+                let sum: DVec4 = controls.iter().enumerate().map(at).sum();
+                sum.xyz() / sum.w
+            };
+            let moved = share(&one.root.controls).distance(share(&other.root.controls));
+            assert!(bound - same >= moved, "{bound} {moved}");
+            found = found.max(moved);
+        }
+        assert!(found > 0.05 * change, "{found}");
+    }
+
     /// Lemma O2 states the sum of two patches: one that counts half must not meet one that counts whole.
     #[test]
     fn a_pair_is_kept_only_if_both_of_its_patches_are() {
