@@ -110,8 +110,10 @@ test("two points that are clicked are measured, with the angle of their faces", 
   assert.match(await text("#measure-text"), /first point/);
   const { x, y, width, height } = await page.locator("#canvas").boundingBox();
   await page.mouse.click(x + 0.5 * width, y + 0.55 * height);
-  assert.match(await text("#measure-text"), /second point/);
+  const says = (what) => page.locator("#measure-text").filter({ hasText: what }).waitFor();
+  await says(/second point/);
   await page.mouse.click(x + 0.6 * width, y + 0.55 * height);
+  await says(/^≈/);
   const [, length, across, along, up, angle] =
     /^≈ ([\d.]+) \S.* · x ([+−][\d.]+) · y ([+−][\d.]+) · z ([+−][\d.]+) · .* ([\d.]+)°/.exec(
       await text("#measure-text"),
