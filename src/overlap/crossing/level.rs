@@ -126,24 +126,6 @@ mod tests {
         }
     }
 
-    /// About a piece smaller than the margin f is steeper farther out: at the margin above the sphere it has all but a
-    /// part of the level that falls with the piece.
-    #[test]
-    fn the_level_of_a_small_piece_is_attained_at_the_margin() {
-        let patches = ball(2.0);
-        let margin = 0.25;
-        for (whole, inner) in patches.faces().zip(ball(1.9).faces()) {
-            let mut piece = &whole.root;
-            while piece.radius > 1e-3 {
-                piece = whole.halves(piece).unwrap()[0];
-            }
-            let level = Level::around(&[(whole, piece)], (inner, &inner.root), None).unwrap();
-            let [above, _] = level.levels(piece, margin);
-            let value = level.carrier.at(piece.middle.normalize() * (2.0 + margin));
-            assert!(value < above && value > 0.85 * above, "{value} {above}");
-        }
-    }
-
     /// The level of a part is that of the whole where it fits well, and another one where it does not.
     #[test]
     fn a_level_that_fits_is_kept() {

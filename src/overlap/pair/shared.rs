@@ -150,7 +150,7 @@ mod tests {
         let (a, b) = (patches(&ball), patches(&ball).moved_by(vector));
         for (one, other) in a.faces().zip(b.faces()) {
             let found = distance(one, other).unwrap();
-            assert!(found >= 7e-9 * (1.0 - 1e-6) && found <= 7e-9 * (1.0 + 1e-5), "{found}");
+            assert!((7e-9 * (1.0 - 1e-6)..7e-9 * (1.0 + 1e-5)).contains(&found), "{found}");
         }
     }
 
