@@ -1,14 +1,10 @@
-// Texts at points of the models: in a control of the form, so that links, undoing and kept files hold them.
-import { computed } from "@preact/signals-core";
+// Texts at points of the models, in a list that links, undoing and kept files hold.
 import type { Vector3 } from "nurbs-hausdorff";
-import { field } from "../state/store.ts";
+import { keptList, short } from "../state/keptList.ts";
 import { SIDES, type Side } from "../worker/protocol.ts";
 
-/** The longest text, and the most annotations: a link holds them. */
+/** The longest text: a link holds it. */
 export const MAX_TEXT = 300;
-const MAX_COUNT = 60;
-/** Significant digits of a point. */
-const DIGITS = 9;
 
 export interface Annotation {
   side: Side;
@@ -18,18 +14,13 @@ export interface Annotation {
   text: string;
 }
 
-const state = field("annotations");
+const list = keptList("annotations", rowOf, annotationOf);
 
 /** All annotations, in the order in which they were made: their numbers are from 1. */
-export const annotations = computed((): readonly Annotation[] => parsed(state.value));
+export const annotations = list.all;
 
 /** Adds an annotation, and returns its index; undefined where there is no room for another one. */
-export function addAnnotation(annotation: Annotation): number | undefined {
-  const all = annotations.peek();
-  if (all.length >= MAX_COUNT) return undefined;
-  write([...all, annotation]);
-  return all.length;
-}
+export const addAnnotation = list.add;
 
 /** Changes the text of an annotation; one without a text is removed. */
 export function setAnnotationText(index: number, text: string): void {
@@ -39,40 +30,23 @@ export function setAnnotationText(index: number, text: string): void {
   if (own === undefined) return;
   if (cut === "") all.splice(index, 1);
   else all[index] = { ...own, text: cut };
-  write(all);
+  list.write(all);
 }
 
 export const removeAnnotation = (index: number): void => setAnnotationText(index, "");
 
 /** Removes all of them: the models are new. */
-export const clearAnnotations = (): void => state.set("");
+export const clearAnnotations = (): void => list.write([]);
 
-function write(all: readonly Annotation[]): void {
-  const rows = all.map(({ side, face, point, text }) => [
-    ...[side, face, ...point.map((at) => Number(at.toPrecision(DIGITS)))],
-    text,
-  ]);
-  state.set(rows.length === 0 ? "" : JSON.stringify(rows));
+function rowOf({ side, face, point, text }: Annotation): unknown[] {
+  return [side, face, ...point.map(short), text];
 }
 
-/** What a link says, which may be anything. */
-function parsed(text: string): Annotation[] {
-  if (text === "") return [];
-  let rows: unknown;
-  try {
-    rows = JSON.parse(text);
-  } catch {
-    return [];
-  }
-  return Array.isArray(rows) ? rows.slice(0, MAX_COUNT).flatMap(annotationOf) : [];
-}
-
-function annotationOf(row: unknown): Annotation[] {
-  if (!Array.isArray(row)) return [];
-  const [side, face, x, y, z, text] = row as unknown[];
+function annotationOf(row: readonly unknown[]): Annotation | undefined {
+  const [side, face, x, y, z, text] = row;
   const isPoint = [face, x, y, z].every((value) => Number.isFinite(value));
   const isKnown = SIDES.some((one) => one === side);
-  if (!isPoint || !isKnown || typeof text !== "string" || text.trim() === "") return [];
+  if (!isPoint || !isKnown || typeof text !== "string" || text.trim() === "") return undefined;
   const point = [x, y, z] as unknown as Vector3;
-  return [{ side: side as Side, face: Number(face), point, text: text.slice(0, MAX_TEXT) }];
+  return { side: side as Side, face: Number(face), point, text: text.slice(0, MAX_TEXT) };
 }

@@ -31,7 +31,7 @@ export function annotationTool({ hit, take, begin }: ToolListener): PickingTool 
     },
     click: (x, y) => {
       const found = hit(x, y);
-      // A click beside the models is none of them.
+      // A click that hits no model annotates nothing.
       if (found === undefined) return;
       tool.end();
       begin(found);

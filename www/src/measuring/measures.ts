@@ -1,14 +1,8 @@
-// What was measured in the view: in a control of the form, so that links, undoing and kept files hold it. Kept is
-// what was picked; numbers follow from the models as they stand.
-import { computed } from "@preact/signals-core";
+// What was measured in the view, in a list that links, undoing and kept files hold. Kept is what was picked; numbers
+// follow from the models as they stand.
 import type { Vector3 } from "nurbs-hausdorff";
-import { field } from "../state/store.ts";
+import { keptList, short } from "../state/keptList.ts";
 import { SIDES, type Side } from "../worker/protocol.ts";
-
-/** The most measurements: a link holds them. */
-const MAX_COUNT = 60;
-/** Significant digits of a point and of a normal. */
-const DIGITS = 9;
 
 /** A place of a model, in the model's own coordinates: it moves with the model. */
 export interface Place {
@@ -27,56 +21,33 @@ export type Measure =
   | { what: "points"; places: readonly [Place, Place] }
   | { what: "radius" | "circle" | "edge"; places: readonly [Place] };
 
-const state = field("measures");
+const list = keptList("measures", rowOf, measureOf);
 
 /** All of them, in the order in which they were made: their numbers are from 1. */
-export const measures = computed((): readonly Measure[] => parsed(state.value));
+export const measures = list.all;
 
-/** Adds one, and returns whether there was room for it. */
-export function addMeasure(measure: Measure): boolean {
-  const all = measures.peek();
-  if (all.length >= MAX_COUNT) return false;
-  write([...all, measure]);
-  return true;
-}
+/** Adds one, and returns its index; undefined where there is no room for it. */
+export const addMeasure = list.add;
 
 export const removeMeasure = (index: number): void =>
-  write(measures.peek().filter((_, at) => at !== index));
+  list.write(measures.peek().filter((_, at) => at !== index));
 
 /** Removes all of them: the models are new. */
-export const clearMeasures = (): void => state.set("");
+export const clearMeasures = (): void => list.write([]);
 
-function write(all: readonly Measure[]): void {
-  const short = (value: number) => Number(value.toPrecision(DIGITS));
-  const rows = all.map(({ what, places }) => [
-    what,
-    ...places.map(({ side, face, point, normal }) => [
-      ...[side, face, ...point.map(short), ...normal.map(short)],
-    ]),
-  ]);
-  state.set(rows.length === 0 ? "" : JSON.stringify(rows));
+function rowOf({ what, places }: Measure): unknown[] {
+  const placed = ({ side, face, point, normal }: Place) => [
+    ...[side, face, ...point.map(short), ...normal.map(short)],
+  ];
+  return [what, ...places.map(placed)];
 }
 
-/** What a link says, which may be anything. */
-function parsed(text: string): Measure[] {
-  if (text === "") return [];
-  let rows: unknown;
-  try {
-    rows = JSON.parse(text);
-  } catch {
-    return [];
-  }
-  return Array.isArray(rows) ? rows.slice(0, MAX_COUNT).flatMap(measureOf) : [];
-}
-
-function measureOf(row: unknown): Measure[] {
-  if (!Array.isArray(row)) return [];
-  const [what, ...rest] = row as unknown[];
+function measureOf([what, ...rest]: readonly unknown[]): Measure | undefined {
   const [first, second] = rest.map(placeOf);
-  if (first === undefined) return [];
-  if (what === "points") return second === undefined ? [] : [{ what, places: [first, second] }];
+  if (first === undefined) return undefined;
+  if (what === "points") return second && { what, places: [first, second] };
   const isKnown = what === "radius" || what === "circle" || what === "edge";
-  return isKnown && rest.length === 1 ? [{ what, places: [first] }] : [];
+  return isKnown && rest.length === 1 ? { what, places: [first] } : undefined;
 }
 
 /** The numbers of a place: its face, its point and its normal. */

@@ -67,7 +67,7 @@ export class Measuring {
 
   #click(x: number, y: number): void {
     const hit = this.#view.hit(x, y);
-    // A click beside the models is none of them.
+    // A click that hits no model measures nothing.
     if (hit === undefined) return;
     const place: Place = {
       ...{ side: hit.side, face: hit.face, point: hit.near, normal: hit.normal },
@@ -104,7 +104,8 @@ export class Measuring {
       return;
     }
     showValue(this.#view, value);
-    text.textContent = addMeasure(measure) ? value.text : `${value.text} ${own.full}`;
+    const isFull = addMeasure(measure) === undefined;
+    text.textContent = isFull ? `${value.text} ${own.full}` : value.text;
   }
 }
 

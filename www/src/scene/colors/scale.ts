@@ -83,7 +83,7 @@ export class ColorScale {
     const { absolute, allowed, focus, map } = this.#options;
     const shown = absolute ? size : deviation;
     if (focus !== undefined && (shown < focus[0] || shown > focus[1])) return UNFOCUSED;
-    // What agrees is allowed: on all parts in one colour, whether rounding can be told from 0 or not.
+    // Allowed deviations have one colour on all parts, also where rounding cannot be told from 0.
     if (allowed !== undefined && isWithin(deviation, signed, allowed)) return WITHIN;
     if (size <= this.#floor) return ROUNDING;
     if (!signed && !absolute) return UNSIGNED;

@@ -1,0 +1,57 @@
+// Lists in controls of the form, so that links, undoing and kept files hold them: a row of JSON an entry.
+import { computed, type ReadonlySignal } from "@preact/signals-core";
+import { field } from "./store.ts";
+
+/** The most entries of a list: a link holds them. */
+const MAX_COUNT = 60;
+/** Significant digits of coordinates. */
+const DIGITS = 9;
+
+export interface KeptList<T> {
+  /** All entries, in the order in which they were made: their numbers are from 1. */
+  readonly all: ReadonlySignal<readonly T[]>;
+  /** Replaces all entries. */
+  write: (all: readonly T[]) => void;
+  /** Adds one, and returns its index; undefined where there is no room for another one. */
+  add: (entry: T) => number | undefined;
+}
+
+/**
+ * The list in the control of a name. `rowOf` gives the row of an entry, and `entryOf` the entry of a row that a link
+ * has, which may be anything: undefined where it is none.
+ */
+export function keptList<T>(
+  name: string,
+  rowOf: (entry: T) => readonly unknown[],
+  entryOf: (row: readonly unknown[]) => T | undefined,
+): KeptList<T> {
+  const state = field(name);
+  const parsed = (text: string): T[] =>
+    rowsOf(text).flatMap((row) => {
+      const entry = Array.isArray(row) ? entryOf(row) : undefined;
+      return entry === undefined ? [] : [entry];
+    });
+  const all = computed((): readonly T[] => parsed(state.value));
+  const write = (entries: readonly T[]) =>
+    state.set(entries.length === 0 ? "" : JSON.stringify(entries.map(rowOf)));
+  const add = (entry: T) => {
+    const before = all.peek();
+    if (before.length >= MAX_COUNT) return undefined;
+    write([...before, entry]);
+    return before.length;
+  };
+  return { all, write, add };
+}
+
+function rowsOf(text: string): unknown[] {
+  if (text === "") return [];
+  try {
+    const rows: unknown = JSON.parse(text);
+    return Array.isArray(rows) ? rows.slice(0, MAX_COUNT) : [];
+  } catch {
+    return [];
+  }
+}
+
+/** A coordinate as rows have it. */
+export const short = (value: number): number => Number(value.toPrecision(DIGITS));
