@@ -61,7 +61,7 @@ impl Cell {
             Some(regions) => Self::regular(density, part, regions, 0.0),
             None => {
                 let [bound, rounding] = sizes.square_bound();
-                let upper = volume(part) * density.upper_bound(bound.sqrt());
+                let upper = part_size(part) * density.upper_bound(bound.sqrt());
                 let resolved = bound > MIN_RESOLVED * rounding;
                 let halve = resolved.then(|| sizes.wider_axis());
                 Self { part, area: Area { lower: 0.0, upper }, halve }
@@ -78,7 +78,7 @@ impl Cell {
         let Mean { value, rounding } = mean(density, part, counts, |numerator| numerator.length());
         let error = errors[0] + errors[1];
         let off = (error + moved + rounding + astray) * (1.0 + gamma(DENSITY_ROUNDINGS));
-        let scale = volume(part);
+        let scale = part_size(part);
         let area = Area { lower: (scale * (value - off)).max(0.0), upper: scale * (value + off) };
         let narrow =
             2.0 * error <= QUADRATURE_SHARE * MAX_RELATIVE_WIDTH * value || error <= moved + rounding;
@@ -93,7 +93,7 @@ impl Cell {
             mean(density, part, counts, |numerator| numerator.dot(plane.direction));
         let off = plane.rules.iter().map(|rule| rule.error + rule.moved).sum::<f64>() + rounding;
         let off = off * (1.0 + gamma(DENSITY_ROUNDINGS));
-        let scale = volume(part);
+        let scale = part_size(part);
         let above = off + density.upper_bound(plane.astray);
         let least = value - off;
         let lower = if least > 0.0 { scale * least } else { 0.0 };
@@ -107,7 +107,7 @@ impl Cell {
 }
 
 /// Returns the size of the part, exact for parts made by halving.
-fn volume(part: ParamBox) -> f64 {
+pub(super) fn part_size(part: ParamBox) -> f64 {
     let [width, height] = part.lengths();
     width * height
 }

@@ -19,7 +19,7 @@ use crate::bezier::Patch;
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
 use crate::sorting::ordered_by;
-use cell::Cell;
+use cell::{Cell, part_size};
 use density::Density;
 pub(crate) use normal_cone::{is_to_side, normal_cone};
 use serde::Serialize;
@@ -39,7 +39,8 @@ const OPEN_SHARE: f64 = 0.5;
 const MAX_CELLS: usize = 1024;
 const MAX_CELLS_PER_PATCH: usize = 256;
 
-/// The number of parts that a rectangle of a patch may have however small it is: one at a pole is narrow with these.
+/// The least budget of parts for a rectangle of a patch: a small one that is not narrow, as at a pole, is halved a few
+/// times here before the search halves it.
 const MIN_CELLS_OF_PART: usize = 8;
 
 /// The largest number of products that the parts of a face take beyond its patches: about a second, for
@@ -89,8 +90,7 @@ pub(crate) fn area_of_part(patch: &Patch<'_>, range: ParamBox) -> Area {
     let density = Density::new(patch);
     let mut parts = Parts::default();
     parts.add(&density, Cell::new(&density, range));
-    let [width, height] = range.lengths();
-    let share = width * height;
+    let share = part_size(range);
     let max_cells = (share * MAX_CELLS_PER_PATCH as f64) as usize;
     parts.narrowed(1, max_cells.max(MIN_CELLS_OF_PART), (share * MAX_WORK as f64) as usize)
 }

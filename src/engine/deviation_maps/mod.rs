@@ -66,7 +66,8 @@ impl Engine {
     /// the diagonal and with edges of at most a thirtieth of it, and at most 180,000 between them.
     ///
     /// # Errors
-    /// [`Error::UnitsDiffer`]; [`Error::Cancelled`].
+    /// [`Error::UnitsDiffer`]; [`Error::OptionOutOfRange`] for a known bound that is not a finite number of at least 0;
+    /// [`Error::PointOutOfRange`] for a farthest point that is not finite; [`Error::Cancelled`].
     pub fn deviation_maps<'a>(
         &'a self,
         a: &'a PreparedModel,

@@ -23,7 +23,7 @@ pub struct DeviationMaps {
 pub struct DeviationMap {
     /// x, y, z of each vertex relative to `origin`, in the model's own coordinates.
     pub positions: Vec<f32>,
-    /// The unit normals, x, y, z each; 0 where there is none.
+    /// x, y, z of the unit normal at each vertex; 0 where the surface has none.
     pub normals: Vec<f32>,
     /// The point that positions are relative to.
     pub origin: DVec3,

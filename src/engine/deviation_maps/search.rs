@@ -4,7 +4,7 @@ use super::DeviationMap;
 use crate::deviation::{FLOOR, Fineness, KnownDeviation, MapBuilder, Placing};
 use crate::engine::section::Section;
 use crate::engine::{ClosestPointOptions, ClosestPoints, Engine, PreparedModel, Signs};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::model::RigidTransform;
 use crate::progress::Monitor;
 
@@ -23,7 +23,7 @@ pub(crate) struct MapSearch<'a> {
     pub(super) signs: Signs,
 }
 
-/// Two models of which maps are made.
+/// Two models whose maps are made.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MapPair<'a> {
     pub(crate) a: &'a PreparedModel,
@@ -38,20 +38,14 @@ impl<'a> MapPair<'a> {
     /// Returns the pair; with `scale_units` B is in A's unit.
     ///
     /// # Errors
-    /// [`Error::UnitsDiffer`] if the units differ and must not be scaled.
+    /// [`crate::Error::UnitsDiffer`] if the units differ and must not be scaled.
     pub(crate) fn new(
         a: &'a PreparedModel,
         b: &'a PreparedModel,
         transform: RigidTransform,
         scale_units: bool,
     ) -> Result<Self> {
-        let scale = match (a.unit(), b.unit()) {
-            (Some(of_a), Some(of_b)) if of_a != of_b && !scale_units => {
-                return Err(Error::UnitsDiffer { a: of_a, b: of_b });
-            }
-            (Some(of_a), Some(of_b)) => of_b / of_a,
-            _ => 1.0,
-        };
+        let scale = b.factor_to_unit_of(a, scale_units)?.unwrap_or(1.0);
         Ok(Self { a, b, scale, transform })
     }
 

@@ -39,20 +39,26 @@ impl PreparedModel {
     /// [`Error::UnitsDiffer`] if the units differ and must not be scaled; those of
     /// [`Model::scaled_to_unit`] and [`PreparedModel::new`].
     pub(crate) fn in_unit_of(&self, other: &Self, scale: bool) -> Result<Option<Arc<Self>>> {
-        let (Some(a), Some(b)) = (other.unit, self.unit) else { return Ok(None) };
-        if a == b {
-            return Ok(None);
-        }
-        if !scale {
-            return Err(Error::UnitsDiffer { a, b });
-        }
+        let Some(factor) = self.factor_to_unit_of(other, scale)? else { return Ok(None) };
         let kept = locked(&self.kept.scaled).clone();
-        if let Some(kept) = kept.filter(|kept| kept.unit == Some(a)) {
+        if let Some(kept) = kept.filter(|kept| kept.unit == other.unit) {
             return Ok(Some(kept));
         }
-        let prepared = Arc::new(self.scaled_by(b / a, Some(a))?);
+        let prepared = Arc::new(self.scaled_by(factor, other.unit)?);
         *locked(&self.kept.scaled) = Some(Arc::clone(&prepared));
         Ok(Some(prepared))
+    }
+
+    /// Returns the factor of lengths from this model's unit to that of `other`, if both state different ones.
+    ///
+    /// # Errors
+    /// [`Error::UnitsDiffer`] if the units differ and must not be scaled.
+    pub(in crate::engine) fn factor_to_unit_of(&self, other: &Self, scale: bool) -> Result<Option<f64>> {
+        match (other.unit, self.unit) {
+            (Some(a), Some(b)) if a != b && scale => Ok(Some(b / a)),
+            (Some(a), Some(b)) if a != b => Err(Error::UnitsDiffer { a, b }),
+            _ => Ok(None),
+        }
     }
 
     /// Returns this model with all lengths from the origin times a positive factor, in the same unit.
