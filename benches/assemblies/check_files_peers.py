@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import json
 import multiprocessing
+import queue
 import subprocess
 import sys
 import tempfile
@@ -127,7 +128,7 @@ def volume_in_common(one: TopoDS_Shape, other: TopoDS_Shape, seconds: float) -> 
     process.start()
     try:
         return answer.get(timeout=seconds)
-    except Exception:
+    except queue.Empty:
         return None
     finally:
         process.kill()

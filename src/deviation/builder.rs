@@ -52,8 +52,8 @@ struct Pending {
 }
 
 impl MapBuilder {
-    /// Begins the map of a model, of which `base` are the triangles, with what is known of it; `diagonal` is the
-    /// larger one of both models in the result's unit.
+    /// Begins the map of a model with the triangles `base` and the known bounds on its deviation. `diagonal` is the
+    /// larger one of both models, in the result's unit.
     pub(crate) fn new(
         base: &Map,
         shown: &KnownDeviation,

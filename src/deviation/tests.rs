@@ -26,7 +26,7 @@ fn builder(shown: &KnownDeviation) -> MapBuilder {
     MapBuilder::new(&square(1.0), shown, STILL, 2.0_f64.sqrt(), Fineness::PICTURE)
 }
 
-/// Measures what is pending by a function of x and y, of which the foot is below.
+/// Measures the pending points by a function of x and y. Their feet lie below them.
 fn measure(builder: &mut MapBuilder, of: impl Fn(f64, f64) -> f64) {
     while !builder.pending().is_empty() {
         let points = builder.pending().to_vec();

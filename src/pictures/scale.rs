@@ -53,7 +53,7 @@ impl Scale {
     /// Returns the colour of a signed deviation, NaN without a sign, and its distance.
     pub(crate) fn color(&self, [signed, distance]: [f64; 2]) -> [u8; 3] {
         let Extent { floor, absolute, .. } = self.extent;
-        // What agrees is allowed: on all parts in one colour, whether rounding can be told from 0 or not.
+        // Allowed deviations have one colour on all parts, also where rounding cannot be told from 0.
         if self.allowed.is_some_and(|allowed| distance <= allowed) {
             return bytes(WITHIN);
         }

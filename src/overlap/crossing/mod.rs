@@ -221,7 +221,7 @@ mod tests {
         close(found, [0.25 - 0.25 * variation, 0.25 + 0.25 * variation]);
         let found = crossing(0.0, [2.0, 0.0], [-0.5, -0.5]).inner(&slopes, &weight, cone, 0.0);
         close(found, [0.75 - 0.25 * variation, 0.75 + 0.25 * variation]);
-        // A part of which it is not known whether it is inside has any of what it may have.
+        // Where a part may be inside or outside, the bounds hold for both.
         let unknown = Crossing { is_inside: [None, Some(false)], ..crossing(0.0, [2.0, 0.0], [0.5, 0.5]) };
         let found = unknown.inner(&slopes, &weight, cone, 0.0);
         close(found, [0.0, 0.25 + 0.25 * variation]);

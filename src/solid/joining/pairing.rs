@@ -296,7 +296,8 @@ mod tests {
         }
     }
 
-    /// A face beside two others, of which the smaller one is shorter than the reach: its whole edge is a part of theirs.
+    /// One face has two neighbours, and the smaller one's edge is shorter than the reach. All of that edge is joined to a
+    /// part of the first face's edge.
     #[test]
     fn a_whole_edge_is_joined_to_a_part_of_another_one_though_it_be_short() {
         let small = 8e-4;
