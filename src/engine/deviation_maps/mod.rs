@@ -6,10 +6,11 @@ mod result;
 mod search;
 
 use super::options::at_least_zero;
+use super::points::require_in_range;
 use super::section::Section;
 use super::{Computation, Engine, PreparedModel};
 use crate::deviation::{FarthestPoint, Fineness, KnownDeviation};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::model::RigidTransform;
 use crate::progress::{MaybeSend, Monitor};
 #[cfg(not(target_arch = "wasm32"))]
@@ -41,15 +42,13 @@ pub struct DeviationMapOptions {
 
 impl DeviationMapOptions {
     /// # Errors
-    /// [`Error::OptionOutOfRange`] for a bound that is not a finite number of at least 0, and
-    /// [`Error::PointOutOfRange`] for a farthest point that is not finite.
+    /// [`crate::Error::OptionOutOfRange`] for a bound that is not a finite number of at least 0, and those of
+    /// [`require_in_range`] for a farthest point, index 0, and its foot, 1.
     fn validate(&self) -> Result<()> {
         for KnownDeviation { uppers, farthest } in self.a.iter().chain(&self.b) {
             uppers.iter().try_for_each(|&upper| at_least_zero("uppers", upper))?;
-            let coordinates =
-                farthest.iter().flat_map(|FarthestPoint { point, foot, .. }| point.iter().chain(foot));
-            if let Some(&found) = coordinates.into_iter().find(|coordinate| !coordinate.is_finite()) {
-                return Err(Error::PointOutOfRange { index: 0, found });
+            if let Some(FarthestPoint { point, foot, .. }) = *farthest {
+                require_in_range([point, foot].as_flattened())?;
             }
         }
         Ok(())
@@ -66,8 +65,9 @@ impl Engine {
     /// the diagonal and with edges of at most a thirtieth of it, and at most 180,000 between them.
     ///
     /// # Errors
-    /// [`Error::UnitsDiffer`]; [`Error::OptionOutOfRange`] for a known bound that is not a finite number of at least 0;
-    /// [`Error::PointOutOfRange`] for a farthest point that is not finite; [`Error::Cancelled`].
+    /// [`crate::Error::UnitsDiffer`]; [`crate::Error::OptionOutOfRange`] for a known bound that is not a finite number
+    /// of at least 0; [`crate::Error::PointOutOfRange`] for a farthest point, index 0, or its foot, 1, with a coordinate
+    /// that is not finite or above 1e100 in size; [`crate::Error::Cancelled`].
     pub fn deviation_maps<'a>(
         &'a self,
         a: &'a PreparedModel,

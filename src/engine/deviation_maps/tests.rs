@@ -3,6 +3,7 @@
 use super::*;
 use crate::deviation::FarthestPoint;
 use crate::engine::DistanceOptions;
+use crate::error::Error;
 use crate::facets::{Facets, PointCloud};
 use crate::model::Model;
 use glam::DVec3;
@@ -76,7 +77,7 @@ fn maps_of_both_are_in_the_unit_of_a_where_it_was_moved() {
 }
 
 #[test]
-fn bounds_below_0_and_points_that_are_not_finite_are_refused() {
+fn bounds_below_0_and_points_out_of_range_are_refused() {
     let (a, b) = (square(0.0), square(1.0));
     let of = |shown: KnownDeviation| {
         let options = DeviationMapOptions { b: Some(shown), ..DeviationMapOptions::default() };
@@ -84,7 +85,10 @@ fn bounds_below_0_and_points_that_are_not_finite_are_refused() {
     };
     let negative = KnownDeviation { uppers: vec![1.0, -1.0], farthest: None };
     assert!(matches!(of(negative), Error::OptionOutOfRange { option: "uppers", .. }));
-    let place = FarthestPoint { face: 0, point: [0.0; 3], foot: [0.0, f64::INFINITY, 0.0] };
-    let infinite = KnownDeviation { uppers: Vec::new(), farthest: Some(place) };
-    assert!(matches!(of(infinite), Error::PointOutOfRange { .. }));
+    // The distance of the second one would overflow.
+    for number in [f64::INFINITY, 1e300] {
+        let place = FarthestPoint { face: 0, point: [0.0; 3], foot: [0.0, number, 0.0] };
+        let far = KnownDeviation { uppers: Vec::new(), farthest: Some(place) };
+        assert!(matches!(of(far), Error::PointOutOfRange { index: 1, found } if found == number));
+    }
 }

@@ -102,7 +102,7 @@ impl Engine {
         let permitted = PermittedWidth { tolerance, relative_tolerance };
         permitted.validate()?;
         not_negative("sign tolerance", sign_tolerance)?;
-        validate(points)?;
+        require_in_range(points)?;
         let gap = permitted.in_units(model.bounding_box().diagonal(), DEFAULT_RELATIVE_TOLERANCE);
         let measured = Measured::new(model, gap, sign_tolerance);
         let query = measured.query().ok_or(Error::EmptyModel)?;
@@ -151,9 +151,11 @@ fn measure(
     Some(Entries { index, distance: found.distance, bound: found.bound, signed, foot: found.foot() })
 }
 
+/// Accepts points, x, y, z each, whose coordinates are of at most 1e100 in size.
+///
 /// # Errors
 /// [`Error::PointOutOfRange`].
-fn validate(points: &[f64]) -> Result<()> {
+pub(in crate::engine) fn require_in_range(points: &[f64]) -> Result<()> {
     if let Some((index, &found)) = points.iter().enumerate().find(|(_, value)| !is_in_range(**value)) {
         return Err(Error::PointOutOfRange { index: index / 3, found });
     }
