@@ -77,7 +77,7 @@ export interface DistanceEngine<Model> {
    * known bound is less. Between vertices it is an estimate.
    *
    * @throws {HausdorffError} as `field`; `OPTION_OUT_OF_RANGE` for a bound below 0; `POINT_OUT_OF_RANGE` for a
-   * farthest point that is not finite.
+   * farthest point or foot with a coordinate that is not finite or above 1e100 in size.
    */
   deviationMaps(a: Model, b: Model, options?: DeviationMapOptions): Promise<DeviationMaps>;
 
