@@ -79,8 +79,8 @@ async function runStep(step, results, chosen) {
 }
 
 /**
- * Runs the steps in two rows, those with `beside` and the others: each after the one before it in its row and
- * those that it needs. As these stand before it in the plan, the first step that has not ended can always run.
+ * Runs the steps in rows: each after the one before it in its row and those that it needs. As these stand before it in
+ * the plan, the first step that has not ended can always run.
  */
 async function runAll(plan) {
   const chosen = new Set(plan.map(({ name }) => name));
@@ -89,12 +89,12 @@ async function runAll(plan) {
   const last = {};
   const after = async (earlier, step) => {
     await Promise.all(earlier);
-    if (step.beside) say(`\n=== ${step.name} begins beside, and is shown when it ends`);
+    if (step.row) say(`\n=== ${step.name} begins beside, and is shown when it ends`);
     const work = () => runStep(step, results, chosen);
-    results.set(step.name, await (step.beside ? heldBack(work) : work()));
+    results.set(step.name, await (step.row ? heldBack(work) : work()));
   };
   for (const step of plan) {
-    const row = step.beside ? "beside" : "first";
+    const { row = "compile" } = step;
     const earlier = [last[row], ...(step.needs ?? []).map((name) => ended.get(name))];
     last[row] = after(earlier, step);
     ended.set(step.name, last[row]);

@@ -64,10 +64,14 @@ export function skipped(name) {
 }
 
 /**
- * Compiles in three quarters of the time: no function is inlined across units of code generation. Warnings are refused,
- * as this is where the tests compile the crate as its users do, without the feature `internals`.
+ * Compiles in half of the time: little is optimised, and no function is inlined across units of code generation. Warnings
+ * are refused, as this is where the tests compile the crate as its users do, without the feature `internals`.
  */
-const QUICK = { CARGO_PROFILE_RELEASE_LTO: "off", RUSTFLAGS: "-D warnings" };
+const QUICK = {
+  CARGO_PROFILE_RELEASE_LTO: "off",
+  CARGO_PROFILE_RELEASE_OPT_LEVEL: "1",
+  RUSTFLAGS: "-D warnings",
+};
 
 /** Builds and installs the wheel, with what differs from one that is published, and tests it as users have it. */
 export async function testPython(differences = QUICK) {

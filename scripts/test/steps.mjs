@@ -1,8 +1,7 @@
-// The steps of `npm test`, in order: each after those that it needs, and only if they passed. Those with
-// `beside` run one after another beside the others, which compile or use all cores: two run at a time. The
-// modules and the command come before the lints of Rust, as most steps beside need them: the page's tests
-// begin early, and both rows end at nearly the same time. A step with `tests` fails if it ran
-// none. `run` is given the names of the chosen steps. A step with `quick` is one of `npm test -- --quick`,
+// The steps of `npm test`, in order: each after those that it needs, and only if they passed. They run in
+// rows, those of a row one after another and all rows at a time: what other steps need (without a `row`), `lints` of Rust,
+// what is tested without a page, and the `page`. No row uses two cores all the time, and together they do. The lints wait
+// for the command, as most steps do. A step with `tests` fails if it ran none. `run` is given the names of the chosen steps. A step with `quick` is one of `npm test -- --quick`,
 // where `quick` replaces what it does; `release` replaces it in `npm test -- --release`, which tests what is
 // published.
 import { existsSync, readdirSync } from "node:fs";
@@ -27,6 +26,10 @@ const rustTests = ["--lib", "--bins", "--tests"];
 
 const cargo = (args, env = {}) => must("cargo", args, { env: environment(env) });
 
+/** Lints have a folder of their own: Cargo does one thing at a time in a folder, and the tests would wait for them. */
+const lint = (args, env = {}) =>
+  cargo(args, { CARGO_TARGET_DIR: inRoot("target", "lints"), ...env });
+
 function nodeTests(folder, env) {
   const files = existsSync(inRoot(folder))
     ? readdirSync(inRoot(folder), { recursive: true }).filter((name) => /\.test\.m?js$/.test(name))
@@ -44,8 +47,7 @@ async function checkTypes() {
   await must("tsc", ["--project", "tests/consumer/tsconfig.json"]);
 }
 
-// Everything is built in the release profile, so that the lints, the tests and
-// the package share proc macros and build scripts.
+// Everything is built in the release profile, so that the tests and the package share what they are made of.
 export const steps = [
   {
     name: "rustfmt",
@@ -61,9 +63,8 @@ export const steps = [
   },
   {
     name: "python-packages",
+    row: "tests",
     what: "packages that the tests of Python and of the engines import",
-    // Mostly downloads.
-    beside: true,
     run: installPackages,
   },
   {
@@ -75,10 +76,9 @@ export const steps = [
   },
   {
     name: "python",
+    row: "tests",
     what: "the Python package's wheel, its types and tests",
     needs: ["python-packages"],
-    // Compiled in a folder of its own, while others compile in theirs.
-    beside: true,
     run: () => testPython(),
     release: {
       what: "the Python package's wheel as it is published, its types and tests",
@@ -103,10 +103,9 @@ export const steps = [
   },
   {
     name: "types",
+    row: "page",
     what: "TypeScript types: the API, the page, a consumer of the package",
     needs: ["wasm"],
-    // The page's build waits for it.
-    beside: true,
     run: checkTypes,
     quick: {
       what: "TypeScript types, where the wasm modules are built",
@@ -121,10 +120,9 @@ export const steps = [
   },
   {
     name: "page-build",
+    row: "page",
     what: "the page's production build",
     needs: ["wasm", "types"],
-    // The page's tests wait for it.
-    beside: true,
     run: () => must("vite", ["build", "www"]),
   },
   {
@@ -143,15 +141,15 @@ export const steps = [
   },
   {
     name: "page",
+    row: "page",
     tests: true,
     what: "the page in headless Chromium",
     needs: ["command", "page-build"],
-    // The browser draws in software, and uses about one core.
-    beside: true,
     run: () => nodeTests("tests/page", { CHROMIUM: which("chromium") }),
   },
   {
     name: "wasm-tests",
+    row: "tests",
     tests: true,
     what: "wasm tests in headless Chromium with WebGPU",
     needs: ["wasm"],
@@ -168,30 +166,38 @@ export const steps = [
   },
   {
     name: "clippy",
+    row: "lints",
+    needs: ["command"],
     // The wheel's build refuses warnings of the crate as users build it.
     what: "Rust lints, native, with the feature `internals`",
     quick: {},
-    run: () => cargo(["clippy", "--release", "--locked", "--all-targets", ...denyWarnings]),
+    run: () => lint(["clippy", "--release", "--locked", "--all-targets", ...denyWarnings]),
   },
   {
     name: "clippy-wasm",
+    row: "lints",
+    needs: ["command"],
     // Also the readers as a module has them, without archives: what needs these must say so.
     run: async () => {
-      const lint = ["clippy", "--release", "--locked", ...wasm32];
-      await cargo([...lint, "--test", "wasm", ...denyWarnings]);
-      await cargo([...lint, "--features", "wasm-readers", "--lib", ...denyWarnings]);
+      const clippy = ["clippy", "--release", "--locked", ...wasm32];
+      await lint([...clippy, "--test", "wasm", ...denyWarnings]);
+      await lint([...clippy, "--features", "wasm-readers", "--lib", ...denyWarnings]);
     },
   },
   {
     name: "doc",
+    row: "lints",
+    needs: ["command"],
     what: "Rust documentation",
     run: () =>
-      cargo(["doc", "--release", "--locked", "--no-deps"], { RUSTDOCFLAGS: "-D warnings" }),
+      lint(["doc", "--release", "--locked", "--no-deps"], { RUSTDOCFLAGS: "-D warnings" }),
   },
   {
     name: "rust",
+    row: "tests",
     tests: true,
     what: "Rust tests on lavapipe",
+    needs: ["command"],
     // Clippy compiles the other examples and the benchmarks.
     run: async () => {
       const test = ["test", "--release", "--locked", "--no-fail-fast"];
@@ -202,22 +208,23 @@ export const steps = [
   },
   {
     name: "package",
+    row: "page",
     tests: true,
     what: "the packed package in bundlers, a browser, Node and judges of packages",
     // The package has the command.
     needs: ["command", "wasm", "types"],
-    beside: true,
     run: () => nodeTests("tests/package", { CHROMIUM: which("chromium") }),
   },
   {
     name: "site",
+    row: "page",
     what: "the pages of the JavaScript API, without a broken link or reference",
     needs: ["wasm", "types"],
-    beside: true,
     run: () => buildSite(inRoot("docs", "site", "js")),
   },
   {
     name: "node",
+    row: "tests",
     tests: true,
     what: "the package in Node, on Dawn and lavapipe",
     needs: ["command", "wasm", "types"],
@@ -225,10 +232,9 @@ export const steps = [
   },
   {
     name: "engines",
+    row: "tests",
     what: "many pairs on Ray and on Spark, with a worker killed",
     needs: ["command", "python"],
-    // Its nodes mostly wait for each other.
-    beside: true,
     run: testEngines,
   },
 ];

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { steps } from "./steps.mjs";
 
-test("each step stands after those that it needs, so that the two rows never wait for each other", () => {
+test("each step stands after those that it needs, so that rows never wait for each other", () => {
   const before = new Set();
   for (const { name, needs = [] } of steps) {
     assert.ok(!before.has(name), `two steps ${name}`);

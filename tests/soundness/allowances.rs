@@ -17,7 +17,7 @@ const UNIT: f64 = 1.01 * 0.5 * f64::EPSILON;
 const ATTAINED: f64 = 0.1;
 
 /// Random inputs for every allowance.
-const INPUTS: usize = 300;
+const INPUTS: usize = 150;
 
 /// A homogeneous coordinate and its weight, exactly.
 type Exact = [BigRational; 2];

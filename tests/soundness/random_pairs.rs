@@ -1,5 +1,5 @@
-//! Random pairs on which a certified interval could lie; many more are in
-//! `cargo run --release --example honesty`.
+//! Random pairs on which a certified interval could lie, a few of each family, as these are the same ones in every run;
+//! thousands are in `cargo run --release --example honesty`.
 
 use crate::fuzzer::check::{
     Outcome, check, check_attack, check_collapsed, check_reparametrized, check_trimmed,
@@ -19,7 +19,7 @@ const SEEDS: [u64; 2] = [9032, 9145];
 /// Pairs of the attack; for two of them only a proof finds no violation, as their knots are close
 /// together, and a point as B on the GPU.
 const ATTACK_SEEDS: [u64; 3] = [313, 100_291, 7297];
-const PAIRS: u64 = 60;
+const PAIRS: u64 = 30;
 
 #[test]
 fn intervals_contain_what_brute_force_finds() {
@@ -41,7 +41,7 @@ fn intervals_contain_what_brute_force_finds() {
 }
 
 /// Pairs of the attack's families; the example draws thousands.
-const ATTACKS: u64 = 48;
+const ATTACKS: u64 = 24;
 
 /// The seconds after which a computation counts as endless.
 const MAX_SECONDS: f64 = 60.0;
@@ -66,7 +66,7 @@ fn the_attack_finds_no_false_interval() {
 }
 
 /// Pairs of collapsed nets, and those on which boxes with parallel axes once gave a false `lower`.
-const COLLAPSED: u64 = 60;
+const COLLAPSED: u64 = 30;
 const PARALLEL_AXES: [u64; 3] = [204, 309, 327];
 
 #[test]
@@ -76,7 +76,7 @@ fn collapsed_nets_have_no_false_interval() {
 
 /// Pairs in other parameters, and those whose interval was false when it was tried to take any part of B for one
 /// around the cell, or the outermost point of an end.
-const REPARAMETRIZED: u64 = 60;
+const REPARAMETRIZED: u64 = 30;
 const NOT_AROUND: [u64; 3] = [990733, 990833, 990956];
 
 #[test]
@@ -85,7 +85,7 @@ fn surfaces_in_other_parameters_have_no_false_interval() {
 }
 
 /// Pairs with trimmed faces.
-const TRIMMED: u64 = 40;
+const TRIMMED: u64 = 20;
 
 #[test]
 fn trimmed_faces_are_measured_as_they_are() {
@@ -102,7 +102,7 @@ fn trimmed_faces_are_measured_as_they_are() {
 }
 
 /// Pairs with meshes or points.
-const FACETS: u64 = 60;
+const FACETS: u64 = 24;
 
 #[test]
 fn meshes_and_points_have_no_false_interval() {
@@ -115,10 +115,10 @@ fn meshes_and_points_have_no_false_interval() {
 }
 
 /// Poses of random models and of the shapes that ship.
-const CLEARANCES: u64 = 96;
+const CLEARANCES: u64 = 48;
 
 /// Solids whose facts, sides, grids and statistics are checked.
-const SOLIDS: u64 = 12;
+const SOLIDS: u64 = 8;
 
 #[test]
 fn facts_sides_grids_and_statistics_are_those_of_second_ways() {
@@ -135,7 +135,7 @@ fn facts_sides_grids_and_statistics_are_those_of_second_ways() {
 }
 
 /// Scans whose least zones are compared with motions of the box.
-const ZONES: u64 = 24;
+const ZONES: u64 = 12;
 
 #[test]
 fn no_motion_of_a_box_is_better_than_the_least_zone() {
@@ -150,7 +150,7 @@ fn no_motion_of_a_box_is_better_than_the_least_zone() {
 }
 
 /// Scores of shapes whose parts with like counterparts and of feature edges are compared with samples.
-const SCORES: u64 = 10;
+const SCORES: u64 = 6;
 
 #[test]
 fn parts_of_scores_are_those_of_samples() {
