@@ -93,6 +93,7 @@ mod bezier;
 #[cfg(feature = "cad")]
 mod brep;
 mod bvh;
+mod carrier;
 mod certified;
 mod clearance;
 mod closest;
@@ -163,21 +164,22 @@ pub use brep::FileKind;
 #[cfg(feature = "archives")]
 pub use brep::inflated;
 pub use bvh::Aabb;
+pub use carrier::FaceForm;
 pub use deviation::{FarthestPoint, KnownDeviation};
 pub use engine::{
     AtAngle, AtThreshold, Backend, BestFit, BestFitOptions, Beyond, Body, BodyInfo, BodyKind, BodyPair,
     CertifiedOptions, CertifiedStatistics, CheckOptions, CheckResult, CheckRules, CheckedBody,
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation,
     Counts, Details, DeviationField, DeviationMap, DeviationMapOptions, DeviationMaps, DiffOptions,
-    DiffResult, Difference, DistanceOptions, DistanceResult, EdgeLengths, EdgesAt, Engine, FaceCounts,
-    FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitNorm, FitPose, FitStart, FreeEdge,
-    GapOptions, GapsResult, Grid, GridOptions, HausdorffScore, HierarchyOptions, IterationOptions, LeftOut,
-    Measure, Method, MethodName, ModelInfo, NamedModel, NamedOptions, NamesOfPair, Overlap, OverlapOptions,
-    OverlapResult, OverlapUnknown, OverlapVolumes, PairState, PartDifference, PartFaces, PartMotion,
-    PartState, Percentile, Placement, Precision, PreparedModel, RequiredDistance, Requirement, Rule, Score,
-    ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, SelfOverlap, Shell, SignedDistanceOptions,
-    SignedDistances, Signs, Solid, Statistics, StatisticsOptions, SurfaceScore, UnkeptRule, VolumesUnknown,
-    Witness, Zone, ZoneOptions, checked_bodies,
+    DiffResult, Difference, DistanceOptions, DistanceResult, EdgeLengths, EdgesAt, Engine, FaceChange,
+    FaceCounterpart, FaceCounts, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitNorm,
+    FitPose, FitStart, FreeEdge, GapOptions, GapsResult, Grid, GridOptions, HausdorffScore, HierarchyOptions,
+    IterationOptions, LeftOut, Measure, Method, MethodName, ModelInfo, NamedModel, NamedOptions, NamesOfPair,
+    Overlap, OverlapOptions, OverlapResult, OverlapUnknown, OverlapVolumes, PairState, PartDifference,
+    PartFaces, PartMotion, PartState, Percentile, Placement, Precision, PreparedModel, RequiredDistance,
+    Requirement, Rule, Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, SelfOverlap, Shell,
+    SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics, StatisticsOptions, SurfaceScore,
+    UnkeptRule, VolumesUnknown, Witness, Zone, ZoneOptions, checked_bodies,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

@@ -20,11 +20,13 @@ from ._errors import NurbsHausdorffError
 from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell, Solid
 from ._results.bodies.check import BodyPair, CheckedBody, CheckResult, SelfOverlap, UnkeptRule
 from ._results.bodies.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
-from ._results.bodies.facts import Body, Facts
+from ._results.bodies.facts import Body, FaceForm, Facts
 from ._results.bodies.overlap import OverlapResult, OverlapVolumes
 from ._results.closest import ClosestPoints
 from ._results.common import SurfacePoint, Witness
-from ._results.diff import DiffResult, FaceDifference, PartDifference, PartFaces, PartMotion
+from ._results.diff import (
+    DiffResult, FaceCounterpart, FaceDifference, PartDifference, PartFaces, PartMotion,
+)  # fmt: skip
 from ._results.distance import DistanceResult
 from ._results.field import Field, FieldPart, Statistics
 from ._results.grid import SignedDistances
@@ -43,8 +45,8 @@ __version__ = _version("nurbs-hausdorff")
 __all__ = [
     "AtThreshold", "BestFit", "Beyond", "Body", "BodyPair", "CertifiedStatistics", "CheckResult",
     "CheckedBody", "ClearanceResult", "ClosestPoints", "DiffResult", "Difference", "DistanceResult",
-    "EdgeLengths", "FaceCounts", "FaceDifference", "FaceGap", "Facts", "Field", "FieldPart",
-    "FitPose", "FreeEdge", "GapsResult", "HausdorffScore", "Interval", "LeftOut", "Mesh",
+    "EdgeLengths", "FaceCounterpart", "FaceCounts", "FaceDifference", "FaceForm", "FaceGap", "Facts", "Field",
+    "FieldPart", "FitPose", "FreeEdge", "GapsResult", "HausdorffScore", "Interval", "LeftOut", "Mesh",
     "MeshReport", "Model", "NurbsHausdorffError", "Overlap", "OverlapResult", "OverlapVolumes",
     "PartDifference", "PartFaces", "PartMotion", "Placement", "ReadReport", "Remark", "Requirement",
     "Score", "ScoredModel", "SelfOverlap", "Shell", "SignedDistances", "Solid", "Statistics",

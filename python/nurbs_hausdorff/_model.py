@@ -13,7 +13,9 @@ from . import _native
 from ._values.arrays import rows
 from ._errors import NurbsHausdorffError
 from ._values.interval import Interval
-from ._results.bodies.facts import Body, Facts, body_result, facts_result
+from ._results.bodies.facts import (
+    Body, FaceForm, Facts, body_result, facts_result, form_result,
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -286,6 +288,13 @@ class Model:
         """Return volume, area, extents, centroid and inertia, as intervals that contain them.
         Computed at the first call."""
         return facts_result(_names.snake(self._native.facts()))
+
+    @property
+    def face_forms(self) -> tuple[FaceForm | None, ...]:
+        """The plane, sphere, cylinder, cone or torus that each face lies on, with bounds on how far
+        its points are from it; None for other surfaces. Empty for meshes and points."""
+        forms = (_names.snake(form) for form in self._native.face_forms())
+        return tuple(None if form is None else form_result(form) for form in forms)
 
     @property
     def bodies(self) -> tuple[Body, ...]:

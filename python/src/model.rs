@@ -164,6 +164,12 @@ impl Model {
         to_dict(py, facts)
     }
 
+    /// Returns the elementary surfaces that the faces lie on; None for other surfaces.
+    fn face_forms<'py>(&self, py: Python<'py>) -> PyResult<Vec<Option<Bound<'py, PyDict>>>> {
+        let forms = py.detach(|| on_live_threads(|| self.prepared.face_forms()))?;
+        forms.iter().map(|form| form.as_ref().map(|form| to_dict(py, form)).transpose()).collect()
+    }
+
     /// Returns the bodies with their facts.
     fn bodies<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         let bodies = py.detach(|| on_live_threads(|| BodyInfo::of(&self.prepared)))?;

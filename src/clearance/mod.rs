@@ -2,12 +2,11 @@
 //!
 //! Both trees are descended together, best first ([`Search`]). A pair of pieces of patches is
 //! bounded below by the distance of the convex hulls of their control points along a direction
-//! ([`hull`]) or of the spheres, cylinders, cones or tori that they lie on ([`carrier`]), and above by points, which
+//! ([`hull`]) or of the spheres, cylinders, cones or tori that they lie on ([`crate::carrier`]), and above by points, which
 //! Newton's method brings together ([`newton`]).
 //! docs/clearance.md has the lemmas. Nothing here knows of faces, files or processors.
 
 mod body;
-mod carrier;
 mod hull;
 mod newton;
 mod piece;

@@ -1,10 +1,10 @@
 //! Pieces of patches, made when they are first needed and kept for other pairs.
 
 use super::Body;
-use super::carrier::Carrier;
 use super::newton::moved;
 use crate::axis::Axis;
 use crate::bezier::Patch;
+use crate::carrier::Carrier;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4, Vec4Swizzles};

@@ -45,7 +45,8 @@ pub use deviation_maps::{DeviationMap, DeviationMapOptions, DeviationMaps};
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use deviation_maps::{MapPair, SignedMap};
 pub use diff::{
-    DiffOptions, DiffResult, FaceDifference, FaceState, PartDifference, PartFaces, PartMotion, PartState,
+    DiffOptions, DiffResult, FaceChange, FaceCounterpart, FaceDifference, FaceState, PartDifference,
+    PartFaces, PartMotion, PartState,
 };
 pub use dispatch::Engine;
 pub use embedding::SelfOverlap;

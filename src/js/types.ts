@@ -45,6 +45,7 @@ export type {
 export type {
   DiffOptions,
   DiffResult,
+  FaceCounterpart,
   FaceDifference,
   FaceState,
   PartDifference,
@@ -114,6 +115,7 @@ export type {
   Orientation,
   VolumeUnknown,
 } from "./model/facts.js";
+export type { FaceForm } from "./model/form.js";
 export type { MeshArrays, MeshGroup } from "./model/mesh.js";
 export type { UpdateOptions } from "./model/model.js";
 export type { FreeEdge, Solid } from "./model/solid.js";

@@ -220,6 +220,12 @@ impl PreparedModel {
         to_object(&self.prepared.solid())
     }
 
+    /// The elementary surfaces that the faces lie on; null for other surfaces.
+    #[wasm_bindgen(js_name = faceForms)]
+    pub fn face_forms(&self) -> std::result::Result<JsValue, JsValue> {
+        to_object(&self.prepared.face_forms())
+    }
+
     /// Volume, area, extents and the like as intervals.
     pub fn facts(&self) -> std::result::Result<JsValue, JsValue> {
         to_object(self.prepared.facts())

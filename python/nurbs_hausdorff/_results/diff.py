@@ -5,9 +5,38 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
+from .._values.interval import Interval
 from .common import Seconds, Witness, place, table, witness
 
 State = Literal["unchanged", "undecided", "changed"]
+
+
+@dataclass(frozen=True)
+class FaceCounterpart:
+    """The face of the other model that a changed round face became, as far as one can tell.
+
+    Of the faces that changed and lie on a sphere, a cylinder or a torus too, each is the one whose
+    box is nearest to that of the other. Which two belong together is a guess; what is said of the
+    two is certain as in :class:`FaceForm`.
+
+    Attributes
+    ----------
+    face : int
+        Index of the face in the other model.
+    change : {"resized", "moved", "resizedAndMoved"}
+        Whether the radii certainly differ, and whether the centre or the axis is farther than the
+        limit from the other one.
+    radius, other_radius : Interval
+        The radii of this face and of the other one, in one unit; of tori those of the tubes.
+    shift : tuple of float
+        The way from A's centre, after the transform, to that of B; of cylinders across the axis.
+    """
+
+    face: int
+    change: Literal["resized", "moved", "resizedAndMoved"]
+    radius: Interval
+    other_radius: Interval
+    shift: tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -31,6 +60,8 @@ class FaceDifference:
         The face's farthest point that was found, and the closest point of the other model.
     cells : int
         Number of cells examined.
+    counterpart : FaceCounterpart or None
+        The face of the other model that a changed round face became.
     """
 
     face: int
@@ -41,6 +72,7 @@ class FaceDifference:
     with_gaps: State
     witness: Witness
     cells: int
+    counterpart: FaceCounterpart | None = None
 
 
 PartState = Literal[
@@ -173,12 +205,18 @@ class DiffResult:
 def diff_result(data: dict[str, Any]) -> DiffResult:
     """Make the result of a native dictionary in snake case."""
     for name in ("faces_of_a", "faces_of_b"):
-        data[name] = tuple(
-            FaceDifference(**{**face, "witness": witness(face["witness"])}) for face in data[name]
-        )
+        data[name] = tuple(_face(face) for face in data[name])
     data["parts"] = tuple(_part(part) for part in data["parts"])
     data["seconds"] = Seconds(**data["seconds"])
     return DiffResult(**data)
+
+
+def _face(data: dict[str, Any]) -> FaceDifference:
+    found = data.pop("counterpart", None)
+    if found is not None:
+        radii = {name: Interval(**found[name]) for name in ("radius", "other_radius")}
+        found = FaceCounterpart(**{**found, **radii, "shift": tuple(found["shift"])})
+    return FaceDifference(**{**data, "witness": witness(data["witness"])}, counterpart=found)
 
 
 def _part(data: dict[str, Any]) -> PartDifference:

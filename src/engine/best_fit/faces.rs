@@ -1,14 +1,11 @@
 //! Datum features that are picked as faces: the carriers of planes, of surfaces of revolution and of balls.
 
 use crate::alignment::{Datum, Feature};
+use crate::carrier::plane_of;
 use crate::engine::PreparedModel;
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
-use crate::rounding::unit;
 use glam::DVec3;
-
-/// The part of a face's size by which its control points may leave a plane: nets written with seven digits pass.
-const FLAT: f64 = 1e-6;
 
 impl PreparedModel {
     /// Returns the datum feature of a face: the plane of a flat one, the centre of a ball, the axis of another
@@ -36,19 +33,6 @@ impl PreparedModel {
             },
         })
     }
-}
-
-/// Returns the plane on which points lie, by their mean and its normal; `None` for others, and points of a line.
-fn plane_of(points: &[DVec3]) -> Option<(DVec3, DVec3)> {
-    let center = points.iter().sum::<DVec3>() / points.len() as f64;
-    let arms = || points.iter().map(|&point| point - center);
-    let longer = |one: DVec3, other: DVec3| if other.length() > one.length() { other } else { one };
-    let longest = arms().reduce(longer)?;
-    let across = arms().map(|arm| longest.cross(arm)).reduce(longer)?;
-    let normal = unit(across);
-    let size = longest.length();
-    let is_flat = arms().all(|arm| normal.dot(arm).abs() <= FLAT * size);
-    (is_flat && across.length() > FLAT * size * size).then_some((center, normal))
 }
 
 /// Returns datums whose faces are replaced by their features. Directions of faces point either way: that of B is
@@ -105,19 +89,6 @@ mod tests {
         assert_eq!(of("wavy-sheet").map_err(|error| error.code()), Err("OPTION_INVALID"));
         let plane = PreparedModel::new(&shape("fig5-plane").unwrap()).unwrap();
         assert_eq!(plane.face_feature(7).map_err(|error| error.code()), Err("OPTION_INVALID"));
-    }
-
-    /// Control points in a plane give it, whichever way its net runs.
-    #[test]
-    fn planes_are_those_of_their_points() {
-        let points = [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0), (2.0, 2.0)].map(|(x, y)| DVec3::new(x, y, 5.0 - x));
-        let (point, normal) = plane_of(&points).unwrap();
-        assert_eq!(point, DVec3::new(1.0, 1.0, 4.0));
-        assert!((normal.dot(DVec3::new(1.0, 0.0, 1.0)).abs() - 2.0_f64.sqrt()).abs() < 1e-15);
-        let line = [0.0, 1.0, 2.0].map(|x| DVec3::X * x);
-        assert_eq!(plane_of(&line), None);
-        let bent = [points[0], points[1], points[2], points[3] + DVec3::Z];
-        assert_eq!(plane_of(&bent), None);
     }
 
     /// A part laid on itself by a face is laid as it was, although its surface may point away.

@@ -1,11 +1,13 @@
 //! The faces in which two models differ.
 
+mod counterpart;
 mod face;
 mod face_search;
 mod pair;
 mod parts;
 mod search;
 
+pub use counterpart::{FaceChange, FaceCounterpart};
 pub use parts::{PartDifference, PartFaces, PartMotion, PartState};
 
 use super::{PreparedModel, Seconds, Witness};
@@ -113,6 +115,9 @@ pub struct FaceDifference {
     pub witness: Witness,
     /// The number of cells bounded.
     pub cells: usize,
+    /// The face of the other model that a changed round face became: resized, moved, or both.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub counterpart: Option<FaceCounterpart>,
 }
 
 /// The difference of two models, face by face.

@@ -1,5 +1,6 @@
 //! The searches that decide the faces' states.
 
+use super::counterpart::pair_round_faces;
 use super::face_search::{FaceSearch, Faces};
 use super::pair::PairParts;
 use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
@@ -70,6 +71,7 @@ impl Engine {
         let started = Instant::now();
         let mut result = self.diff_of_faces(a, b, options, monitor).await?;
         result.hint = hint;
+        pair_round_faces(&mut result, [a, b], options);
         // The progress is that of the faces.
         let mut section = Section { whole: monitor, part: [1.0, 0.0] };
         result.parts = self.parts([a, b], options, &result, started, &mut section).await?;
@@ -219,7 +221,8 @@ impl<'a> Side<'a> {
         let [state, with_gaps] = [limit.keeps(interval), limit.sources_keep(interval)].map(state);
         let [a, b] = search.witness(self.models).ok_or(Error::EmptyModel)?;
         let (gap, cells, witness) = (limit.gap, search.cells(), Witness { a, b });
-        Ok(FaceDifference { face, state, lower, upper, gap, with_gaps, witness, cells })
+        let counterpart = None;
+        Ok(FaceDifference { face, state, lower, upper, gap, with_gaps, witness, cells, counterpart })
     }
 }
 

@@ -5,6 +5,7 @@ mod counts;
 use super::{Body, PreparedModel};
 use crate::area::Area;
 use crate::axis::Axis;
+use crate::carrier::FaceForm;
 use crate::error::Result;
 use crate::facts::Facts;
 use crate::model::trim::TrimPiece;
@@ -74,6 +75,9 @@ pub struct FaceInfo {
     /// The kind of surface in its source.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kind: Option<String>,
+    /// The elementary surface that the face lies on, with bounds on how far it leaves it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub form: Option<FaceForm>,
     /// The degrees in u and v.
     pub degree: [usize; 2],
     /// The numbers of control points along u and v.
@@ -108,8 +112,10 @@ impl ModelInfo {
     #[must_use]
     pub fn of_prepared(model: &Model, prepared: &PreparedModel) -> Self {
         let pieces = prepared.face_patch_counts().zip(prepared.face_areas());
-        let faces = model.faces().zip(pieces);
-        let faces = faces.map(|(face, (patches, area))| FaceInfo::new(&face, patches, *area)).collect();
+        let faces = model.faces().zip(pieces).zip(prepared.face_forms());
+        let faces = faces
+            .map(|((face, (patches, area)), form)| FaceInfo { form, ..FaceInfo::new(&face, patches, *area) })
+            .collect();
         let trimmed = model.faces().filter(|face| face.trim().is_some()).count();
         let counts = Counts::new(Some(model), prepared);
         Self { faces, trimmed, patches: prepared.face_patch_counts().sum(), ..Self::whole(prepared, counts) }
@@ -161,6 +167,7 @@ impl FaceInfo {
             face_name: face.name().map(str::to_owned),
             color: face.color(),
             kind: face.kind().map(str::to_owned),
+            form: None,
             degree: surface.degree(),
             counts: surface.counts(),
             domain: surface.domain().intervals(),

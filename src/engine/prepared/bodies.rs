@@ -96,13 +96,7 @@ impl PreparedModel {
     fn box_of(&self, shell: &ShellParts) -> Aabb {
         let of_surface = |&surface: &u32| match &self.facets {
             Some(facets) => facets.target.facet(surface).bounding_box(),
-            None => {
-                let grid = &self.bezier.grids[surface as usize];
-                let count: usize = grid.counts().iter().product();
-                let boxes = (grid.first..grid.first + count)
-                    .map(|index| self.bezier.patches.patch(index).bounding_box());
-                boxes.fold(Aabb::EMPTY, Aabb::union)
-            }
+            None => self.box_of_piece(surface as usize),
         };
         shell.surfaces.iter().map(of_surface).fold(Aabb::EMPTY, Aabb::union)
     }

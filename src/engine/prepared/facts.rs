@@ -87,6 +87,15 @@ impl PreparedModel {
         true
     }
 
+    /// Returns the box of the control points of a piece of a face of surfaces.
+    pub(in crate::engine) fn box_of_piece(&self, piece: usize) -> Aabb {
+        let grid = &self.bezier.grids[piece];
+        let count: usize = grid.counts().iter().product();
+        let boxes =
+            (grid.first..grid.first + count).map(|index| self.bezier.patches.patch(index).bounding_box());
+        boxes.fold(Aabb::EMPTY, Aabb::union)
+    }
+
     /// Returns the area of the pieces of a face of surfaces.
     fn area_of_face(&self, face: usize) -> Area {
         let grids = self.bezier.grids[self.pieces.faces()[face].clone()].iter();

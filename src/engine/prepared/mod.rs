@@ -2,6 +2,7 @@
 
 mod bodies;
 mod facts;
+mod forms;
 mod kept;
 mod map_base;
 mod measured;

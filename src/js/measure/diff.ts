@@ -1,3 +1,4 @@
+import type { Interval } from "../model/facts.js";
 import type { Transform } from "./options.js";
 import type { OnProgress } from "./progress.js";
 import type { SurfacePoint } from "./result.js";
@@ -44,6 +45,26 @@ export interface FaceDifference {
   witness: { a: SurfacePoint; b: SurfacePoint };
   /** Number of cells bounded. */
   cells: number;
+  /** The face of the other model that a changed round face became. */
+  counterpart?: FaceCounterpart;
+}
+
+/**
+ * The face of the other model that a round one became, as far as one can tell: of the faces that changed and lie on a
+ * sphere, a cylinder or a torus too, each is the one whose box is nearest to that of the other. Which two faces belong
+ * together is a guess; what is said of the two is certain as in `FaceForm`.
+ */
+export interface FaceCounterpart {
+  /** Index of the face in the other model. */
+  face: number;
+  /** `resized`: the radii certainly differ; `moved`: the centre or the axis is farther than the limit from the other. */
+  change: "resized" | "moved" | "resizedAndMoved";
+  /** The radius of this face; of a torus that of the tube. */
+  radius: Interval;
+  /** The radius of the other face, in the same unit. */
+  otherRadius: Interval;
+  /** The way from A's centre, after the transform, to that of B; of cylinders across the axis, from A's to B's. */
+  shift: [number, number, number];
 }
 
 /**

@@ -7,6 +7,7 @@ import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import type { ModelArea } from "./area.js";
 import { type FacetArrays, facetTessellation } from "./facet-tessellation.js";
 import type { Body, Facts } from "./facts.js";
+import type { FaceForm } from "./form.js";
 import type { Solid } from "./solid.js";
 import { controlPoints, type Numbers } from "./surface.js";
 import type { Tessellation, TessellationOptions } from "./tessellation.js";
@@ -130,6 +131,15 @@ export class NurbsModel {
   solid(): Solid {
     const prepared = this.prepared;
     return translating(() => prepared.solid() as Solid);
+  }
+
+  /**
+   * For each face the plane, sphere, cylinder, cone or torus that it lies on, with bounds on how far its points
+   * are from it; null for other surfaces. Of a mesh or a cloud there are none.
+   */
+  faceForms(): (FaceForm | null)[] {
+    const prepared = this.prepared;
+    return translating(() => prepared.faceForms() as (FaceForm | null)[]);
   }
 
   /**

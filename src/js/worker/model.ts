@@ -4,6 +4,7 @@ import { HausdorffError } from "../error.js";
 import type { Vector3 } from "../measure/options.js";
 import type { ModelArea } from "../model/area.js";
 import type { Body, Facts } from "../model/facts.js";
+import type { FaceForm } from "../model/form.js";
 import type { UpdateOptions } from "../model/model.js";
 import type { Solid } from "../model/solid.js";
 import type { Numbers } from "../model/surface.js";
@@ -112,6 +113,13 @@ export class NurbsModel {
     const id = NurbsModel.id(this, this.#channel, "the model");
     const [result] = await this.#channel.call("solid", [id]);
     return result as Solid;
+  }
+
+  /** As the plain model's, in the worker. */
+  async faceForms(): Promise<(FaceForm | null)[]> {
+    const id = NurbsModel.id(this, this.#channel, "the model");
+    const [result] = await this.#channel.call("faceForms", [id]);
+    return result as (FaceForm | null)[];
   }
 
   /** As the plain model's, in the worker. */

@@ -117,6 +117,7 @@ class Server {
     solid: ([, model]) => this.#model(model).solid(),
     facts: ([, model]) => this.#model(model).facts(),
     bodies: ([, model]) => this.#model(model).bodies(),
+    faceForms: ([, model]) => this.#model(model).faceForms(),
     tessellate: ([, model, options]) => this.#model(model).tessellate(options as object),
     update: ([, id, face, points, options]) => {
       const model = this.#model(id);

@@ -1,10 +1,12 @@
 // The list of changed faces: buttons; arrow keys select the next and the previous.
 
-import { facePath } from "nurbs-hausdorff";
+import { type FaceDifference, facePath } from "nurbs-hausdorff";
 import { span } from "../common/elements.ts";
-import { intervalText, listedText } from "../common/text/numbers.ts";
+import { heldText, intervalText, listedText } from "../common/text/numbers.ts";
 import { texts } from "../texts/index.ts";
+import type { Side } from "../worker/protocol.ts";
 import type { Change } from "./changes.ts";
+import type { Kind } from "./kinds.ts";
 
 /** Rows shown; a list of more is not read. */
 const MAX_ROWS = 200;
@@ -70,7 +72,7 @@ export class FaceList {
     button.append(
       letter,
       span("name", name === undefined ? texts.faces.face(difference.face) : shortName(name)),
-      span("kind", kind === "changed" || kind === "undecided" ? "" : texts.faces.kinds[kind]),
+      span("kind", kindText(side, difference, kind, diagonal)),
       span(
         "size",
         difference.state === "undecided"
@@ -103,6 +105,22 @@ export class FaceList {
   #buttons(): HTMLButtonElement[] {
     return [...this.#list.querySelectorAll("button")];
   }
+}
+
+/** What happened to a face; of a resized one with its radii before and after. */
+function kindText(
+  side: Side,
+  { counterpart }: FaceDifference,
+  kind: Kind,
+  diagonal: number,
+): string {
+  if (kind === "changed" || kind === "undecided") return "";
+  if (kind !== "resized" || counterpart === undefined) return texts.faces.kinds[kind];
+  const radii = [counterpart.radius, counterpart.otherRadius];
+  const [own = "", other = ""] = radii.map(({ lower, upper }) =>
+    heldText([lower, upper], diagonal),
+  );
+  return side === "a" ? texts.faces.resized(own, other) : texts.faces.resized(other, own);
 }
 
 /** A face's own name with that of its part: in an assembly, faces of many parts have one name. */

@@ -6,7 +6,8 @@ import type { PlacedPart, Side } from "../worker/protocol.ts";
 /**
  * `extended`: all of the other model's face of that name is within the limit, so that nothing of it
  * is gone and this one reaches beyond; of A that is `shortened` in B. `added` in B or `removed` from
- * A: the other file has no face of that name. `moved`: of a part that is proven to be the other model's after a motion.
+ * A: the other file has no face of that name. `moved`: of a part that is proven to be the other model's after a motion,
+ * or a round face whose axis is elsewhere. `resized`: a round face whose radius is another one, also if it moved.
  * `changed` is all that is beyond and none of these.
  */
 export type Kind =
@@ -17,6 +18,7 @@ export type Kind =
   | "added"
   | "removed"
   | "moved"
+  | "resized"
   | "undecided";
 
 /** Names that stand for none: the number of the face. */
@@ -40,6 +42,8 @@ export function kindsOf(
     const name = nameOf(difference, side);
     if (difference.state !== "changed") return difference.state;
     if (moved.has(difference.face)) return "moved";
+    const change = difference.counterpart?.change;
+    if (change !== undefined) return change === "moved" ? "moved" : "resized";
     if (name === undefined || ownNames.get(name) !== 1) return "changed";
     const count = otherNames.get(name) ?? 0;
     if (count === 0 && isNamed) return side === "a" ? "removed" : "added";

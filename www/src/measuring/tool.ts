@@ -8,7 +8,7 @@ import type { View } from "../scene/view.ts";
 import { field, onChange } from "../state/store.ts";
 import { texts } from "../texts/index.ts";
 import { edgeNear } from "./edges.ts";
-import { faceFit } from "./faces.ts";
+import { roundFace } from "./faces.ts";
 import { minus } from "./fit/linear.ts";
 import { addMeasure, type Measure, type Place } from "./measures.ts";
 import { measured, type Value } from "./values.ts";
@@ -92,7 +92,7 @@ export class Measuring {
     const near = edgeNear(model, place.face, minus(place.point, model.tessellation.origin));
     const isRound = near?.edge.circle !== undefined;
     const reach = EDGE_REACH * this.#view.pixelAt(place.side, place.point);
-    const isMeant = faceFit(model, place.face) === undefined || (near?.distance ?? 0) < reach;
+    const isMeant = roundFace(model, place.face) === undefined || (near?.distance ?? 0) < reach;
     return { what: isRound && isMeant ? "circle" : "radius", places: [place] };
   }
 

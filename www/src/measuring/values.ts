@@ -1,36 +1,14 @@
-// The numbers of what was measured, from the models as they stand. They are of drawn triangles and edges: estimates,
-// and said to be.
-import type { Vector3 } from "three";
-import {
-  distanceText,
-  grouped,
-  shownLength,
-  signedText,
-  upperText,
-} from "../common/text/numbers.ts";
-import { commonUnit } from "../files/units.ts";
+import { distanceText, grouped, signedText } from "../common/text/numbers.ts";
 import type { Models } from "../scene/models.ts";
 import { texts } from "../texts/index.ts";
 import type { DisplayModel } from "../worker/protocol.ts";
 import { type Edge, edgeNear, nearestOn } from "./edges.ts";
-import { faceFit } from "./faces.ts";
-import { along, dot, length, minus, type Vector } from "./fit/linear.ts";
-import { type Fit, fromAxis } from "./fit/surfaces.ts";
+import { length, minus, type Vector } from "./fit/linear.ts";
 import type { Measure, Place } from "./measures.ts";
-
-/** What is said of a measurement, and the arrow that shows it, in the scene. */
-export interface Value {
-  text: string;
-  label: string;
-  from: Vector3;
-  to: Vector3;
-  /** Which faces it is of. */
-  of: string;
-}
+import { fittedText, radiusOf } from "./radius.ts";
+import { localOf, nameOf, SEPARATOR, unitText, type Value } from "./said.ts";
 
 const own = texts.measuring;
-
-const unitText = (): string => commonUnit() ?? own.modelUnits;
 
 /** What was measured; undefined where the models have no such place. */
 export function measured(measure: Measure, models: Models): Value | undefined {
@@ -41,13 +19,6 @@ export function measured(measure: Measure, models: Models): Value | undefined {
   if (measure.what === "radius") return radiusOf(model, place, models);
   return edgeOf(measure.what, model, place, models);
 }
-
-/** A place in its tessellation's coordinates. */
-const localOf = (model: DisplayModel, place: Place): Vector =>
-  minus(place.point, model.tessellation.origin);
-
-const nameOf = (model: DisplayModel, { side, face }: Place): string =>
-  `${side.toUpperCase()} ${model.faceNames[face] ?? face}`;
 
 function distanceOf([first, second]: readonly [Place, Place], models: Models): Value | undefined {
   const ends = [first, second].map((place) => {
@@ -71,62 +42,6 @@ function distanceOf([first, second]: readonly [Place, Place], models: Models): V
     ...{ text: said.join(SEPARATOR), label: `≈ ${size}`, from: from.at, to: to.at },
     of: own.from(nameOf(from.model, first), nameOf(to.model, second)),
   };
-}
-
-const SEPARATOR = " · ";
-
-/** What is said of a radius: its own, and that it is fitted. */
-function radiusText(
-  radius: number,
-  what: string,
-  fit: { residual: number; points: number },
-  diagonal: number,
-): string {
-  const unit = unitText();
-  const [one, two] = [radius, 2 * radius].map((size) => distanceText(size, diagonal));
-  return [
-    own.radiusOf(one ?? "", two ?? "", unit),
-    what,
-    own.fitted(grouped(fit.points), upperText(shownLength(fit.residual)), unit),
-  ].join(SEPARATOR);
-}
-
-function radiusOf(model: DisplayModel, place: Place, models: Models): Value | undefined {
-  const found = faceFit(model, place.face);
-  if (found === undefined) return undefined;
-  const { fit, points } = found;
-  const scale = place.side === "b" ? models.scale : 1;
-  const at = localOf(model, place);
-  const { radius, center } = roundAt(fit, at);
-  const { diagonal } = models;
-  const residual = scale * fit.residual;
-  const what = kindText(fit, scale, diagonal);
-  return {
-    text: radiusText(scale * radius, what, { residual, points }, diagonal),
-    label: own.radiusLabel(distanceText(scale * radius, diagonal)),
-    from: models.place(place.side, [...center]),
-    to: models.place(place.side, [...at]),
-    of: own.of(nameOf(model, place)),
-  };
-}
-
-function kindText(fit: Fit, scale: number, diagonal: number): string {
-  if (fit.kind === "cone") return own.cone(((fit.angle * 180) / Math.PI).toFixed(2));
-  if (fit.kind === "torus")
-    return own.torus(distanceText(scale * fit.around, diagonal), unitText());
-  return fit.kind === "sphere" ? own.sphere : own.cylinder;
-}
-
-/** The radius at a point, and the point that it is measured from. */
-function roundAt(fit: Fit, at: Vector): { radius: number; center: Vector } {
-  if (fit.kind === "sphere") return fit;
-  const { center, axis } = fit;
-  const up = dot(minus(at, center), axis);
-  const foot = along(center, up, axis);
-  if (fit.kind === "cylinder") return { radius: fit.radius, center: foot };
-  if (fit.kind === "cone") return { radius: fromAxis(at, center, axis), center: foot };
-  const out = minus(at, foot);
-  return { radius: fit.radius, center: along(center, fit.around / (length(out) || 1), out) };
 }
 
 function edgeOf(
@@ -156,8 +71,8 @@ function edgeOf(
   return {
     ...common,
     from: models.place(place.side, [...center]),
-    label: own.radiusLabel(distanceText(scale * radius, diagonal)),
-    text: radiusText(scale * radius, own.circle, fit, diagonal),
+    label: `≈ ${own.radiusLabel(distanceText(scale * radius, diagonal))}`,
+    text: fittedText(scale * radius, own.circle, fit, diagonal),
   };
 }
 

@@ -11,6 +11,7 @@ import type {
   DistanceOptions,
   DistanceResult,
   ErrorCode,
+  FaceForm,
   Facts,
   GapOptions,
   GapsResult,
@@ -159,6 +160,8 @@ export interface DisplayModel {
   faceNames: string[];
   /** The colours of its faces in their source, in sRGB from 0 to 1; empty if it gives none. */
   faceColors: (Vector3 | null)[];
+  /** The elementary surfaces that its faces lie on, null for others; of a mesh none at all. */
+  faceForms: (FaceForm | null)[];
 }
 
 /** An error code of the package, or `UNEXPECTED` for any other exception. */

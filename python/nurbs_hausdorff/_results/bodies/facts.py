@@ -99,6 +99,40 @@ class Body:
     points: int | None = None
 
 
+@dataclass(frozen=True)
+class FaceForm:
+    """The elementary surface that all points of a face lie on, up to what is stated.
+
+    Points and directions are numbers: what is certain is how far the face's points are from the form
+    with just these. The gap between the face and its source is not in it.
+
+    Attributes
+    ----------
+    kind : {"plane", "sphere", "cylinder", "cone", "torus"}
+    point : tuple of float
+        A point of the plane or of the cylinder's axis, a cone's apex, else the centre.
+    direction : tuple of float or None
+        Normal of the plane, else direction of the axis, of length 1; None of a sphere.
+    radius : Interval or None
+        Contains the distances of all points of the face from the centre, from the axis, or, of a
+        torus, from the circle in the middle of its tube.
+    major_radius : float or None
+        Radius of that circle.
+    half_angle : float or None
+        Angle between a cone's axis and its lines, in degrees.
+    deviation : float or None
+        Upper bound on the distances of the face's points from the plane or the cone.
+    """
+
+    kind: Literal["plane", "sphere", "cylinder", "cone", "torus"]
+    point: tuple[float, float, float]
+    direction: tuple[float, float, float] | None = None
+    radius: Interval | None = None
+    major_radius: float | None = None
+    half_angle: float | None = None
+    deviation: float | None = None
+
+
 def _intervals(value: Any) -> Any:
     """Make intervals of dictionaries, and tuples of sequences, at every depth."""
     if isinstance(value, dict):
@@ -111,6 +145,11 @@ def _intervals(value: Any) -> Any:
 def facts_result(data: dict[str, Any]) -> Facts:
     """Make the facts of a native dictionary in snake case."""
     return Facts(**{name: _intervals(value) for name, value in data.items()})
+
+
+def form_result(data: dict[str, Any]) -> FaceForm:
+    """Make the form of a native dictionary in snake case."""
+    return FaceForm(**{name: _intervals(value) for name, value in data.items()})
 
 
 def body_result(data: dict[str, Any]) -> Body:

@@ -14,12 +14,16 @@ const PLAIN: std::ops::Range<f64> = 1e-5..1e15;
 
 /// Returns the number with the fewest digits that lies in the interval and rounds `value`, and the
 /// interval with its ends rounded outwards: `0.2 (0.19999 … 0.20001)`.
-pub(crate) fn bounded(value: f64, [lower, upper]: [f64; 2]) -> String {
+pub(crate) fn bounded(value: f64, ends: [f64; 2]) -> String {
+    format!("{} ({})", within(value, ends), interval(ends))
+}
+
+/// Returns the number with the fewest digits that lies in the interval and rounds `value`: `0.2`.
+pub(crate) fn within(value: f64, [lower, upper]: [f64; 2]) -> String {
     let value = if value >= lower { value } else { lower };
     let value = if value <= upper { value } else { upper };
     let short = (1..=MAX_DIGITS).map(|digits| rounded(value, digits));
-    let short = short.into_iter().find(|short| (lower..=upper).contains(short)).unwrap_or(value);
-    format!("{} ({})", number(short), interval([lower, upper]))
+    number(short.into_iter().find(|short| (lower..=upper).contains(short)).unwrap_or(value))
 }
 
 /// Returns the interval with its ends rounded outwards: `0.19999 … 0.20001`.

@@ -36,8 +36,9 @@ export const faces = {
   kinds: {
     ...{ unchanged: "unchanged", changed: "changed", undecided: "undecided" },
     ...{ extended: "extended", shortened: "shortened", added: "added", removed: "removed" },
-    moved: "moved",
+    ...{ moved: "moved", resized: "resized" },
   },
+  resized: (before: string, after: string) => `resized: radius ${before} to ${after}`,
   partStates: {
     ...{ same: "same", renamed: "renamed", moved: "moved", mirrored: "mirrored" },
     ...{ changed: "changed", movedAndChanged: "moved, changed" },

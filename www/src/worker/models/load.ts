@@ -84,6 +84,7 @@ async function displayOf(source: Source, model: NurbsModel): Promise<DisplayMode
     isMesh: isMesh(model),
     faceNames: Array.from({ length: model.faceCount }, (_, face) => listedName(model, face)),
     faceColors: colorsOf(model),
+    faceForms: await model.faceForms(),
   };
 }
 

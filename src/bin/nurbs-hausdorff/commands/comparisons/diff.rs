@@ -3,14 +3,16 @@
 use crate::arguments::{DiffArguments, UnitsOfFiles};
 use crate::failure::Failure;
 use crate::input::{Input, is_judged};
-use crate::output::digits::{bounded, coordinates};
+use crate::output::digits::{bounded, coordinates, within};
 use crate::output::headline::{self, GAPS_DECIDE};
 use crate::output::json::{Asked, OfFiles, raw};
 use crate::output::progress::Bar;
 use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
 use nurbs_hausdorff::pictures::{FarthestPoint, KnownDeviation, PictureOptions};
-use nurbs_hausdorff::{DiffOptions, DiffResult, Engine, FaceDifference, FaceState};
+use nurbs_hausdorff::{
+    DiffOptions, DiffResult, Engine, FaceChange, FaceCounterpart, FaceDifference, FaceState,
+};
 use std::fmt::Write;
 
 /// The largest number of faces of one model and state that the table lists; JSON has all.
@@ -148,8 +150,12 @@ fn findings(result: &DiffResult) -> Vec<String> {
                 let point = if index == 0 { &face.witness.a } else { &face.witness.b };
                 let at = coordinates(point.point, result.diagonal);
                 let face_name = point.face_name.as_ref().map_or(String::new(), |name| format!(" ({name})"));
+                let became = face
+                    .counterpart
+                    .as_ref()
+                    .map_or(String::new(), |found| became(found, index, result.diagonal));
                 findings.push(format!(
-                    "{name} face {}{face_name} {}: {} at {at}",
+                    "{name} face {}{face_name} {}: {} at {at}{became}",
                     face.face,
                     word(state),
                     bounded(face.lower, [face.lower, face.upper])
@@ -165,6 +171,21 @@ fn findings(result: &DiffResult) -> Vec<String> {
         }
     }
     findings
+}
+
+/// Says what became of a round face of A, or what one of B was.
+fn became(found: &FaceCounterpart, index: usize, diagonal: f64) -> String {
+    let [own, other] = [found.radius, found.other_radius]
+        .map(|radius| within(radius.middle(), [radius.lower, radius.upper]));
+    let [before, after] = if index == 0 { [own, other] } else { [other, own] };
+    let resized = format!("radius {before} before, {after} after");
+    let moved = format!("moved by {}", coordinates(found.shift, diagonal));
+    let change = match found.change {
+        FaceChange::Resized => resized,
+        FaceChange::Moved => moved,
+        _ => format!("{resized}, {moved}"),
+    };
+    format!("; {change} ({} face {})", ["B", "A"][index], found.face)
 }
 
 /// Returns the lines below the first.

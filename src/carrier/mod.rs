@@ -1,8 +1,11 @@
-//! Spheres, cylinders, cones and tori that patches lie on.
+//! Spheres, cylinders, cones and tori that patches and faces lie on, with bounds on how far they leave them.
+//!
+//! docs/clearance.md has the lemmas. Nothing here knows of files or processors.
 
 mod cone;
 mod curvature;
 mod distances;
+mod face;
 
 use self::cone::Cone;
 use self::curvature::{Curvature, circle};
@@ -10,6 +13,9 @@ use self::distances::{Distances, across, along, lowest};
 use crate::bezier::Jet;
 use crate::rounding::{gamma, upper_max};
 use glam::DVec3;
+
+pub use face::FaceForm;
+pub(crate) use face::plane_of;
 
 /// The ratio of the principal curvatures below which the smaller one counts as 0, and the part of
 /// the larger one by which they may differ to count as equal. It decides which carrier is tried.
@@ -28,7 +34,7 @@ const SEPARATION_ROUNDINGS: f64 = 64.0;
 /// A point, a line or a circle from which all points of a patch are about equally far, or a cone above which they have
 /// about the height 0.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Carrier {
+pub(crate) struct Carrier {
     /// The point, a point of the line, the circle's centre, or the apex.
     center: DVec3,
     kind: Kind,
@@ -49,11 +55,40 @@ enum Kind {
     Cone(Cone),
 }
 
+impl Kind {
+    /// Returns bounds on the distances of a patch's points from the point, the line or the circle about `center`, or on
+    /// their heights above the cone, with an upper bound on their distances from `center`; `None` where none are known.
+    /// `near` is about the distance from a circle.
+    fn range(
+        self,
+        center: DVec3,
+        near: f64,
+        degree: [usize; 2],
+        points: &[DVec3],
+        weights: &[f64],
+    ) -> Option<([f64; 2], f64)> {
+        let offsets: Vec<DVec3> = points.iter().map(|&point| point - center).collect();
+        let reach = offsets.iter().map(|offset| offset.length()).fold(0.0, upper_max);
+        let of = |offsets: &[DVec3]| Distances::new(degree, offsets, weights, reach);
+        let from_axis = |axis| of(&across(&offsets, axis));
+        let range = match self {
+            Self::Point => of(&offsets).range(),
+            Self::Line(axis) => from_axis(axis).range(),
+            Self::Circle(axis, radius) => of(&offsets).range_from_circle(&from_axis(axis), radius, near)?,
+            Self::Cone(Cone { axis, cos, sin }) => {
+                let heights = along(&offsets, axis);
+                from_axis(axis).range_from_cone(&of(&heights), lowest(&heights), [cos, sin])
+            }
+        };
+        Some((range, reach))
+    }
+}
+
 impl Carrier {
     /// Returns the sphere or the cylinder that has the curvature of a patch in its middle, or the torus
     /// or the cone through its centres of curvature, if all of the patch lies near it. `jet` returns the patch's
     /// derivatives. O(p² q²).
-    pub(super) fn of(
+    pub(crate) fn of(
         jet: impl Fn([f64; 2]) -> Jet,
         degree: [usize; 2],
         points: &[DVec3],
@@ -88,24 +123,15 @@ impl Carrier {
         points: &[DVec3],
         weights: &[f64],
     ) -> Option<Self> {
-        let offsets: Vec<DVec3> = points.iter().map(|&point| point - center).collect();
-        let reach = offsets.iter().map(|offset| offset.length()).fold(0.0, upper_max);
-        let of = |offsets: &[DVec3]| Distances::new(degree, offsets, weights, reach);
-        let from_axis = |axis| of(&across(&offsets, axis));
-        let range = match kind {
-            Kind::Point => of(&offsets).range(),
-            Kind::Line(axis) => from_axis(axis).range(),
+        let near = match kind {
             Kind::Circle(axis, radius) => {
                 let offset = middle - center;
                 let up = axis.dot(offset);
-                let near = up.hypot((offset - up * axis).length() - radius);
-                of(&offsets).range_from_circle(&from_axis(axis), radius, near)?
+                up.hypot((offset - up * axis).length() - radius)
             }
-            Kind::Cone(Cone { axis, cos, sin }) => {
-                let heights = along(&offsets, axis);
-                from_axis(axis).range_from_cone(&of(&heights), lowest(&heights), [cos, sin])
-            }
+            _ => 0.0,
         };
+        let (range, reach) = kind.range(center, near, degree, points, weights)?;
         let size = match kind {
             Kind::Cone(_) => reach,
             _ => range[1],
@@ -120,7 +146,7 @@ impl Carrier {
     /// Guarantee (lemmas C3 and C6 of docs/clearance.md): the distance f from a point, a line or a circle, or the height
     /// above a cone, changes by at most |x - y| between x and y, so that |x - y| is at least the least f of one patch
     /// less the largest of the other; with a carrier each, f of the second is larger by at most a shift.
-    pub(super) fn separation(&self, other: &Self) -> f64 {
+    pub(crate) fn separation(&self, other: &Self) -> f64 {
         let [Some(of_other), Some(of_self)] = [other.shift(self), self.shift(other)] else { return 0.0 };
         let rounding =
             gamma(SEPARATION_ROUNDINGS) * (self.size() + other.size() + self.center.distance(other.center));
