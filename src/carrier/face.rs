@@ -236,10 +236,10 @@ mod tests {
         }
         let (ring, motion) = moved(&torus(2.0, 0.5).unwrap());
         for found in forms(&ring) {
-            let Some(FaceForm::Torus { center, major_radius, radius, .. }) = found else {
+            let Some(FaceForm::Torus { point, major_radius, radius, .. }) = found else {
                 panic!("{found:?}")
             };
-            assert!(DVec3::from_array(center).distance(motion.apply(DVec3::ZERO)) < 1e-10);
+            assert!(DVec3::from_array(point).distance(motion.apply(DVec3::ZERO)) < 1e-10);
             assert!((major_radius - 2.0).abs() < 1e-10);
             assert_radius(radius, 0.5);
         }
