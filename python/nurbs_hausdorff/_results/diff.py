@@ -24,8 +24,8 @@ class FaceCounterpart:
     face : int
         Index of the face in the other model.
     change : {"resized", "moved", "resizedAndMoved"}
-        Whether the radii certainly differ, and whether the centre or the axis is farther than the
-        limit from the other one.
+        Whether the radii certainly differ by more than the limit, and whether the centre or the axis
+        is farther than it from the other one.
     radius, other_radius : Interval
         The radii of this face and of the other one, in one unit; of tori those of the tubes.
     shift : tuple of float

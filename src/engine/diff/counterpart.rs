@@ -14,9 +14,9 @@ use serde::Serialize;
 #[serde(rename_all = "camelCase")]
 #[non_exhaustive]
 pub enum FaceChange {
-    /// The radii certainly differ, and the centre or the axis is within the limit of the other one.
+    /// The radii certainly differ by more than the limit, and the centre or the axis is within it of the other one.
     Resized,
-    /// The centre or the axis is farther than the limit from the other one; the radii may be equal.
+    /// The centre or the axis is farther than the limit from the other one, and the radii are not known to differ by more.
     Moved,
     /// Both.
     ResizedAndMoved,
@@ -137,8 +137,8 @@ impl Round {
         let way = other.point - self.point;
         let shift = if self.is_cylinder { way - self.direction * self.direction.dot(way) } else { way };
         let is_moved = shift.length() > limit;
-        let is_resized = self.radius.is_below(&other.radius) == Some(true)
-            || other.radius.is_below(&self.radius) == Some(true);
+        let [more, less] = [other.radius - self.radius, self.radius - other.radius];
+        let is_resized = more.lower > limit || less.lower > limit;
         let change = match (is_resized, is_moved) {
             (true, false) => FaceChange::Resized,
             (false, true) => FaceChange::Moved,

@@ -57,7 +57,7 @@ export interface FaceDifference {
 export interface FaceCounterpart {
   /** Index of the face in the other model. */
   face: number;
-  /** `resized`: the radii certainly differ; `moved`: the centre or the axis is farther than the limit from the other. */
+  /** `resized`: radii certainly differ by more than the limit; `moved`: the centre or the axis is farther than it away. */
   change: "resized" | "moved" | "resizedAndMoved";
   /** The radius of this face; of a torus that of the tube. */
   radius: Interval;
