@@ -12,6 +12,7 @@ from importlib.metadata import version as _version
 from . import testing
 from ._calls.check import check
 from ._calls.fit import BestFit, FitPose, LeftOut, Zone, best_fit
+from ._calls.maps import deviation_maps
 from ._calls.measure import (
     clearance, closest_points, diff, distance, field, gaps, overlap, signed_distances, statistics,
 )  # fmt: skip
@@ -30,6 +31,7 @@ from ._results.diff import (
 from ._results.distance import DistanceResult
 from ._results.field import Field, FieldPart, Statistics
 from ._results.grid import SignedDistances
+from ._results.maps import DeviationMap, DeviationMaps
 from ._results.score import (
     AtThreshold, Difference, EdgeLengths, FaceCounts, HausdorffScore, Placement, Requirement, Score,
     ScoredModel, SurfaceScore,
@@ -44,13 +46,14 @@ __version__ = _version("nurbs-hausdorff")
 
 __all__ = [
     "AtThreshold", "BestFit", "Beyond", "Body", "BodyPair", "CertifiedStatistics", "CheckResult",
-    "CheckedBody", "ClearanceResult", "ClosestPoints", "DiffResult", "Difference", "DistanceResult",
-    "EdgeLengths", "FaceCounterpart", "FaceCounts", "FaceDifference", "FaceForm", "FaceGap", "Facts", "Field",
-    "FieldPart", "FitPose", "FreeEdge", "GapsResult", "HausdorffScore", "Interval", "LeftOut", "Mesh",
-    "MeshReport", "Model", "NurbsHausdorffError", "Overlap", "OverlapResult", "OverlapVolumes",
-    "PartDifference", "PartFaces", "PartMotion", "Placement", "ReadReport", "Remark", "Requirement",
-    "Score", "ScoredModel", "SelfOverlap", "Shell", "SignedDistances", "Solid", "Statistics",
-    "SurfacePoint", "SurfaceScore", "Transform", "UnkeptRule", "Witness", "Zone", "best_fit",
-    "check", "clearance", "closest_points", "diff", "distance", "field", "gaps", "model", "overlap",
+    "CheckedBody", "ClearanceResult", "ClosestPoints", "DeviationMap", "DeviationMaps",
+    "DiffResult", "Difference", "DistanceResult", "EdgeLengths", "FaceCounterpart", "FaceCounts",
+    "FaceDifference", "FaceForm", "FaceGap", "Facts", "Field", "FieldPart", "FitPose", "FreeEdge",
+    "GapsResult", "HausdorffScore", "Interval", "LeftOut", "Mesh", "MeshReport", "Model",
+    "NurbsHausdorffError", "Overlap", "OverlapResult", "OverlapVolumes", "PartDifference",
+    "PartFaces", "PartMotion", "Placement", "ReadReport", "Remark", "Requirement", "Score",
+    "ScoredModel", "SelfOverlap", "Shell", "SignedDistances", "Solid", "Statistics", "SurfacePoint",
+    "SurfaceScore", "Transform", "UnkeptRule", "Witness", "Zone", "best_fit", "check", "clearance",
+    "closest_points", "deviation_maps", "diff", "distance", "field", "gaps", "model", "overlap",
     "read", "score", "signed_distances", "statistics", "testing",
 ]  # fmt: skip

@@ -77,6 +77,9 @@ def statistics(
 def field(
     a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
 ) -> dict[str, Any]: ...
+def deviation_maps(
+    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
+) -> dict[str, Any]: ...
 def closest_points(
     model: Model,
     points: NDArray[np.float64],

@@ -7,6 +7,7 @@
 
 mod convert;
 mod failure;
+mod maps;
 mod measure;
 mod model;
 mod running;
@@ -15,6 +16,8 @@ use pyo3::prelude::*;
 
 #[pymodule]
 mod _native {
+    #[pymodule_export]
+    use crate::maps::deviation_maps;
     #[pymodule_export]
     use crate::measure::{
         best_fit, check, clearance, closest_points, diff, distance, field, gaps, overlap, score,

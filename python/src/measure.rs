@@ -20,7 +20,8 @@ static CPU: PyOnceLock<Engine> = PyOnceLock::new();
 /// The engine with the GPU, if there is one.
 static GPU: PyOnceLock<Engine> = PyOnceLock::new();
 
-fn cpu(py: Python<'_>) -> &Engine {
+/// Returns the engine of everything that needs no GPU.
+pub(crate) fn cpu(py: Python<'_>) -> &Engine {
     CPU.get_or_init(py, Engine::cpu)
 }
 

@@ -30,6 +30,23 @@ def test_closest_points_and_field():
     assert np.allclose(field.flat("distances"), 3.0) and field.parts[0].points.shape == (4, 4, 3)
 
 
+def test_maps_have_the_deviation_at_each_vertex_within_what_is_known():
+    maps = nh.deviation_maps(square(0.0), square(3.0), of="both")
+    for found, height in ((maps.a, 0.0), (maps.b, 3.0)):
+        assert np.allclose(found.distances, 3.0) and np.all(found.vertices[:, 2] == height)
+        assert found.triangles.max() < len(found.vertices) and set(found.faces) == {0}
+        assert np.allclose(found.feet[:, 2], 3.0 - height)
+        assert np.all(np.abs(found.signed[np.isfinite(found.signed)]) == found.distances[0])
+    assert nh.deviation_maps(square(0.0), square(3.0)).b is None
+    # Of corners 2 beside the other square, which no bound below that may hide.
+    tilted = square(0.0)
+    tilted["ctrl"] = tilted["ctrl"] + np.array([[[0.0, 0, 0]], [[0, 0, 2.0]]])
+    for known in (nh.diff(tilted, square(0.0)), nh.distance(tilted, square(0.0), symmetric=True)):
+        found = nh.deviation_maps(tilted, square(0.0), known=known).a
+        upper = known.faces_of_a[0].upper if isinstance(known, nh.DiffResult) else known.forward.upper
+        assert 2.0 - 1e-6 < found.distances.max() <= upper
+
+
 def test_assertion_names_the_faces():
     nh.testing.assert_shapes_close(square(0.0), square(0.0005))
     with pytest.raises(AssertionError, match="actual face 0(.|\n)*expected face 0"):

@@ -51,6 +51,33 @@ def test_facts_of_a_box():
     assert sheet.volume is None and sheet.facts().volume_unknown == "open"
 
 
+def quarter(radius):
+    """A quarter of the cylinder about z between the heights 0 and 3."""
+    weight = math.sqrt(0.5)
+    arc = [(radius, 0.0, 1.0), (radius, radius, weight), (0.0, radius, 1.0)]
+    ctrl = np.array([[(x, y, height, w) for x, y, w in arc] for height in (0.0, 3.0)])
+    knots = {"knots_u": [0, 0, 1, 1], "knots_v": [0, 0, 0, 1, 1, 1]}
+    return {"degree": [1, 2], **knots, "ctrl": ctrl}
+
+
+def test_faces_have_forms_and_resized_ones_counterparts():
+    box_forms = nh.model(box((1.0, 2.0, 3.0))).face_forms
+    assert [form.kind for form in box_forms] == ["plane"] * 6
+    assert box_forms[0].deviation < 1e-14 and box_forms[0].radius is None
+    (form,) = nh.model([quarter(2.0)]).face_forms
+    assert isinstance(form, nh.FaceForm) and form.kind == "cylinder"
+    assert form.radius.contains(2.0) and form.radius.width < 1e-11
+    assert abs(form.direction[2]) == pytest.approx(1.0) and form.point[:2] == pytest.approx((0, 0))
+    found = nh.diff([quarter(2.0)], [quarter(2.5)], limit=0.1)
+    became = found.faces_of_a[0].counterpart
+    assert (became.face, became.change) == (0, "resized")
+    assert became.radius.contains(2.0) and became.other_radius.contains(2.5)
+    assert found.faces_of_b[0].counterpart.radius == became.other_radius
+    same = nh.diff([quarter(2.0)], [quarter(2.0)])
+    assert same.faces_of_a[0].counterpart is None
+    assert nh.model([quarter(2.0)]).info()["faces"][0]["form"]["kind"] == "cylinder"
+
+
 def test_overlap_of_boxes():
     found = nh.overlap(box((0, 0, 0)), box((0.5, 0.25, 0.5)))
     assert found.converged and found.volumes.intersection.contains(0.1875)

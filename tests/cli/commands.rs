@@ -1,6 +1,7 @@
 //! The command line as a user runs it.
 
-use nurbs_hausdorff::shapes::shape;
+use nurbs_hausdorff::DVec3;
+use nurbs_hausdorff::shapes::{shape, sphere};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::path::PathBuf;
@@ -281,6 +282,24 @@ fn diff_lists_the_changed_faces_and_its_exit_status_says_whether_there_are_any()
     assert_eq!(status(&run(&["diff", &a, &b, "--translate", "0,0,3"])), 0);
     let refused = run(&["diff", &a, &b, "--limit", "-1"]);
     assert_eq!(status(&refused), 2);
+}
+
+#[test]
+fn diff_says_which_radius_a_round_face_had_and_has() {
+    let ball = |radius: f64| {
+        let model = sphere(DVec3::ZERO, radius).unwrap();
+        file(&format!("diff-ball-{radius}.json"), &model.to_json().unwrap())
+    };
+    let [a, b] = [2.0, 2.5].map(ball);
+    let output = run(&["diff", &a, &b]);
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(text.contains("; radius 2 before, 2.5 after (B face 0)\n"), "{text}");
+    assert!(text.contains("; radius 2 before, 2.5 after (A face 0)\n"), "{text}");
+    let output = run(&["diff", &a, &a, "--translate", "0,0,0.5"]);
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(text.contains("; moved by 0 0 -0.5 (B face 0)\n"), "{text}");
+    let info: Value = printed(&run(&["info", &a, "--json"]));
+    assert_eq!(info["faces"][0]["form"]["kind"], "sphere");
 }
 
 /// A plane has no inside, and the planes are 3 apart: the answers that are not given say why.

@@ -63,6 +63,18 @@ test("faces are added or removed by names that the files give, each of one face"
   assert.deepEqual(kindsOf(nameless, "b"), ["changed", "changed", "changed"]);
 });
 
+test("a round face is resized where its radius is another one, and moved where only its axis is", () => {
+  const [resized, moved, both] = ["resized", "moved", "resizedAndMoved"].map((change) => ({
+    counterpart: { face: 0, change },
+  }));
+  const all = faces("a", ["one", "changed"], ["two", "changed"], ["three", "changed"]);
+  const result = {
+    facesOfA: all.map((face, index) => ({ ...face, ...[resized, moved, both][index] })),
+    facesOfB: faces("b"),
+  };
+  assert.deepEqual(kindsOf(result, "a"), ["resized", "moved", "resized"]);
+});
+
 test("faces of a part that is proven to be moved are moved, and of no other part", () => {
   const result = {
     facesOfA: faces("a", ["side", "changed"], ["top", "changed"], ["rib", "unchanged"]),

@@ -36,7 +36,11 @@ for (const [name, Engine] of [
     holds(found.volumes.intersection, lens(1));
     holds(found.volumes.onlyA, ball - lens(1));
     holds(found.ratio, lens(1) / (2 * ball - lens(1)));
+    const [form] = await model.faceForms();
+    assert.equal(form.kind, "sphere");
+    holds(form.radius, 2);
     const sheet = await hd.shape("wavy-sheet");
+    assert.deepEqual(await sheet.faceForms(), [null]);
     assert.equal((await hd.overlap(sheet, model)).volumesUnknown, "a-open");
   });
 }
