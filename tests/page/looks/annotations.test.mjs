@@ -82,6 +82,24 @@ test("a text without words is none", async () => {
   assert.equal(await field().count(), 0);
 });
 
+test("where there is no room for another text the tool says so", async () => {
+  const setAll = (rows) =>
+    page.locator("#annotations-state").evaluate((input, value) => {
+      input.value = value;
+      input.dispatchEvent(new Event("input", { bubbles: true }));
+    }, rows);
+  const before = await page.locator("#annotations-state").inputValue();
+  const row = ["a", 0, 0.5, 0.5, 0, "one of many"];
+  await setAll(JSON.stringify(Array.from({ length: 60 }, () => row)));
+  assert.equal(await page.locator("#annotation-list li").count(), 60);
+  await page.locator("#annotate").click();
+  assert.match(await page.locator("#annotate-text").textContent(), /^There is room for no more/);
+  await click(0.5, 0.5);
+  assert.equal(await field().count(), 0);
+  await setAll(before);
+  assert.deepEqual(await labels().allTextContents(), ["1scratched here"]);
+});
+
 test("a text moves with its model, is changed in the list, undone, and in the address", async () => {
   await drawn(page);
   const at = async () => (await page.locator("#annotations path").getAttribute("d")).split("L")[0];

@@ -19,6 +19,9 @@ const list = keptList("annotations", rowOf, annotationOf);
 /** All annotations, in the order in which they were made: their numbers are from 1. */
 export const annotations = list.all;
 
+/** Whether there is room for another one. */
+export const mayAnnotate = list.hasRoom;
+
 /** Adds an annotation, and returns its index; undefined where there is no room for another one. */
 export const addAnnotation = list.add;
 

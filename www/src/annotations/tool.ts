@@ -2,7 +2,9 @@
 import type { Vector3 } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import { PickingTool, type Take } from "../inspection/pickingTool.ts";
+import { texts } from "../texts/index.ts";
 import type { Side } from "../worker/protocol.ts";
+import { mayAnnotate } from "./annotations.ts";
 
 /** The point of a model at a position in the window. */
 export interface Hit {
@@ -26,13 +28,16 @@ export function annotationTool({ hit, take, begin }: ToolListener): PickingTool 
     take,
     turned: (on) => {
       hint.hidden = !on;
+      hint.textContent = mayAnnotate()
+        ? texts.places.clickToAnnotate
+        : texts.places.annotationsFull;
       // Enter is the middle of the view.
       if (on) element("canvas").focus({ preventScroll: true });
     },
     click: (x, y) => {
       const found = hit(x, y);
-      // A click that hits no model annotates nothing.
-      if (found === undefined) return;
+      // A click that hits no model annotates nothing, and so does one where there is no room.
+      if (found === undefined || !mayAnnotate()) return;
       tool.end();
       begin(found);
     },

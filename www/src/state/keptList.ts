@@ -12,6 +12,8 @@ export interface KeptList<T> {
   readonly all: ReadonlySignal<readonly T[]>;
   /** Replaces all entries. */
   write: (all: readonly T[]) => void;
+  /** Whether there is room for another one. */
+  hasRoom: () => boolean;
   /** Adds one, and returns its index; undefined where there is no room for another one. */
   add: (entry: T) => number | undefined;
 }
@@ -34,13 +36,14 @@ export function keptList<T>(
   const all = computed((): readonly T[] => parsed(state.value));
   const write = (entries: readonly T[]) =>
     state.set(entries.length === 0 ? "" : JSON.stringify(entries.map(rowOf)));
+  const hasRoom = () => all.peek().length < MAX_COUNT;
   const add = (entry: T) => {
+    if (!hasRoom()) return undefined;
     const before = all.peek();
-    if (before.length >= MAX_COUNT) return undefined;
     write([...before, entry]);
     return before.length;
   };
-  return { all, write, add };
+  return { all, write, hasRoom, add };
 }
 
 function rowsOf(text: string): unknown[] {

@@ -6,6 +6,8 @@ export const places = {
   morePairsNeeded: (missing: number) =>
     `${missing} more ${missing === 1 ? "pair is" : "pairs are"} needed.`,
   clickOneOfA: (what: string, more: string) => `Click a ${what} of A. ${more}`,
+  clickToAnnotate: "Click a place of a model; Enter takes the middle of the view. Esc ends.",
+  annotationsFull: "There is room for no more annotations: remove some in the list.",
   whatIsToBeSaid: "What is to be said of this place",
   textOfTheAnnotation: "Text of the annotation",
   save: "Save",

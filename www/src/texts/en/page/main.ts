@@ -96,7 +96,6 @@ export const main = {
   twoPoints: "two points",
   radius: "radius",
   edgeLength: "edge length",
-  clickAPlaceOfA: "Click a place of a model; Enter takes the middle of the view. Esc ends.",
   whatAIsLaidOn: "What A is laid on B by",
   byPoints: "by points",
   byFacesAsDatums: "by faces, as datums",
