@@ -41,12 +41,7 @@ impl Curvature {
 
     /// Returns the centre of the larger curvature at a point.
     pub(super) fn center(&self, point: DVec3) -> DVec3 {
-        self.centers(point)[1]
-    }
-
-    /// Returns the centres of both curvatures at a point, that of the smaller one first.
-    pub(super) fn centers(&self, point: DVec3) -> [DVec3; 2] {
-        self.values.map(|value| point + self.normal / value)
+        point + self.normal / self.values[1]
     }
 }
 

@@ -109,17 +109,9 @@ impl Carrier {
         if (more - less).abs() <= CURVATURE_RATIO * more.abs() {
             return near(middle.point + normal / (0.5 * (less + more)), Kind::Point);
         }
-        let torus = |which: usize| {
-            let center = |at| {
-                let jet = jet(at);
-                Curvature::of(&jet).map(|found| found.centers(jet.point)[which])
-            };
-            let [a, b, c] = PLACES.map(center);
-            let (center, axis, radius) = circle([a?, b?, c?])?;
-            near(center, Kind::Circle(axis, radius))
-        };
-        // The tube has the larger curvature, but where it is wider than the circle.
-        torus(1).or_else(|| torus(0))
+        let [a, b, c] = PLACES.map(|at| Curvature::of(&jet(at)).map(|found| found.center(jet(at).point)));
+        let (center, axis, radius) = circle([a?, b?, c?])?;
+        near(center, Kind::Circle(axis, radius))
     }
 
     /// Returns the carrier if all of a patch, with this point in its middle, lies near it.

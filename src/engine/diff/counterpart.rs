@@ -203,6 +203,9 @@ mod tests {
             let found = became(&one, &b, &options);
             assert!(!found.is_empty(), "{change:?}");
             found.iter().for_each(|one| assert_is(one, change, [1.5, radius], shift));
+            let back = became(&b, &one, &options);
+            back.iter().for_each(|one| assert_is(one, change, [radius, 1.5], -shift));
+            assert_eq!(back.len(), found.len());
         }
     }
 
@@ -218,7 +221,11 @@ mod tests {
     }
 
     #[test]
-    fn a_wall_that_is_longer_has_none() {
+    fn a_wall_that_is_longer_and_one_about_another_axis_have_none() {
+        let wall = cylinder(1.5, 3.0).unwrap();
+        let turn = DQuat::from_rotation_x(0.5);
+        let turned = transformed(&wall, &RigidTransform::new(turn, DVec3::ZERO).unwrap()).unwrap();
+        assert_eq!(became(&wall, &turned, &DiffOptions::default()), []);
         let found =
             became(&cylinder(1.5, 3.0).unwrap(), &cylinder(1.5, 3.5).unwrap(), &DiffOptions::default());
         assert_eq!(found, []);

@@ -3,12 +3,13 @@
 use crate::arguments::{InfoArguments, Unit};
 use crate::failure::Failure;
 use crate::input::{Input, read};
+use crate::output::digits::within;
 use crate::output::json::{OfFile, print_json};
 use crate::output::print;
 use crate::output::report::short;
 use clap::ValueEnum;
 use nurbs_hausdorff::{
-    BodyInfo, BodyKind, Error, Facts, Interval, ModelInfo, Note, Orientation, ReadReport, Skipped,
+    BodyInfo, BodyKind, Error, FaceForm, Facts, Interval, ModelInfo, Note, Orientation, ReadReport, Skipped,
     VolumeUnknown,
 };
 use serde::{Deserialize, Serialize};
@@ -222,11 +223,25 @@ fn faces(out: &mut String, info: &ModelInfo) -> std::fmt::Result {
             format!("  {} loops of {} curves", loops.len(), loops.iter().sum::<usize>())
         });
         let name = face.face_name.as_ref().map_or(String::new(), |name| format!("  {name}"));
+        let form = face.form.as_ref().map_or(String::new(), |form| format!("{}  ", form_text(form)));
         writeln!(
             out,
-            "{index:>8}  degree {p},{q}  net {rows}x{columns}  {kind}  {ends}  \
+            "{index:>8}  {form}degree {p},{q}  net {rows}x{columns}  {kind}  {ends}  \
              [{u_start:?}, {u_end:?}] x [{v_start:?}, {v_end:?}]  {patches} patches  area {area}{trim}{name}"
         )?;
     }
     Ok(())
+}
+
+/// Names the elementary surface that a face lies on, with a radius that its interval holds.
+fn form_text(form: &FaceForm) -> String {
+    let held = |radius: &Interval| within(radius.middle(), [radius.lower, radius.upper]);
+    match form {
+        FaceForm::Plane { .. } => "plane".to_owned(),
+        FaceForm::Sphere { radius, .. } => format!("sphere R {}", held(radius)),
+        FaceForm::Cylinder { radius, .. } => format!("cylinder R {}", held(radius)),
+        FaceForm::Cone { half_angle, .. } => format!("cone ≈ {half_angle:.4}°"),
+        FaceForm::Torus { radius, .. } => format!("torus R {}", held(radius)),
+        _ => String::new(),
+    }
 }
