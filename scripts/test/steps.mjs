@@ -189,8 +189,7 @@ export const steps = [
     row: "lints",
     needs: ["command"],
     what: "Rust documentation",
-    run: () =>
-      lint(["doc", "--release", "--locked", "--no-deps"], { RUSTDOCFLAGS: "-D warnings" }),
+    run: () => lint(["doc", "--release", "--locked", "--no-deps"], { RUSTDOCFLAGS: "-D warnings" }),
   },
   {
     name: "rust",

@@ -94,8 +94,9 @@ test("where there is no room for another text the tool says so", async () => {
   assert.equal(await page.locator("#annotation-list li").count(), 60);
   await page.locator("#annotate").click();
   assert.match(await page.locator("#annotate-text").textContent(), /^There is room for no more/);
-  await click(0.5, 0.5);
+  await page.keyboard.press("Enter");
   assert.equal(await field().count(), 0);
+  await page.keyboard.press("Escape");
   await setAll(before);
   assert.deepEqual(await labels().allTextContents(), ["1scratched here"]);
 });

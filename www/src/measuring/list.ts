@@ -5,8 +5,9 @@ import type { ReportTable } from "../common/tables.ts";
 import type { View } from "../scene/view.ts";
 import { texts } from "../texts/index.ts";
 import { type Measure, measures, removeMeasure } from "./measures.ts";
+import type { Value } from "./said.ts";
 import { arrowOf } from "./tool.ts";
-import { measured, type Value } from "./values.ts";
+import { measured } from "./values.ts";
 
 const own = texts.measuring;
 

@@ -11,7 +11,8 @@ import { edgeNear } from "./edges.ts";
 import { roundFace } from "./faces.ts";
 import { minus } from "./fit/linear.ts";
 import { addMeasure, type Measure, type Place } from "./measures.ts";
-import { measured, type Value } from "./values.ts";
+import type { Value } from "./said.ts";
+import { measured } from "./values.ts";
 
 const text = element("measure-text");
 const own = texts.measuring;
