@@ -63,6 +63,16 @@ test("faces are added or removed by names that the files give, each of one face"
   assert.deepEqual(kindsOf(nameless, "b"), ["changed", "changed", "changed"]);
 });
 
+test("faces that only have numbers in a part of another name are not said to be new", () => {
+  const result = {
+    facesOfA: faces("a", ["plate 1 / face 0", "changed"], ["plate 1 / face 1", "unchanged"]),
+    facesOfB: faces("b", ["plate 2 / face 0", "changed"], ["cover / face 1", "changed"]),
+  };
+  assert.deepEqual(kindsOf(result, "a"), ["changed", "unchanged"]);
+  const parts = [{ state: "added", facesOf: { a: [], b: [1] } }];
+  assert.deepEqual(kindsOf(result, "b", parts), ["changed", "added"]);
+});
+
 test("a round face is resized where its radius is another one, and moved where only its axis is", () => {
   const [resized, moved, both] = ["resized", "moved", "resizedAndMoved"].map((change) => ({
     counterpart: { face: 0, change },

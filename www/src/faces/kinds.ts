@@ -1,14 +1,14 @@
 // What happened to a face, as far as the comparison of all faces proves it together with the names
 // that the files give them.
-import type { DiffResult, FaceDifference } from "nurbs-hausdorff";
+import { type DiffResult, type FaceDifference, facePath } from "nurbs-hausdorff";
 import type { PlacedPart, Side } from "../worker/protocol.ts";
 
 /**
  * `extended`: all of the other model's face of that name is within the limit, so that nothing of it
  * is gone and this one reaches beyond; of A that is `shortened` in B. `added` in B or `removed` from
- * A: the other file has no face of that name. `moved`: of a part that is proven to be the other model's after a motion,
- * or a round face whose axis is elsewhere. `resized`: a round face whose radius is another one, also if it moved.
- * `changed` is all that is beyond and none of these.
+ * A: the other file has no face of that name, or its part has no partner there. `moved`: of a part that is
+ * proven to be the other model's after a motion, or a round face whose axis is elsewhere. `resized`: a round face
+ * whose radius is another one, also if it moved. `changed` is all that is beyond and none of these.
  */
 export type Kind =
   | "unchanged"
@@ -30,23 +30,25 @@ export function kindsOf(
   side: Side,
   parts: readonly PlacedPart[] = [],
 ): Kind[] {
-  const moved = new Set(
-    parts.flatMap(({ state, facesOf }) => (state === "moved" ? facesOf[side] : [])),
-  );
+  const partsThatAre = (which: PlacedPart["state"]) =>
+    new Set(parts.flatMap(({ state, facesOf }) => (state === which ? facesOf[side] : [])));
+  const isOnlyHere = side === "a" ? "removed" : "added";
+  const [moved, single] = [partsThatAre("moved"), partsThatAre(isOnlyHere)];
   const [own, other] = side === "a" ? [facesOfA, facesOfB] : [facesOfB, facesOfA];
   const [ownNames, otherNames] = [countedNames(own, side), countedNames(other, otherSide(side))];
   const states = new Map(other.map((one) => [nameOf(one, otherSide(side)), one.state]));
-  // A file that names no face says nothing of which are new.
-  const isNamed = otherNames.size > 0;
+  // A file that only numbers its faces says nothing of which are new.
+  const isNamed = [...otherNames.keys()].some(isOwnName);
   return own.map((difference) => {
     const name = nameOf(difference, side);
     if (difference.state !== "changed") return difference.state;
     if (moved.has(difference.face)) return "moved";
     const change = difference.counterpart?.change;
     if (change !== undefined) return change === "moved" ? "moved" : "resized";
+    if (single.has(difference.face)) return isOnlyHere;
     if (name === undefined || ownNames.get(name) !== 1) return "changed";
     const count = otherNames.get(name) ?? 0;
-    if (count === 0 && isNamed) return side === "a" ? "removed" : "added";
+    if (count === 0 && isNamed && isOwnName(name)) return isOnlyHere;
     if (count !== 1 || states.get(name) !== "unchanged") return "changed";
     return side === "a" ? "shortened" : "extended";
   });
@@ -62,6 +64,9 @@ function nameOf({ witness }: FaceDifference, side: Side): string | undefined {
   const name = witness[side].faceName;
   return name === undefined || UNNAMED.test(name) ? undefined : name;
 }
+
+/** Whether a name is more than the number of a face in its part. */
+const isOwnName = (name: string): boolean => !UNNAMED.test(facePath(name).at(-1) ?? "");
 
 /** How many faces have each name. */
 function countedNames(all: readonly FaceDifference[], side: Side): Map<string, number> {
