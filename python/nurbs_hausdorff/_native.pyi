@@ -4,7 +4,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Model", "best_fit", "check", "clearance", "closest_points", "diff", "distance", "field", "gaps", "names_beside", "overlap", "score", "signed_distances", "statistics"]
+__all__ = ["Model", "best_fit", "check", "clearance", "closest_points", "deviation_maps", "diff", "distance", "field", "gaps", "names_beside", "overlap", "score", "signed_distances", "statistics"]
 
 _Report = Callable[[float, tuple[float, float] | None], bool]
 _Motion = tuple[tuple[float, float, float, float], tuple[float, float, float]]

@@ -1,9 +1,10 @@
-//! The check of solids: facts, sides, signed distances on grids, statistics and volumes in common, each by a
+//! The check of solids: facts, forms of faces, sides, signed distances on grids, statistics and volumes in common, each by a
 //! second way, and that none is said to meet itself.
 
 mod draw;
 mod embedding;
 mod facts;
+mod forms;
 mod grids;
 mod moments;
 mod overlap;
@@ -30,6 +31,8 @@ pub(crate) fn check_solid(seed: u64, shapes: &Shapes) -> Outcome {
     let started = Instant::now();
     let mut violations = facts::violations(&prepared, &model);
     let seconds = started.elapsed().as_secs_f64();
+    // By numbers of their own: those of the checks below are the ones of recorded runs.
+    violations.extend(forms::violations(&mut Rng::with_seed(seed), &model));
     let (grid, undecided) = grids::violations(rng, &prepared, &model);
     violations.extend(grid);
     violations.extend(sides::violations(rng, &prepared, &model));
