@@ -31,9 +31,9 @@ type Start<'a, T> = Box<dyn FnOnce(Watched<'a>) -> Running<'a, T> + 'a>;
 
 /// A computation that has begun, which may move between threads natively.
 #[cfg(not(target_arch = "wasm32"))]
-type Running<'a, T> = Pin<Box<dyn Future<Output = Result<T>> + Send + 'a>>;
+pub(crate) type Running<'a, T> = Pin<Box<dyn Future<Output = Result<T>> + Send + 'a>>;
 #[cfg(target_arch = "wasm32")]
-type Running<'a, T> = Pin<Box<dyn Future<Output = Result<T>> + 'a>>;
+pub(crate) type Running<'a, T> = Pin<Box<dyn Future<Output = Result<T>> + 'a>>;
 
 impl<'a, T> Computation<'a, T> {
     #[cfg(not(target_arch = "wasm32"))]

@@ -41,7 +41,11 @@ pub use clearance::{
     OverlapUnknown,
 };
 pub use computation::Computation;
+#[cfg(all(feature = "wasm", target_arch = "wasm32"))]
+pub(crate) use computation::Running;
 pub use deviation_maps::{DeviationMap, DeviationMapOptions, DeviationMaps};
+#[cfg(all(feature = "wasm", target_arch = "wasm32"))]
+pub(crate) use deviation_maps::{Here, MapPoints, Measurer};
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use deviation_maps::{MapPair, SignedMap};
 pub use diff::{
@@ -57,6 +61,8 @@ pub use options::{
     NamedOptions,
 };
 pub use overlap::{OverlapOptions, OverlapResult, OverlapVolumes, VolumesUnknown};
+#[cfg(all(feature = "wasm", target_arch = "wasm32"))]
+pub(crate) use points::{BLOCK, Layers, layers_of_grid, measuring_order};
 pub use points::{
     ClosestPointOptions, ClosestPoints, Grid, GridOptions, Precision, SignedDistanceOptions, SignedDistances,
 };

@@ -8,7 +8,7 @@ use crate::facets::{FacetTarget, Nearest};
 use crate::flatness::Flatness;
 use crate::solid::{Enclosing, Side, pseudonormal};
 use glam::DVec3;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// The sine of the angle between the normal and the direction from a foot up to which the foot
@@ -24,7 +24,7 @@ const MIN_COSINE: f64 = 1e-6;
 const BALL: f64 = 1.0 - 1e-9;
 
 /// What the signs of deviations stand for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Signs {

@@ -27,8 +27,10 @@ import {
   checkMaps,
   type DeviationMapOptions,
   type DeviationMaps,
+  type MeasureOfMaps,
 } from "./measure/points/maps.js";
 import type {
+  LayerDistances,
   Precision,
   SignedDistanceOptions,
   SignedDistances,
@@ -46,7 +48,14 @@ import {
   prepare,
   type SurfaceArrays,
 } from "./model/surface.js";
-import { Call, Engine, NamedModels, PreparedModel, shapes } from "./wasm/nurbs_hausdorff.js";
+import {
+  Call,
+  Engine,
+  layersOfGrid,
+  NamedModels,
+  PreparedModel,
+  shapes,
+} from "./wasm/nurbs_hausdorff.js";
 
 /** Options of `Hausdorff.create`. */
 export interface CreateOptions {
@@ -214,13 +223,26 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     b: NurbsModel,
     options: DeviationMapOptions = {},
   ): Promise<DeviationMaps> {
+    return this.deviationMapsBy(a, b, options);
+  }
+
+  /**
+   * As `deviationMaps`, with the points measured by a function.
+   * @internal
+   */
+  async deviationMapsBy(
+    a: NurbsModel,
+    b: NurbsModel,
+    options: DeviationMapOptions,
+    measure?: MeasureOfMaps,
+  ): Promise<DeviationMaps> {
     const models = [prepared(a, "a"), prepared(b, "b")] as const;
     checkMaps(options);
     const { onCoarse, ...rest } = options;
     const listener = new CoarseMaps(onCoarse, rest.onProgress);
     const maps = await this.#inTurn<DeviationMaps>(
       { ...rest, ...listener.progress },
-      (engine, call) => engine.deviationMaps(...models, listener.onCoarse, call),
+      (engine, call) => engine.deviationMaps(...models, listener.onCoarse, measure, call),
     );
     listener.requireWhole();
     return maps;
@@ -298,6 +320,69 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
     return this.#inTurn(options, (engine, call) =>
       engine.closestPoints(surfaces, coordinates, call),
     );
+  }
+
+  /**
+   * The closest points of a block of points in the order in which they are measured; not in turn, as a part of
+   * what has its turn.
+   * @internal
+   */
+  async closestPointsOfBlock(
+    model: NurbsModel,
+    points: Float64Array,
+    options: ClosestPointOptions,
+  ): Promise<ClosestPoints> {
+    const surfaces = prepared(model, "model");
+    return this.#apart(options, (engine, call) =>
+      engine.closestPointsOfBlock(surfaces, points, call),
+    );
+  }
+
+  /**
+   * The number of layers of bricks that a grid is measured in.
+   * @internal
+   */
+  layersOfGrid(model: NurbsModel, options: SignedDistanceOptions): number {
+    return translating(() => layersOfGrid(prepared(model, "model"), options));
+  }
+
+  /**
+   * The signed distances of one of these layers, as `closestPointsOfBlock`.
+   * @internal
+   */
+  async signedDistancesOfLayer(
+    model: NurbsModel,
+    layer: number,
+    options: SignedDistanceOptions,
+  ): Promise<LayerDistances> {
+    const surfaces = prepared(model, "model");
+    return this.#apart(options, (engine, call) =>
+      engine.signedDistancesOfLayers(surfaces, layer, 1, call),
+    );
+  }
+
+  /** Runs a method of the engine as a part of what has its turn. */
+  async #apart<Result>(
+    options: ClosestPointOptions | SignedDistanceOptions,
+    run: (engine: Engine, call: Call) => Promise<unknown>,
+  ): Promise<Result> {
+    const { plain, transform, signal } = split(options);
+    const call = new Call(plain, transform, signal, undefined, Promise.resolve());
+    try {
+      return requireWhole((await run(this.#open(), call)) as Result, signal);
+    } catch (thrown) {
+      throw translated(thrown, { cause: signal?.reason });
+    }
+  }
+
+  /**
+   * Runs work of its own when no method is running.
+   * @internal
+   */
+  async whenFree<Result>(work: () => Result | Promise<Result>): Promise<Result> {
+    const result = this.#turn.then(work);
+    this.#turn = Promise.allSettled([result]).then(() => undefined);
+    return result;
   }
 
   async signedDistances<P extends Precision = "float64">(

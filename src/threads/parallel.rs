@@ -8,7 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use super::locked;
 
 /// The number of items in a range: enough to make the cost of scheduling negligible.
-const RANGE_LENGTH: usize = 512;
+pub(crate) const RANGE_LENGTH: usize = 512;
 
 /// Returns consecutive ranges that cover `0..count`.
 pub(crate) fn ranges(count: usize) -> impl ExactSizeIterator<Item = Range<usize>> {

@@ -4,7 +4,7 @@ use super::failure::to_object;
 use crate::engine::{
     BestFitOptions, CheckOptions, ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField,
     DeviationMapOptions, DiffOptions, DistanceOptions, DistanceResult, FaceDeviations, FieldOptions,
-    GapOptions, Grid, NamedOptions, OverlapOptions, Precision, ScoreOptions, SignedDistanceOptions,
+    GapOptions, Grid, Layers, NamedOptions, OverlapOptions, Precision, ScoreOptions, SignedDistanceOptions,
     SignedDistances, Signs, Statistics, StatisticsOptions,
 };
 use crate::error::{Error, Result};
@@ -383,6 +383,8 @@ struct GridArrays {
     #[serde(with = "serde_wasm_bindgen::preserve")]
     undecided: Uint32Array,
     measured: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rounding: Option<f64>,
 }
 
 /// Signed distances as typed arrays.
@@ -390,6 +392,18 @@ struct GridArrays {
 /// # Errors
 /// As [`to_object`].
 pub(super) fn signed_distances(found: &SignedDistances) -> std::result::Result<JsValue, JsValue> {
+    grid_arrays(found, None)
+}
+
+/// Signed distances of layers of a grid, with their rounding.
+///
+/// # Errors
+/// As [`to_object`].
+pub(super) fn layers(layers: &Layers) -> std::result::Result<JsValue, JsValue> {
+    grid_arrays(&layers.found, Some(layers.rounding))
+}
+
+fn grid_arrays(found: &SignedDistances, rounding: Option<f64>) -> std::result::Result<JsValue, JsValue> {
     let values = match found.precision {
         // Values of that precision are numbers of float32.
         Precision::Float32 => {
@@ -402,7 +416,7 @@ pub(super) fn signed_distances(found: &SignedDistances) -> std::result::Result<J
     let undecided: Vec<u32> = found.undecided.iter().map(|&index| index as u32).collect();
     let SignedDistances { grid, precision, bound, band, measured, .. } = *found;
     let undecided = Uint32Array::from(undecided.as_slice());
-    to_object(&GridArrays { grid, values, precision, bound, band, undecided, measured })
+    to_object(&GridArrays { grid, values, precision, bound, band, undecided, measured, rounding })
 }
 
 /// Triangles as typed arrays.

@@ -5,7 +5,8 @@ use super::convert::deviation_map_options;
 use super::engine::Engine;
 use super::failure::to_object;
 use super::model::PreparedModel;
-use crate::engine::{DeviationMap, DeviationMaps, Signs};
+use super::workers::Workers;
+use crate::engine::{DeviationMap, DeviationMaps, Here, Signs};
 use js_sys::{Float32Array, Float64Array, Function, Promise, Uint32Array};
 use serde::Serialize;
 use std::rc::Rc;
@@ -14,13 +15,14 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 impl Engine {
     /// The maps of the models that the options name. `on_coarse` is called with the maps before their triangles are
-    /// split; what it throws is ignored.
+    /// split; what it throws is ignored. `measure`, if it is given, measures their points, as [`Workers`] states.
     #[wasm_bindgen(js_name = deviationMaps)]
     pub fn deviation_maps(
         &self,
         a: &PreparedModel,
         b: &PreparedModel,
         on_coarse: Option<Function>,
+        measure: Option<Function>,
         call: Call,
     ) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
@@ -32,7 +34,16 @@ impl Engine {
                     let _ = on_coarse.call1(&JsValue::UNDEFINED, &maps);
                 }
             };
-            maps(&engine.deviation_maps_with_coarse(&a, &b, &options?, tell).monitored(monitor).await?)
+            let options = options?;
+            let Some(measure) = measure else {
+                return maps(
+                    &engine.deviation_maps_by(&a, &b, &options, Here, tell).monitored(monitor).await?,
+                );
+            };
+            let workers = Workers::new(measure, &a);
+            let found =
+                engine.deviation_maps_by(&a, &b, &options, workers.measurer(), tell).monitored(monitor).await;
+            maps(&found.map_err(|error| workers.thrown_or(error))?)
         })
     }
 }

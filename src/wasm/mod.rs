@@ -25,6 +25,8 @@ mod readers;
 mod surfaces;
 #[cfg(feature = "wasm-readers")]
 mod triangles;
+#[cfg(feature = "wasm")]
+mod workers;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -29,7 +29,7 @@ const MAX_SAFE_INTEGER: u64 = (1 << 53) - 1;
 #[wasm_bindgen]
 pub struct PreparedModel {
     /// The model itself, for updates; none of a mesh or a cloud of points.
-    source: Option<Model>,
+    source: Option<Rc<Model>>,
     prepared: Rc<engine::PreparedModel>,
     /// The report on reading it from a text.
     report: Option<ReadReport>,
@@ -111,6 +111,19 @@ impl PreparedModel {
     #[wasm_bindgen(getter)]
     pub fn report(&self) -> std::result::Result<JsValue, JsValue> {
         self.report.as_ref().map_or(Ok(JsValue::UNDEFINED), to_object)
+    }
+
+    /// The model as interchange JSON, from which [`Self::from_json`] makes an equal one; undefined of a mesh, a cloud
+    /// of points, and a model whose text would be too long for it.
+    #[wasm_bindgen(js_name = toJson)]
+    pub fn to_json(&self) -> Result<Option<String>> {
+        let Some(source) = &self.source else { return Ok(None) };
+        Ok(Some(source.to_json()?).filter(|json| json.len() as u64 <= Model::MAX_JSON_BYTES))
+    }
+
+    /// The model as it is now, whatever becomes of this one.
+    pub fn held(&self) -> PreparedModel {
+        Self { source: self.source.clone(), prepared: self.inner(), report: None }
     }
 
     /// `{json, report}` of what the readers' module gave, as [`Self::from_read`].
@@ -206,7 +219,7 @@ impl PreparedModel {
         let source = self.source.as_ref().ok_or(Error::FacetsUnsupported { found })?;
         let source = source.with_control_points(face, points.to_vec())?;
         self.prepared = Rc::new(self.prepared.updated(&source)?);
-        self.source = Some(source);
+        self.source = Some(Rc::new(source));
         Ok(())
     }
 
@@ -251,12 +264,12 @@ impl PreparedModel {
         watch: Watch<'_, Result<Untrimmed>>,
     ) -> Result<Self> {
         let (source, prepared) = engine::PreparedModel::new_watched(model, &mut report, watch)?;
-        Ok(Self { prepared: Rc::new(prepared), source: Some(source), report: Some(report) })
+        Ok(Self { prepared: Rc::new(prepared), source: Some(Rc::new(source)), report: Some(report) })
     }
 
     fn new(source: Model, report: Option<ReadReport>) -> Result<Self> {
         let prepared = Rc::new(engine::PreparedModel::new(&source)?);
-        Ok(Self { prepared, source: Some(source), report })
+        Ok(Self { prepared, source: Some(Rc::new(source)), report })
     }
 
     pub(super) fn inner(&self) -> Rc<engine::PreparedModel> {

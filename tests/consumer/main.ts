@@ -78,7 +78,7 @@ function ofIteration({ bounds, forward }: IterationResult): number {
 
 /** The same API in a worker. */
 export async function elsewhere(text: string): Promise<number> {
-  using hd = await away.Hausdorff.create({ backend: "cpu" });
+  using hd = await away.Hausdorff.create({ backend: "cpu", workers: "auto", memoryBudget: 512 });
   using a: away.NurbsModel = await hd.model(text);
   const { within } = await hd.distance(a, await hd.shape("sphere"), { limit: 1 });
   const points = new Float64Array(3);

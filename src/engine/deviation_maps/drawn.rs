@@ -1,5 +1,6 @@
 //! Maps of pictures.
 
+use super::measurer::Here;
 use super::{BASE_PART, MapSearch};
 use crate::deviation::Map;
 use crate::engine::section::Section;
@@ -17,13 +18,17 @@ impl Engine {
     pub(crate) fn measured_map<'a>(&'a self, mut search: MapSearch<'a>) -> Computation<'a, SignedMap> {
         Computation::new(move |mut watched| {
             Box::pin(async move {
+                let mut measurer = Here;
                 if search.builder.may_have_colors() {
                     search
-                        .measure(self, &mut Section { whole: watched.monitor(), part: [0.0, BASE_PART] })
+                        .measure(
+                            &mut measurer,
+                            &mut Section { whole: watched.monitor(), part: [0.0, BASE_PART] },
+                        )
                         .await?;
                     search.builder.refine();
                     let part = [BASE_PART, 1.0 - BASE_PART];
-                    search.measure(self, &mut Section { whole: watched.monitor(), part }).await?;
+                    search.measure(&mut measurer, &mut Section { whole: watched.monitor(), part }).await?;
                 }
                 Ok(SignedMap { signs: search.signs, map: search.builder.finish() })
             })

@@ -2,6 +2,7 @@
 
 #[cfg(not(target_arch = "wasm32"))]
 mod drawn;
+mod measurer;
 mod result;
 mod search;
 
@@ -15,6 +16,10 @@ use crate::model::RigidTransform;
 use crate::progress::{MaybeSend, Monitor};
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use drawn::SignedMap;
+#[cfg(all(feature = "wasm", target_arch = "wasm32"))]
+pub(crate) use measurer::{Here, MapPoints, Measurer};
+#[cfg(not(all(feature = "wasm", target_arch = "wasm32")))]
+use measurer::{Here, Measurer};
 pub use result::{DeviationMap, DeviationMaps};
 pub(crate) use search::MapPair;
 use search::MapSearch;
@@ -74,30 +79,33 @@ impl Engine {
         b: &'a PreparedModel,
         options: &'a DeviationMapOptions,
     ) -> Computation<'a, DeviationMaps> {
-        self.deviation_maps_with_coarse(a, b, options, |_| {})
+        self.deviation_maps_by(a, b, options, Here, |_| {})
     }
 
-    /// As [`Self::deviation_maps`]; calls `on_coarse` with the maps before their triangles are split, if they
-    /// will be.
-    pub(crate) fn deviation_maps_with_coarse<'a>(
+    /// As [`Self::deviation_maps`], with the points measured by `measurer`; calls `on_coarse` with the maps before
+    /// their triangles are split, if they will be.
+    pub(crate) fn deviation_maps_by<'a>(
         &'a self,
         a: &'a PreparedModel,
         b: &'a PreparedModel,
         options: &'a DeviationMapOptions,
+        mut measurer: impl Measurer + 'a,
         mut on_coarse: impl FnMut(DeviationMaps) + MaybeSend + 'a,
     ) -> Computation<'a, DeviationMaps> {
         Computation::new(move |mut watched| {
             Box::pin(async move {
                 let pair = MapPair::new(a, b, options.transform, options.scale_units)?;
-                self.maps_of(&pair, options, &mut on_coarse, watched.monitor()).await
+                pair.maps(options, &mut measurer, &mut on_coarse, watched.monitor()).await
             })
         })
     }
+}
 
-    async fn maps_of(
+impl MapPair<'_> {
+    async fn maps(
         &self,
-        pair: &MapPair<'_>,
         options: &DeviationMapOptions,
+        measurer: &mut dyn Measurer,
         on_coarse: &mut (impl FnMut(DeviationMaps) + MaybeSend),
         monitor: &mut dyn Monitor,
     ) -> Result<DeviationMaps> {
@@ -107,27 +115,27 @@ impl Engine {
         let mut searches = Vec::new();
         for (is_of_a, shown) in shown {
             if let Some(shown) = shown {
-                searches.push((is_of_a, pair.search(is_of_a, shown, Fineness::SCREEN)?));
+                searches.push((is_of_a, self.search(is_of_a, shown, Fineness::SCREEN)?));
             }
         }
         let count = searches.len() as f64;
         let maps = |searches: &[(bool, MapSearch<'_>)]| {
             let of = |side: bool| searches.iter().find(|(is_of_a, _)| *is_of_a == side);
             let [a, b] = [true, false].map(|side| of(side).map(|(_, search)| search.map()));
-            DeviationMaps { diagonal: pair.diagonal(), a, b }
+            DeviationMaps { diagonal: self.diagonal(), a, b }
         };
         for (index, (_, search)) in searches.iter_mut().enumerate() {
             let begin = BASE_PART * index as f64 / count;
-            search.measure(self, &mut Section { whole: monitor, part: [begin, BASE_PART / count] }).await?;
+            let part = [begin, BASE_PART / count];
+            search.measure(measurer, &mut Section { whole: monitor, part }).await?;
             search.builder.refine();
         }
         if searches.iter().any(|(_, search)| !search.builder.pending().is_empty()) {
             on_coarse(maps(&searches));
             for (index, (_, search)) in searches.iter_mut().enumerate() {
                 let begin = BASE_PART + (1.0 - BASE_PART) * index as f64 / count;
-                search
-                    .measure(self, &mut Section { whole: monitor, part: [begin, (1.0 - BASE_PART) / count] })
-                    .await?;
+                let part = [begin, (1.0 - BASE_PART) / count];
+                search.measure(measurer, &mut Section { whole: monitor, part }).await?;
             }
         }
         monitor.progress(1.0);

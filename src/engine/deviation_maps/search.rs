@@ -1,9 +1,10 @@
 //! The search of a map: its points are measured from the other model.
 
 use super::DeviationMap;
+use super::measurer::{MapPoints, Measurer};
 use crate::deviation::{FLOOR, Fineness, KnownDeviation, MapBuilder, Placing};
 use crate::engine::section::Section;
-use crate::engine::{ClosestPointOptions, ClosestPoints, Engine, PreparedModel, Signs};
+use crate::engine::{ClosestPointOptions, ClosestPoints, PreparedModel, Signs};
 use crate::error::Result;
 use crate::model::RigidTransform;
 use crate::progress::Monitor;
@@ -86,14 +87,19 @@ impl<'a> MapPair<'a> {
 impl MapSearch<'_> {
     /// Measures all pending points; of a map that is refined round after round, each a part of the rest of the
     /// progress.
-    pub(super) async fn measure(&mut self, engine: &Engine, monitor: &mut dyn Monitor) -> Result<()> {
+    pub(super) async fn measure(
+        &mut self,
+        measurer: &mut dyn Measurer,
+        monitor: &mut dyn Monitor,
+    ) -> Result<()> {
         let mut begin = 0.0;
         while !self.builder.pending().is_empty() {
             let part = if self.is_refined() { ROUND_PART * (1.0 - begin) } else { 1.0 };
             let mut section = Section { whole: &mut *monitor, part: [begin, part] };
             begin += part;
             let points = self.builder.pending();
-            let found = engine.closest_points_of(self.other, points, &self.options, &mut section).await?;
+            let asked = MapPoints { other: self.other, points, options: &self.options };
+            let found = measurer.measure(asked, &mut section).await?;
             let ClosestPoints { signed, distances, feet, signs, .. } = found;
             self.builder.measured(&signed, &distances, &feet);
             self.signs = signs;

@@ -30,7 +30,7 @@ fn the_maps_of_a_page_and_of_a_picture_begin_alike_and_hold_the_farthest_point()
     let options = DeviationMapOptions { a: Some(shown.clone()), ..DeviationMapOptions::default() };
     let mut coarse = None;
     let told = |maps: DeviationMaps| coarse = maps.a;
-    let screen = engine.deviation_maps_with_coarse(&a, &b, &options, told).wait().unwrap().a.unwrap();
+    let screen = engine.deviation_maps_by(&a, &b, &options, Here, told).wait().unwrap().a.unwrap();
     let coarse = coarse.unwrap();
     let pair = MapPair::new(&a, &b, options.transform, false).unwrap();
     let search = pair.search(true, &shown, Fineness::PICTURE).unwrap();

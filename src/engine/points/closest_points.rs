@@ -10,7 +10,7 @@ use crate::progress::{Monitor, Progress};
 use crate::threads::parallel::map_ranges;
 use crate::tolerance::{PermittedWidth, not_negative};
 use glam::DVec3;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// The number of points between two checkpoints: some tens of milliseconds of work on
 /// all cores, and in WebAssembly, on one thread, fewer than a frame of a display takes.
@@ -20,18 +20,20 @@ const POINTS_AT_ONCE: usize = if cfg!(target_arch = "wasm32") { 1024 } else { 81
 const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-9;
 
 /// Options of [`Engine::closest_points`]; names in camelCase when deserialized.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "camelCase")]
 pub struct ClosestPointOptions {
     /// The permitted excess of a distance over the least one, in model units, positive.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<f64>,
     /// The same as a fraction of the diagonal of the model's control-net box; 1e-9 if
     /// neither is given. Both at once are an error.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub relative_tolerance: Option<f64>,
     /// Distances up to this, in model units, have the sign 0, which is then not decided: beside the
     /// faces of a solid a sign takes many times as long as the distance. 0, the default, decides all.
     pub sign_tolerance: f64,
-    /// Moves the points before they are measured. It is not deserialized, because only
+    /// Moves the points before they are measured. It is neither serialized nor deserialized, because only
     /// [`RigidTransform::new`] makes one.
     #[serde(skip)]
     pub transform: RigidTransform,
@@ -87,43 +89,60 @@ impl Engine {
         options: &'a ClosestPointOptions,
     ) -> Computation<'a, ClosestPoints> {
         Computation::new(move |mut watched| {
-            Box::pin(async move { self.closest_points_of(model, points, options, watched.monitor()).await })
+            Box::pin(async move { closest_points_of(model, points, options, watched.monitor()).await })
         })
     }
+}
 
-    pub(in crate::engine) async fn closest_points_of(
-        &self,
-        model: &PreparedModel,
-        points: &[f64],
-        options: &ClosestPointOptions,
-        monitor: &mut dyn Monitor,
-    ) -> Result<ClosestPoints> {
-        let ClosestPointOptions { tolerance, relative_tolerance, sign_tolerance, transform } = *options;
-        let permitted = PermittedWidth { tolerance, relative_tolerance };
-        permitted.validate()?;
-        not_negative("sign tolerance", sign_tolerance)?;
-        require_in_range(points)?;
-        let gap = permitted.in_units(model.bounding_box().diagonal(), DEFAULT_RELATIVE_TOLERANCE);
-        let measured = Measured::new(model, gap, sign_tolerance);
-        let query = measured.query().ok_or(Error::EmptyModel)?;
-        let mut progress = Progress::new(monitor, false);
-        let order = along_curve(points);
-        let mut found = ClosestPoints::of_count(order.len(), query.signs());
-        for (page, indices) in order.chunks(POINTS_AT_ONCE).enumerate() {
-            let parts = map_ranges(indices.len(), |range| {
-                let mut known = Known::default();
-                let of_point = |&index: &u32| measure(&query, points, index, &transform, &mut known);
-                indices[range].iter().map(of_point).collect::<Option<Vec<_>>>()
-            });
-            for measured in parts {
-                measured.ok_or(Error::EmptyModel)?.iter().for_each(|measured| found.set(measured));
-            }
-            let done = page * POINTS_AT_ONCE + indices.len();
-            progress.checkpoint(done as f64 / order.len() as f64).await?;
+/// Returns the closest points of a model to `points`, as [`Engine::closest_points`] does.
+///
+/// # Errors
+/// Those of [`Engine::closest_points`].
+pub(in crate::engine) async fn closest_points_of(
+    model: &PreparedModel,
+    points: &[f64],
+    options: &ClosestPointOptions,
+    monitor: &mut dyn Monitor,
+) -> Result<ClosestPoints> {
+    closest_points_along(model, points, &along_curve(points), options, monitor).await
+}
+
+/// Returns the same, in the order of these indices of all points. The foot of one point is the start of the next,
+/// up to the end of a range of [`RANGE_LENGTH`](crate::threads::parallel::RANGE_LENGTH) points.
+///
+/// # Errors
+/// Those of [`Engine::closest_points`].
+pub(super) async fn closest_points_along(
+    model: &PreparedModel,
+    points: &[f64],
+    order: &[u32],
+    options: &ClosestPointOptions,
+    monitor: &mut dyn Monitor,
+) -> Result<ClosestPoints> {
+    let ClosestPointOptions { tolerance, relative_tolerance, sign_tolerance, transform } = *options;
+    let permitted = PermittedWidth { tolerance, relative_tolerance };
+    permitted.validate()?;
+    not_negative("sign tolerance", sign_tolerance)?;
+    require_in_range(points)?;
+    let gap = permitted.in_units(model.bounding_box().diagonal(), DEFAULT_RELATIVE_TOLERANCE);
+    let measured = Measured::new(model, gap, sign_tolerance);
+    let query = measured.query().ok_or(Error::EmptyModel)?;
+    let mut progress = Progress::new(monitor, false);
+    let mut found = ClosestPoints::of_count(order.len(), query.signs());
+    for (page, indices) in order.chunks(POINTS_AT_ONCE).enumerate() {
+        let parts = map_ranges(indices.len(), |range| {
+            let mut known = Known::default();
+            let of_point = |&index: &u32| measure(&query, points, index, &transform, &mut known);
+            indices[range].iter().map(of_point).collect::<Option<Vec<_>>>()
+        });
+        for measured in parts {
+            measured.ok_or(Error::EmptyModel)?.iter().for_each(|measured| found.set(measured));
         }
-        progress.finish();
-        Ok(found)
+        let done = page * POINTS_AT_ONCE + indices.len();
+        progress.checkpoint(done as f64 / order.len() as f64).await?;
     }
+    progress.finish();
+    Ok(found)
 }
 
 /// The entries of one point.

@@ -1,14 +1,16 @@
 //! Signed distances of a solid on a grid.
 
-use super::bricks::{Brick, bricks};
+use super::bricks::{Brick, SIDE, bricks};
 use super::grid::{Grid, GridOptions};
 use super::query::Measured;
+use crate::bvh::Aabb;
 use crate::engine::{Computation, Engine, PreparedModel, Signs};
 use crate::error::{Error, Result};
 use crate::progress::{Monitor, Progress};
 use crate::threads::parallel::map_items;
 use crate::tolerance::{PermittedWidth, positive};
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 /// The number of bricks between two checkpoints, as that of closest points.
 const BRICKS_AT_ONCE: usize = if cfg!(target_arch = "wasm32") { 2 } else { 64 };
@@ -112,23 +114,48 @@ impl Engine {
         options: &'a SignedDistanceOptions,
     ) -> Computation<'a, SignedDistances> {
         Computation::new(move |mut watched| {
-            Box::pin(async move { compute(model, options, watched.monitor()).await })
+            Box::pin(async move {
+                let all = 0..usize::MAX;
+                let Layers { found, rounding } = layers(model, options, all, watched.monitor()).await?;
+                Ok(SignedDistances { bound: found.bound + rounding, ..found })
+            })
         })
     }
 }
 
-async fn compute(
+impl SignedDistanceOptions {
+    /// Returns the grid, of a model of this box.
+    pub(super) fn grid_about(&self, aabb: &Aabb) -> Result<Grid> {
+        self.band.map_or(Ok(()), |band| positive("band", band))?;
+        Grid::new(&self.grid, aabb, self.band.unwrap_or(0.0))
+    }
+}
+
+/// The signed distances of consecutive layers of bricks along z.
+pub(crate) struct Layers {
+    /// Those of their points: `grid` and the places of `undecided` are those of the whole. `bound` does not include
+    /// the rounding.
+    pub(crate) found: SignedDistances,
+    /// An upper bound on the errors by the rounding to the precision.
+    pub(crate) rounding: f64,
+}
+
+/// Returns the signed distances of the layers of bricks in a range, up to the last layer that there is.
+///
+/// # Errors
+/// Those of [`Engine::signed_distances`].
+pub(super) async fn layers(
     model: &PreparedModel,
     options: &SignedDistanceOptions,
+    range: Range<usize>,
     monitor: &mut dyn Monitor,
-) -> Result<SignedDistances> {
+) -> Result<Layers> {
     let SignedDistanceOptions { tolerance, relative_tolerance, precision, .. } = *options;
     let permitted = PermittedWidth { tolerance, relative_tolerance };
     permitted.validate()?;
-    options.band.map_or(Ok(()), |band| positive("band", band))?;
-    let band = options.band.map_or(f64::INFINITY, |band| precision.rounded(band));
     let aabb = model.bounding_box();
-    let grid = Grid::new(&options.grid, &aabb, options.band.unwrap_or(0.0))?;
+    let grid = options.grid_about(&aabb)?;
+    let band = options.band.map_or(f64::INFINITY, |band| precision.rounded(band));
     let gap = permitted.in_units(aabb.diagonal(), DEFAULT_RELATIVE_TOLERANCE);
     let measured = Measured::new(model, gap, 0.0);
     let query = measured.query().ok_or(Error::EmptyModel)?;
@@ -136,8 +163,10 @@ async fn compute(
         return Err(Error::NotClosed { found: model.solid().free_edges.len() });
     }
     let mut progress = Progress::new(monitor, false);
+    let [width, depth, height] = grid.counts;
+    let [first, end] = [range.start, range.end].map(|layer| layer.saturating_mul(SIDE).min(height));
     let mut found = SignedDistances {
-        values: vec![0.0; grid.len()],
+        values: vec![0.0; width * depth * (end - first)],
         bound: 0.0,
         undecided: Vec::new(),
         measured: 0,
@@ -146,42 +175,46 @@ async fn compute(
         precision,
     };
     let all = bricks(&grid);
+    let of_layer = width.div_ceil(SIDE) * depth.div_ceil(SIDE);
+    let all = &all[of_layer * first.div_ceil(SIDE)..of_layer * end.div_ceil(SIDE)];
     for (page, bricks) in all.chunks(BRICKS_AT_ONCE).enumerate() {
         let filled = map_items(bricks.to_vec(), |brick| brick.fill(&query, &grid, band));
         for (&brick, filled) in bricks.iter().zip(filled) {
-            found.take(brick, filled.ok_or(Error::EmptyModel)?);
+            found.take(brick, filled.ok_or(Error::EmptyModel)?, width * depth * first);
         }
         let done = page * BRICKS_AT_ONCE + bricks.len();
         progress.checkpoint(done as f64 / all.len() as f64).await?;
     }
     found.undecided.sort_unstable();
-    found.round();
+    let rounding = found.round();
     progress.finish();
-    Ok(found)
+    Ok(Layers { found, rounding })
 }
 
 impl SignedDistances {
-    fn take(&mut self, brick: Brick, filled: super::bricks::Filled) {
+    /// Takes the values of a brick; the first one that is kept has the place `first` in the whole grid.
+    fn take(&mut self, brick: Brick, filled: super::bricks::Filled, first: usize) {
         let places: Vec<usize> = brick.places(&self.grid).collect();
-        places.iter().zip(filled.values).for_each(|(&place, value)| self.values[place] = value);
+        places.iter().zip(filled.values).for_each(|(&place, value)| self.values[place - first] = value);
         self.undecided.extend(filled.undecided.into_iter().map(|local| places[local]));
         self.bound = crate::rounding::upper_max(self.bound, filled.bound);
         self.measured += filled.measured;
     }
 
-    /// Rounds the values to their precision, and adds what that changes to the bound.
-    fn round(&mut self) {
+    /// Rounds the values to their precision, and returns an upper bound on what that changes.
+    fn round(&mut self) -> f64 {
         if self.precision == Precision::Float64 {
-            return;
+            return 0.0;
         }
         let mut largest = 0.0_f64;
         for value in &mut self.values {
             largest = crate::rounding::upper_max(largest, value.abs());
             *value = self.precision.rounded(*value);
         }
-        self.bound += FLOAT32_ROUNDING * largest + FLOAT32_UNDERFLOW;
-        if !(largest <= f64::from(f32::MAX)) {
-            self.bound = f64::INFINITY;
+        if largest <= f64::from(f32::MAX) {
+            FLOAT32_ROUNDING * largest + FLOAT32_UNDERFLOW
+        } else {
+            f64::INFINITY
         }
     }
 }

@@ -3,12 +3,13 @@ import type { CadReport } from "../cad/report.js";
 import { HausdorffError, translating } from "../error.js";
 import { checkKeys } from "../keys.js";
 import type { Vector3 } from "../measure/options.js";
-import type { PreparedModel } from "../wasm/nurbs_hausdorff.js";
+import { PreparedModel } from "../wasm/nurbs_hausdorff.js";
 import type { ModelArea } from "./area.js";
 import { type FacetArrays, facetTessellation } from "./facet-tessellation.js";
 import type { Body, Facts } from "./facts.js";
 import type { FaceForm } from "./form.js";
 import type { Solid } from "./solid.js";
+import type { ModelSource } from "./source.js";
 import { controlPoints, type Numbers } from "./surface.js";
 import type { Tessellation, TessellationOptions } from "./tessellation.js";
 
@@ -36,6 +37,9 @@ export class NurbsModel {
 
   /** The arrays of a mesh or a cloud of points, which displays them. */
   readonly #facets: FacetArrays | undefined;
+
+  /** Whether control points were changed, after which cuts and trees are those of an older shape. */
+  #isUpdated = false;
 
   private constructor(
     prepared: PreparedModel,
@@ -65,6 +69,43 @@ export class NurbsModel {
       throw new HausdorffError("DISPOSED", "the model was disposed of");
     }
     return this.#prepared;
+  }
+
+  /**
+   * What another worker makes an equal model of, which gives the same results bit for bit; undefined after
+   * updates, and of a model whose text would be too long.
+   * @internal
+   */
+  get source(): ModelSource | undefined {
+    if (this.#isUpdated) return undefined;
+    const { unit, gap } = this.prepared;
+    if (this.#facets !== undefined) return { facets: this.#facets, unit, gap };
+    const json = translating(() => this.prepared.toJson());
+    return json === undefined ? undefined : { json };
+  }
+
+  /**
+   * The model of a source.
+   * @internal
+   */
+  static fromSource(source: ModelSource): NurbsModel {
+    return translating(() => {
+      if ("json" in source) return NurbsModel.of(PreparedModel.fromJson(source.json));
+      const { facets, unit, gap } = source;
+      const { positions, triangles, counts } = facets;
+      const of = [positions, triangles, unit, counts, undefined, gap] as const;
+      return NurbsModel.of(PreparedModel.fromFacets(...of), null, facets);
+    });
+  }
+
+  /**
+   * The model as it is now, which neither an update nor a disposal of this one changes.
+   * @internal
+   */
+  held(): NurbsModel {
+    const held = NurbsModel.of(this.prepared.held(), null, this.#facets);
+    held.#isUpdated = this.#isUpdated;
+    return held;
   }
 
   /** The name in the model's JSON, or the shape's. */
@@ -190,6 +231,7 @@ export class NurbsModel {
     }
     const changed = controlPoints(points, options.homogeneous, "");
     translating(() => prepared.update(face, changed));
+    this.#isUpdated = true;
   }
 
   /** Frees its memory; distances that use it still end well. */

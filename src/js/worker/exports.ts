@@ -7,3 +7,4 @@ export {
   type WorkerCreateOptions,
 } from "./hausdorff.js";
 export { NurbsModel } from "./model.js";
+export type { PoolOptions } from "./pool/options.js";

@@ -40,11 +40,12 @@ import {
   type SurfaceArrays,
 } from "../model/surface.js";
 import { type CallOptions, Channel } from "./channel.js";
-import type { Listener, MapReport, ModelFacts, Port, ReadingReport, Reply } from "./messages.js";
+import type { Connect, MapReport, ModelFacts, ReadingReport } from "./messages.js";
 import { NurbsModel } from "./model.js";
+import { type PoolOptions, requirePoolOptions } from "./pool/options.js";
 
 /** Options of `Hausdorff.create` of this entry. */
-export interface WorkerCreateOptions extends CreateOptions {
+export interface WorkerCreateOptions extends CreateOptions, PoolOptions {
   /**
    * A worker that runs `nurbs-hausdorff/worker/thread`, for bundlers that do not
    * bundle workers of packages. By default the package starts its own.
@@ -70,9 +71,6 @@ export interface WorkerCadOptions extends CadOptions {
 
 /** A function that receives progress, of any method. */
 type OnReport = (...progress: never[]) => void;
-
-/** Connects to a worker: the caller's, or a new one. */
-export type Connect = (listener: Listener<Reply>, worker: Worker | undefined) => Port;
 
 let connect: Connect;
 
@@ -101,7 +99,8 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    * @throws {HausdorffError} `WORKER_FAILED`, and those of the main entry's `create`.
    */
   static async create(options: WorkerCreateOptions = {}): Promise<Hausdorff> {
-    const { worker, module, readers, meshes, scans, ...rest } = options;
+    const { worker, module, readers, meshes, scans, workers, memoryBudget, ...rest } = options;
+    const pool = requirePoolOptions({ workers, memoryBudget });
     const channel = new Channel((listener) => connect(listener, worker));
     try {
       await channel.call("create", [
@@ -112,6 +111,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
           meshes: sendable(meshes),
           scans: sendable(scans),
         },
+        pool,
       ]);
     } catch (error) {
       channel.close();
@@ -130,6 +130,11 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
 
   get notice(): string | null {
     return this.#facts.notice;
+  }
+
+  /** The number of workers that run: more than one once a call was shared out, as `create` allows. */
+  get workers(): number {
+    return this.#facts.workers;
   }
 
   /**

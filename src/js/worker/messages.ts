@@ -24,6 +24,8 @@ export interface EngineFacts {
   backend: "gpu" | "cpu";
   adapter: string | null;
   notice: string | null;
+  /** The number of workers that run. */
+  workers: number;
 }
 
 /** A call of a method; models are named by the number under which the worker keeps them. */
@@ -71,6 +73,9 @@ export interface Port {
   hold(held: boolean): void;
   close(): void;
 }
+
+/** Connects to a worker: the caller's, or a new one. */
+export type Connect = (listener: Listener<Reply>, worker: Worker | undefined) => Port;
 
 /** How a port delivers messages and reports its end. */
 export interface Listener<Message> {

@@ -4,12 +4,16 @@ import type { Libraries } from "../cad/peers/peers.js";
 import { readCad } from "../cad/read.js";
 import { HausdorffError } from "../error.js";
 import { type CreateOptions, Hausdorff } from "../hausdorff.js";
-import type { DeviationMaps } from "../measure/points/maps.js";
+import type { ClosestPointOptions } from "../measure/points/closest.js";
+import type { DeviationMapOptions, DeviationMaps, MeasureOfMaps } from "../measure/points/maps.js";
+import type { SignedDistanceOptions } from "../measure/points/signed-distances.js";
 import type { OnProgress } from "../measure/progress.js";
 import type { MeshArrays } from "../model/mesh.js";
-import type { NurbsModel } from "../model/model.js";
+import { NurbsModel } from "../model/model.js";
+import type { ModelSource } from "../model/source.js";
 import type {
   Call,
+  Connect,
   EngineFacts,
   MapReport,
   ModelFacts,
@@ -17,6 +21,9 @@ import type {
   Reply,
   Request,
 } from "./messages.js";
+import { limitsOf, type PoolOptions } from "./pool/options.js";
+import { Pool } from "./pool/pool.js";
+import { Target } from "./pool/target.js";
 
 type Post = (reply: Reply, transfer: ArrayBuffer[]) => void;
 
@@ -40,23 +47,34 @@ export function loadLibrariesBy(loaders: Libraries): void {
   libraries = loaders;
 }
 
+/** What a worker knows of its platform. */
+interface Platform {
+  /** Starts a worker like this one. */
+  connect: Connect;
+  processors(): number;
+}
+
 /**
  * Answers calls in the worker: returns the function that takes the requests.
  * @internal
  */
-export function serve(post: Post): (request: Request) => void {
-  const server = new Server(post);
+export function serve(post: Post, platform: Platform): (request: Request) => void {
+  const server = new Server(post, platform);
   return (request) => server.take(request);
 }
 
 class Server {
   readonly #post: Post;
+  readonly #platform: Platform;
   #hausdorff: Hausdorff | undefined;
+  /** The workers beside this one, if there may be some. */
+  #pool: Pool | undefined;
   readonly #models = new Map<number, NurbsModel>();
   readonly #running = new Map<number, AbortController>();
 
-  constructor(post: Post) {
+  constructor(post: Post, platform: Platform) {
     this.#post = post;
+    this.#platform = platform;
   }
 
   take(request: Request): void {
@@ -88,8 +106,11 @@ class Server {
 
   /** Every method takes the call's number, under which a new model is kept, and its own arguments. */
   readonly #methods: Record<string, Method> = {
-    create: async ([, options]) => {
+    create: async ([, options, pool]) => {
       this.#hausdorff = await Hausdorff.create(options as CreateOptions);
+      const limits = limitsOf((pool ?? {}) as PoolOptions, this.#platform.processors());
+      if (limits.workers > 1)
+        this.#pool = new Pool(this.#hausdorff, this.#platform.connect, limits);
     },
     shapes: () => Hausdorff.shapes(),
     model: ([id, input]) => this.#keep(id, this.#open.model(input as string)),
@@ -113,6 +134,7 @@ class Server {
       const given = { ...(options as MeshOptions), signal };
       return this.#keep(id, await readMesh(bytes as ArrayBuffer, format as MeshFormat, given));
     },
+    source: ([id, source]) => this.#keep(id, NurbsModel.fromSource(source as ModelSource)),
     area: ([, model]) => this.#model(model).area(),
     solid: ([, model]) => this.#model(model).solid(),
     facts: ([, model]) => this.#model(model).facts(),
@@ -122,6 +144,7 @@ class Server {
     update: ([, id, face, points, options]) => {
       const model = this.#model(id);
       model.update(face as number, points as Float64Array, options as object);
+      this.#forget(id as number);
       return facts(model);
     },
     distance: ([, a, b, options], watch) =>
@@ -131,7 +154,7 @@ class Server {
     deviationMaps: ([, a, b, options, reports], { signal, onProgress }) => {
       const told = (reports ?? {}) as { onCoarse?: boolean; onProgress?: boolean };
       const report = (what: MapReport) => onProgress?.(what);
-      return this.#open.deviationMaps(this.#model(a), this.#model(b), {
+      return this.#maps([a as number, b as number], {
         ...(options as object),
         signal,
         ...(told.onCoarse && { onCoarse: (coarse: DeviationMaps) => report({ coarse }) }),
@@ -158,13 +181,34 @@ class Server {
       this.#open.gaps(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     bestFit: ([, a, b, options], watch) =>
       this.#open.bestFit(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
-    closestPoints: ([, model, points, options], watch) =>
-      this.#open.closestPoints(this.#model(model), points as Float64Array, {
-        ...(options as object),
-        ...watch,
-      }),
-    signedDistances: ([, model, options], watch) =>
-      this.#open.signedDistances(this.#model(model), { ...(options as object), ...watch }),
+    closestPoints: ([, id, points, options], watch) => {
+      const [given, asked] = [points as Float64Array, options as ClosestPointOptions];
+      return this.#shared(
+        id,
+        (model) => this.#open.closestPoints(model, given, { ...asked, ...watch }),
+        (pool, target) => pool.closestPoints(target, given, asked, watch),
+      );
+    },
+    closestPointsOfBlock: ([, id, points, options], { signal }) => {
+      const [model, given, asked] = [this.#model(id), points as Float64Array, options as object];
+      return this.#open.whenFree(() =>
+        this.#open.closestPointsOfBlock(model, given, { ...asked, signal }),
+      );
+    },
+    signedDistances: ([, id, options], watch) => {
+      const asked = options as SignedDistanceOptions;
+      return this.#shared(
+        id,
+        (model) => this.#open.signedDistances(model, { ...asked, ...watch }),
+        (pool, target) => pool.signedDistances(target, asked, watch),
+      );
+    },
+    signedDistancesOfLayer: ([, id, layer, options], { signal }) => {
+      const [model, asked] = [this.#model(id), options as SignedDistanceOptions];
+      return this.#open.whenFree(() =>
+        this.#open.signedDistancesOfLayer(model, layer as number, { ...asked, signal }),
+      );
+    },
   };
 
   get #open(): Hausdorff {
@@ -188,12 +232,56 @@ class Server {
   #drop(id: number): void {
     this.#models.get(id)?.dispose();
     this.#models.delete(id);
+    this.#forget(id);
+  }
+
+  /** Lets the other workers drop their copies of a model, once the calls that were begun have ended. */
+  #forget(id: number): void {
+    const pool = this.#pool;
+    if (pool !== undefined) void this.#open.whenFree(() => pool.drop(id));
+  }
+
+  /** Measures from a model: alone, or if there may be other workers with them. */
+  async #shared<Result>(
+    id: unknown,
+    alone: (model: NurbsModel) => Promise<Result>,
+    together: (pool: Pool, target: Target) => Promise<Result>,
+  ): Promise<Result> {
+    const [model, pool] = [this.#model(id), this.#pool];
+    if (pool === undefined) return alone(model);
+    const target = new Target(id as number, model);
+    try {
+      return await this.#open.whenFree(() => together(pool, target));
+    } finally {
+      target.dispose();
+    }
+  }
+
+  /** The maps of two models, whose points all workers measure. */
+  async #maps(
+    [a, b]: readonly [number, number],
+    options: DeviationMapOptions & { signal: AbortSignal },
+  ): Promise<DeviationMaps> {
+    const models = [this.#model(a), this.#model(b)] as const;
+    const pool = this.#pool;
+    if (pool === undefined) return this.#open.deviationMaps(...models, options);
+    const targets = [new Target(a, models[0]), new Target(b, models[1])] as const;
+    const { signal } = options;
+    const measure: MeasureOfMaps = (isFromA, points, asked) =>
+      reported((onProgress) =>
+        pool.closestPoints(targets[isFromA ? 0 : 1], points, asked, { signal, onProgress }),
+      );
+    try {
+      return await this.#open.deviationMapsBy(...models, options, measure);
+    } finally {
+      for (const target of targets) target.dispose();
+    }
   }
 
   #facts(): EngineFacts | undefined {
     if (this.#hausdorff === undefined) return undefined;
     const { backend, adapter, notice } = this.#hausdorff;
-    return { backend, adapter, notice };
+    return { backend, adapter, notice, workers: this.#pool?.workers ?? 1 };
   }
 }
 
@@ -203,6 +291,25 @@ function facts(model: NurbsModel): ModelFacts {
   const faceNames = faces.map((face) => model.faceName(face));
   const faceColors = faces.map((face) => model.faceColor(face));
   return { name, unit, report, gap, gapProven, faceCount, faceNames, faceColors, boundingBox };
+}
+
+/** Yields the fractions that some work reports, and returns what it found. */
+async function* reported<Found>(
+  start: (onProgress: (fraction: number) => void) => Promise<Found>,
+): AsyncGenerator<number, Found> {
+  let report = (_: number) => {};
+  const next = () =>
+    new Promise<number>((resolve) => {
+      report = resolve;
+    });
+  let coming = next();
+  const work = start((fraction) => report(fraction)).then((found) => ({ found }));
+  for (;;) {
+    const latest = await Promise.race([work, coming]);
+    if (typeof latest === "object") return latest.found;
+    coming = next();
+    yield latest;
+  }
 }
 
 /** The buffers of all arrays in a result, which are transferred, not copied. */

@@ -4,4 +4,4 @@ import { serveNode } from "./platform/node-thread.js";
 
 export { loadLibrariesBy } from "./serve.js";
 
-serveNode();
+serveNode(new URL(import.meta.url));

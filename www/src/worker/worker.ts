@@ -214,7 +214,7 @@ async function reportProbe(
 
 async function start() {
   const worker = new Worker(new URL("./engine.ts", import.meta.url), { type: "module" });
-  const engine = await Hausdorff.create({ worker });
+  const engine = await Hausdorff.create({ worker, workers: "auto" });
   const shapes = [...examples, ...(await engine.shapes())];
   reply({ kind: "ready", engine: engineState(engine), shapes });
   const measurements = new Measurements(engine, reply, fail);

@@ -3,6 +3,7 @@ import { checkKeys } from "../../keys.js";
 import type { Transform, Vector3 } from "../options.js";
 import type { OnProgress } from "../progress.js";
 import type { Signs } from "../result.js";
+import type { ClosestPointOptions, ClosestPoints } from "./closest.js";
 
 /** What is known of a model whose map is made. */
 export interface KnownDeviation {
@@ -81,6 +82,17 @@ export interface DeviationMap {
   /** What the signs stand for. */
   signs: Signs;
 }
+
+/**
+ * Measures points of a map from A or from B. It yields the fractions of the work done, and returns the closest points.
+ *
+ * @internal
+ */
+export type MeasureOfMaps = (
+  isFromA: boolean,
+  points: Float64Array<ArrayBuffer>,
+  options: ClosestPointOptions,
+) => AsyncGenerator<number, ClosestPoints>;
 
 /**
  * Refuses unknown names within options, which the module does not see.

@@ -54,3 +54,12 @@ export interface SignedDistances<P extends Precision = Precision> {
   /** The number of closest points that were computed. */
   measured: number;
 }
+
+/**
+ * The signed distances of a layer of a grid's bricks: the bound is without the rounding to the precision.
+ * @internal
+ */
+export interface LayerDistances extends SignedDistances {
+  /** What the rounding adds to the bound. */
+  rounding: number;
+}

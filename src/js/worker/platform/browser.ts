@@ -1,4 +1,4 @@
-import type { Connect } from "../hausdorff.js";
+import type { Connect } from "../messages.js";
 
 /** Connects to the caller's worker, or to the one that `start` starts. */
 export const browser =

@@ -1,7 +1,7 @@
 /// <reference types="node" />
 import { Worker } from "node:worker_threads";
 import { HausdorffError } from "../../error.js";
-import type { Connect } from "../hausdorff.js";
+import type { Connect } from "../messages.js";
 
 /** Connects to a new worker of `node:worker_threads` that runs this file. */
 export const node =

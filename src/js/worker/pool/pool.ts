@@ -1,0 +1,132 @@
+import { HausdorffError } from "../../error.js";
+import type { Hausdorff } from "../../hausdorff.js";
+import type { ClosestPointOptions, ClosestPoints } from "../../measure/points/closest.js";
+import type {
+  LayerDistances,
+  SignedDistanceOptions,
+  SignedDistances,
+} from "../../measure/points/signed-distances.js";
+import { memoryBytes, pointsOfBlock } from "../../wasm/nurbs_hausdorff.js";
+import type { Connect } from "../messages.js";
+import { Helper } from "./helper.js";
+import { Layers } from "./layers.js";
+import type { PoolLimits } from "./options.js";
+import { type PointBlock, PointBlocks } from "./points.js";
+import type { Target } from "./target.js";
+import { type Measure, measureBlocks, type Shared, type WorkOptions } from "./work.js";
+
+/** The least number of blocks of points that are shared out: a worker takes as long as some of them to start. */
+const LEAST_BLOCKS = 4;
+
+/** The blocks that a worker has at a time: one that it measures, and one that waits, as the first worker answers late. */
+const BLOCKS_AHEAD = 2;
+
+/** A block measured by this worker, and by another one. */
+interface Measures<Block, Part> {
+  here: Measure<Block, Part>;
+  there(helper: Helper, block: Block, signal: AbortSignal): Promise<Part>;
+}
+
+/**
+ * The workers that measure points beside this one, which shares the points out.
+ *
+ * Guarantee: results are those of this worker alone, bit for bit.
+ * @internal
+ */
+export class Pool {
+  readonly #hausdorff: Hausdorff;
+  readonly #connect: Connect;
+  readonly #limits: PoolLimits;
+  #helpers: Helper[] = [];
+
+  constructor(hausdorff: Hausdorff, connect: Connect, limits: PoolLimits) {
+    this.#hausdorff = hausdorff;
+    this.#connect = connect;
+    this.#limits = limits;
+  }
+
+  /** The number of workers that run, with this one. */
+  get workers(): number {
+    return 1 + this.#helpers.length;
+  }
+
+  /** Returns the closest points of a model; to be called in turn. */
+  async closestPoints(
+    target: Target,
+    points: Float64Array,
+    options: ClosestPointOptions,
+    work: WorkOptions,
+  ): Promise<ClosestPoints> {
+    const blocks = new PointBlocks(points);
+    const measures: Measures<PointBlock, ClosestPoints> = {
+      here: ({ points }, signal) =>
+        this.#hausdorff.closestPointsOfBlock(target.model, points, { ...options, signal }),
+      there: (helper, { points }, signal) => {
+        const args = [points, options];
+        return helper.call("closestPointsOfBlock", target, args, signal, [points.buffer]);
+      },
+    };
+    if (points.length === 0)
+      return measures.here({ points: new Float64Array(), indices: new Uint32Array() }, work.signal);
+    const helpers = points.length / 3 < LEAST_BLOCKS * pointsOfBlock() ? [] : this.#running();
+    return this.#measured(blocks, measures, { helpers, target, ...work });
+  }
+
+  /** Returns the signed distances of a model on a grid; to be called in turn. */
+  async signedDistances(
+    target: Target,
+    options: SignedDistanceOptions,
+    work: WorkOptions,
+  ): Promise<SignedDistances> {
+    const layers = new Layers(this.#hausdorff.layersOfGrid(target.model, options));
+    const measures: Measures<number, LayerDistances> = {
+      here: (layer, signal) =>
+        this.#hausdorff.signedDistancesOfLayer(target.model, layer, { ...options, signal }),
+      there: (helper, layer, signal) =>
+        helper.call("signedDistancesOfLayer", target, [layer, options], signal),
+    };
+    return this.#measured(layers, measures, { helpers: this.#running(), target, ...work });
+  }
+
+  /** Frees the other workers' copies of a model; to be called in turn. */
+  drop(id: number): void {
+    for (const helper of this.#helpers) helper.drop(id);
+  }
+
+  /** Measures blocks here and by other workers, as soon as these have the model. */
+  #measured<Block, Part, Found>(
+    shared: Shared<Block, Part, Found>,
+    { here, there }: Measures<Block, Part>,
+    { helpers, target, ...work }: WorkOptions & { helpers: readonly Helper[]; target: Target },
+  ): Promise<Found> {
+    const byHelper = async (helper: Helper): Promise<Measure<Block, Part> | undefined> => {
+      if (!(await this.#kept(helper, helper.receive(target)))) return undefined;
+      return (block, signal) => this.#kept(helper, there(helper, block, signal));
+    };
+    const ready = helpers.map(byHelper);
+    const ahead = Array.from({ length: BLOCKS_AHEAD }, () => ready).flat();
+    return measureBlocks(shared, [Promise.resolve(here), ...ahead], work);
+  }
+
+  /** Returns the other workers, started where they are missing; ends those that memory forbids. */
+  #running(): readonly Helper[] {
+    const copies = Math.floor(this.#limits.memory / memoryBytes());
+    const most = Math.max(0, Math.min(this.#limits.workers, copies) - 1);
+    for (const helper of this.#helpers.splice(most)) helper.close();
+    while (this.#helpers.length < most) this.#helpers.push(new Helper(this.#connect));
+    return this.#helpers;
+  }
+
+  /** Returns the result of some work of a worker. One that fails is ended; a later call starts another one. */
+  async #kept<Result>(helper: Helper, work: Promise<Result>): Promise<Result> {
+    try {
+      return await work;
+    } catch (error) {
+      if (error instanceof HausdorffError && error.code === "WORKER_FAILED") {
+        helper.close();
+        this.#helpers = this.#helpers.filter((other) => other !== helper);
+      }
+      throw error;
+    }
+  }
+}
