@@ -1,9 +1,10 @@
 // The page in Firefox: every method on the CPU where there is no WebGPU, and files.
 import assert from "node:assert/strict";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { inRoot } from "../../scripts/paths.mjs";
 import { which } from "../../scripts/process.mjs";
 import { openFirefox } from "./support/firefox.mjs";
 import { planes } from "./support/models.mjs";
@@ -96,6 +97,40 @@ test("Firefox measures concentric spheres by every method", { skip }, async () =
     );
     if (webgpu === null) assert.match(facts, /on the CPU/, method);
   }
+});
+
+/** The distances of many points on a circle of radius 3 from a sphere of radius 2, by two workers of the page's engine. */
+async function inTwoWorkers(address) {
+  const worker = new Worker(address, { type: "module" });
+  const answers = new Map();
+  worker.onmessage = ({ data }) => answers.get(data.id)(data);
+  const call = (id, method, ...args) =>
+    new Promise((resolve) => {
+      answers.set(id, resolve);
+      worker.postMessage({ id, method, args });
+    });
+  await call(1, "create", { backend: "cpu" }, { workers: 2 });
+  await call(2, "shape", "sphere");
+  // So many that the second worker begins while they are measured.
+  const points = Float64Array.from({ length: 3 * 100_000 }, (_, at) => {
+    const angle = Math.floor(at / 3);
+    return [3 * Math.cos(angle), 3 * Math.sin(angle), 0][at % 3];
+  });
+  const { result, failure, engine } = await call(3, "closestPoints", 2, points, {});
+  worker.terminate();
+  const errors = result?.distances.map((distance) => Math.abs(distance - 1));
+  return {
+    failed: failure?.message ?? "",
+    workers: engine?.workers,
+    largest: errors?.reduce((a, b) => Math.max(a, b)),
+  };
+}
+
+test("Firefox shares points out to two workers", { skip }, async () => {
+  const engine = readdirSync(inRoot("www", "dist", "assets")).find((name) => /^engine-/.test(name));
+  const { failed, workers, largest } = await opened.evaluate(inTwoWorkers, `assets/${engine}`);
+  assert.deepEqual([failed, workers], ["", 2]);
+  assert.ok(largest < 1e-8, `${largest}`);
 });
 
 test("Firefox opens a file", { skip }, async () => {

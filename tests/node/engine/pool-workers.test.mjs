@@ -5,8 +5,9 @@ import { node } from "../../../dist/worker/platform/node.js";
 import { Pool } from "../../../dist/worker/pool/pool.js";
 import { Target } from "../../../dist/worker/pool/target.js";
 import { measureBlocks } from "../../../dist/worker/pool/work.js";
+import { serve } from "../../../dist/worker/serve.js";
 import { stepSquares } from "../../page/support/models.mjs";
-import { create, withCode } from "../support.mjs";
+import { create, square, withCode } from "../support.mjs";
 
 const start = node(new URL("../../../dist/worker/thread-node.js", import.meta.url));
 const { signal } = new AbortController();
@@ -149,6 +150,69 @@ test("a signal ends the blocks of all workers", async () => {
   });
   assert.equal(own.workers, 3);
   for (const port of ports) port.close();
+});
+
+/** A first worker in this thread beside one that answers at once, with zeros, and notes what it is asked. */
+function served() {
+  const asked = [];
+  const zeros = (count) => new Float64Array(count);
+  const answers = {
+    create: () => undefined,
+    source: () => ({}),
+    closestPointsOfBlock: ([, { length }]) => ({
+      ...{ distances: zeros(length / 3), bounds: zeros(length / 3), signed: zeros(length / 3) },
+      ...{ feet: zeros(length), parameters: zeros((2 * length) / 3), signs: "faces" },
+      faces: new Uint32Array(length / 3),
+    }),
+  };
+  const connect = (listener) => ({
+    post: ({ id, method, args, drop }) => {
+      asked.push(method ?? { drop });
+      if (method) queueMicrotask(() => listener.message({ id, result: answers[method](args) }));
+    },
+    hold: () => {},
+    close: () => {},
+  });
+  const waiting = new Map();
+  const take = serve(
+    ({ id, result, failure }) => {
+      if (failure) waiting.get(id).reject(failure);
+      else waiting.get(id).resolve(result);
+    },
+    { connect, processors: () => 2 },
+  );
+  const call = (id, method, ...args) =>
+    new Promise((resolve, reject) => {
+      waiting.set(id, { resolve, reject });
+      take({ id, method, args });
+    });
+  return { asked, take, call };
+}
+
+test("a copy of a model is sent once, and dropped when the model is changed or dropped", async () => {
+  const { asked, take, call } = served();
+  const other = asked;
+  await call(1, "create", { backend: "cpu" }, { workers: "auto" });
+  const own = [2, 3];
+  for (const id of own) await call(id, "model", [square(id)]);
+  const measure = async (id, model) => {
+    other.length = 0;
+    await call(id, "closestPoints", model, points, {});
+    return new Set(other);
+  };
+  assert.deepEqual(await measure(4, 2), new Set(["create", "source", "closestPointsOfBlock"]));
+  assert.deepEqual(await measure(5, 2), new Set(["closestPointsOfBlock"]));
+  assert.deepEqual(await measure(6, 3), new Set(["source", "closestPointsOfBlock"]));
+  await call(7, "update", 2, 0, square(5).controlPoints, {});
+  take({ drop: 3 });
+  const { distances } = await call(8, "closestPoints", 2, points, {});
+  assert.ok(
+    distances.every((distance) => distance >= 3),
+    "all from the changed model",
+  );
+  // The numbers of its calls that made these models.
+  assert.deepEqual(other.filter((one) => typeof one === "object").length, 2);
+  assert.ok(!(await measure(9, 2)).has("closestPointsOfBlock"));
 });
 
 /** Ten blocks, the numbers from 0 on, whose sum is found. */

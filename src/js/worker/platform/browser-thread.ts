@@ -8,7 +8,7 @@ const scope = globalThis as unknown as {
   navigator: { hardwareConcurrency?: number };
   onmessage: (event: MessageEvent<Request>) => void;
   postMessage(reply: Reply, transfer: ArrayBuffer[]): void;
-  importScripts(): void;
+  importScripts(script: string): void;
 };
 
 /** Answers the calls of the page in this worker. */
@@ -20,12 +20,13 @@ export function serveBrowser(): void {
   scope.onmessage = ({ data }) => take(data);
 }
 
-/** How this worker was started: only a script that is no module may import scripts, even none. */
+/** How this worker was started: only a script that is no module may import scripts. */
 function ownType(): WorkerType {
   try {
-    scope.importScripts();
+    // Firefox does not throw without a script.
+    scope.importScripts("data:text/javascript,");
     return "classic";
-  } catch {
-    return "module";
+  } catch (error) {
+    return error instanceof TypeError ? "module" : "classic";
   }
 }

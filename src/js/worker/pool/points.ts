@@ -34,8 +34,8 @@ export class PointBlocks implements Shared<PointBlock, ClosestPoints, ClosestPoi
     const { distances, bounds, signed, feet, faces, parameters } = WIDTHS;
     this.#found = {
       ...{ distances: floats(distances), bounds: floats(bounds), signed: floats(signed) },
-      ...{ feet: floats(feet), parameters: floats(parameters) },
-      faces: new Uint32Array(faces * this.#order.length),
+      ...{ feet: floats(feet), faces: new Uint32Array(faces * this.#order.length) },
+      parameters: floats(parameters),
     };
   }
 
@@ -44,19 +44,15 @@ export class PointBlocks implements Shared<PointBlock, ClosestPoints, ClosestPoi
     if (indices.length === 0) return undefined;
     this.#taken += indices.length;
     const points = new Float64Array(3 * indices.length);
-    for (const [place, index] of indices.entries()) {
-      points.set(this.#points.subarray(3 * index, 3 * index + 3), 3 * place);
-    }
+    copy({ from: this.#points, to: points, width: 3 }, indices, "gather");
     return { indices, points };
   }
 
   put({ indices }: PointBlock, found: ClosestPoints): void {
     this.#signs = found.signs;
     for (const name of Object.keys(WIDTHS) as (keyof typeof WIDTHS)[]) {
-      const [to, from, width] = [this.#found[name], found[name], WIDTHS[name]];
-      for (const [place, index] of indices.entries()) {
-        for (let k = 0; k < width; k++) to[width * index + k] = from[width * place + k] ?? 0;
-      }
+      const [from, to, width] = [found[name], this.#found[name], WIDTHS[name]];
+      copy({ from, to, width }, indices, "scatter");
     }
     this.#done += indices.length;
   }
@@ -67,5 +63,20 @@ export class PointBlocks implements Shared<PointBlock, ClosestPoints, ClosestPoi
 
   get found(): ClosestPoints {
     return { ...this.#found, signs: this.#signs };
+  }
+}
+
+type Numbers = Float64Array | Uint32Array;
+
+/** Copies the numbers of each point from its index to its place among these, or back. */
+function copy(
+  { from, to, width }: { from: Numbers; to: Numbers; width: number },
+  indices: Uint32Array,
+  way: "gather" | "scatter",
+): void {
+  for (let place = 0; place < indices.length; place++) {
+    const index = indices[place] ?? 0;
+    const [source, target] = way === "gather" ? [index, place] : [place, index];
+    for (let k = 0; k < width; k++) to[width * target + k] = from[width * source + k] ?? 0;
   }
 }

@@ -13,11 +13,11 @@ export async function measure(worker) {
   return { lower, upper, ...(error && { error }) };
 }
 
-/** What is wrong of the distances of points on a circle of radius 2 about a sphere of radius 1. */
+/** What is wrong of the distances of points on a circle of radius 3 about a sphere of radius 2. */
 async function errorOfPoints(hd, sphere) {
   const points = Float64Array.from({ length: 3 * COUNT }, (_, at) => {
     const angle = Math.floor(at / 3);
-    return [2 * Math.cos(angle), 2 * Math.sin(angle), 0][at % 3];
+    return [3 * Math.cos(angle), 3 * Math.sin(angle), 0][at % 3];
   });
   const { distances } = await hd.closestPoints(sphere, points);
   if (hd.workers !== 2) return `${hd.workers} workers`;
