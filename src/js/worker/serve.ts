@@ -33,6 +33,18 @@ interface Watch {
   onProgress?: (...progress: unknown[]) => void;
 }
 
+/** A model, with the time that it took to be made. */
+interface Kept {
+  model: NurbsModel;
+  milliseconds: number;
+}
+
+/** A call in progress. */
+interface Running {
+  controller: AbortController;
+  started: number;
+}
+
 type Method = (args: unknown[], watch: Watch) => unknown;
 
 /** The loaders of libraries where a call of `readCad` names none. */
@@ -69,8 +81,8 @@ class Server {
   #hausdorff: Hausdorff | undefined;
   /** The workers beside this one, if there may be some. */
   #pool: Pool | undefined;
-  readonly #models = new Map<number, NurbsModel>();
-  readonly #running = new Map<number, AbortController>();
+  readonly #models = new Map<number, Kept>();
+  readonly #running = new Map<number, Running>();
 
   constructor(post: Post, platform: Platform) {
     this.#post = post;
@@ -78,14 +90,14 @@ class Server {
   }
 
   take(request: Request): void {
-    if ("cancel" in request) this.#running.get(request.cancel)?.abort();
+    if ("cancel" in request) this.#running.get(request.cancel)?.controller.abort();
     else if ("drop" in request) this.#drop(request.drop);
     else void this.#answer(request);
   }
 
   async #answer({ id, method, args, progress }: Call): Promise<void> {
     const controller = new AbortController();
-    this.#running.set(id, controller);
+    this.#running.set(id, { controller, started: performance.now() });
     const watch: Watch = { signal: controller.signal };
     if (progress) {
       watch.onProgress = (...progress) => this.#post({ id, progress }, buffers(progress));
@@ -219,18 +231,23 @@ class Server {
   }
 
   #model(id: unknown): NurbsModel {
-    const model = this.#models.get(id as number);
+    const model = this.#models.get(id as number)?.model;
     if (model === undefined) throw new HausdorffError("DISPOSED", "the model was disposed of");
     return model;
   }
 
+  #target(id: number): Target {
+    return new Target(id, this.#model(id), this.#models.get(id)?.milliseconds ?? 0);
+  }
+
   #keep(id: unknown, model: NurbsModel): ModelFacts {
-    this.#models.set(id as number, model);
+    const { started = performance.now() } = this.#running.get(id as number) ?? {};
+    this.#models.set(id as number, { model, milliseconds: performance.now() - started });
     return facts(model);
   }
 
   #drop(id: number): void {
-    this.#models.get(id)?.dispose();
+    this.#models.get(id)?.model.dispose();
     this.#models.delete(id);
     this.#forget(id);
   }
@@ -249,7 +266,7 @@ class Server {
   ): Promise<Result> {
     const [model, pool] = [this.#model(id), this.#pool];
     if (pool === undefined) return alone(model);
-    const target = new Target(id as number, model);
+    const target = this.#target(id as number);
     try {
       return await this.#open.whenFree(() => together(pool, target));
     } finally {
@@ -265,7 +282,7 @@ class Server {
     const models = [this.#model(a), this.#model(b)] as const;
     const pool = this.#pool;
     if (pool === undefined) return this.#open.deviationMaps(...models, options);
-    const targets = [new Target(a, models[0]), new Target(b, models[1])] as const;
+    const targets = [this.#target(a), this.#target(b)] as const;
     const { signal } = options;
     const measure: MeasureOfMaps = (isFromA, points, asked) =>
       reported((onProgress) =>

@@ -19,7 +19,7 @@ let hd;
 let target;
 before(async () => {
   hd = await create({ backend: "cpu" });
-  target = new Target(1, hd.shape("torus"));
+  target = new Target(1, hd.shape("torus"), 0);
 });
 after(() => {
   target.dispose();
@@ -27,10 +27,11 @@ after(() => {
 });
 
 /**
- * The engine of a first worker that begins its own block when the others have measured all the rest, and the listener
- * to progress that it learns this from.
+ * The engine of a first worker that measures its third block when the others have measured all the rest, and the
+ * listener to progress that it learns this from: after two the rate is known.
  */
 function late(parts) {
+  let begun = 0;
   let begin;
   const rest = new Promise((resolve) => {
     begin = resolve;
@@ -40,7 +41,8 @@ function late(parts) {
     (method) =>
     async (...args) => {
       args.at(-1).signal.addEventListener("abort", begin);
-      await rest;
+      begun += 1;
+      if (begun > 2) await rest;
       return hd[method](...args);
     };
   const engine = {
@@ -82,7 +84,7 @@ for (const [what, make] of Object.entries(MODELS)) {
     const model = await make();
     const options = { relativeTolerance: 1e-4, transform: { translation: [0.1, 0, 0] } };
     const expected = await hd.closestPoints(model, points, options);
-    const of = new Target(2, model);
+    const of = new Target(2, model, 0);
     for (const workers of [2, 3]) {
       const found = await byOthers({ workers, parts: PARTS }, (own, work) =>
         own.closestPoints(of, points, options, work),
@@ -97,9 +99,9 @@ for (const [what, make] of Object.entries(MODELS)) {
 test("layers of a grid measured by another worker are those of the first", async () => {
   const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
   const model = hd.mesh({ positions, triangles: [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3] });
-  const options = { resolution: 20, band: 0.125, precision: "float32" };
+  const options = { resolution: 60, band: 0.125, precision: "float32" };
   const expected = await hd.signedDistances(model, options);
-  const of = new Target(3, model);
+  const of = new Target(3, model, 0);
   const parts = Math.ceil(expected.counts[2] / 8);
   const found = await byOthers({ workers: 2, parts }, (own, work) =>
     own.signedDistances(of, options, work),
@@ -113,8 +115,9 @@ test("a worker that ends rejects its call once, and a later call has another one
   const { engine, onProgress: begin } = late(PARTS);
   const { ports, pool: own } = pool(engine, 3);
   let ended = false;
-  const onProgress = () => {
-    if (!ended) ports[0].close();
+  const onProgress = (fraction) => {
+    if (fraction < 0.5 || ended) return;
+    ports[0].close();
     ended = true;
   };
   const work = { signal, onProgress };
@@ -143,7 +146,8 @@ test("a signal ends the blocks of all workers", async () => {
   const { ports, pool: own } = pool(late(PARTS).engine, 3);
   const controller = new AbortController();
   const reason = new Error("enough");
-  const work = { signal: controller.signal, onProgress: () => controller.abort(reason) };
+  const onProgress = (fraction) => fraction > 0.5 && controller.abort(reason);
+  const work = { signal: controller.signal, onProgress };
   await assert.rejects(own.closestPoints(target, points, {}, work), (error) => {
     assert.equal(error.cause, reason);
     return withCode("CANCELLED")(error);

@@ -21,6 +21,11 @@ export class Helper {
     this.#started.catch(() => {});
   }
 
+  /** Whether it was sent a model. */
+  has({ id }: Target): boolean {
+    return this.#models.has(id);
+  }
+
   /** Sends it a model unless it has it; resolves to whether it has it now. */
   async receive(target: Target): Promise<boolean> {
     await this.#started;

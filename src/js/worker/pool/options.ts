@@ -3,9 +3,9 @@ import { HausdorffError } from "../../error.js";
 /** Options of `Hausdorff.create` of `nurbs-hausdorff/worker` on workers beside the first. */
 export interface PoolOptions {
   /**
-   * The most workers, 1 to 64, that measure many points at a time: calls of `closestPoints` and `deviationMaps`.
-   * `"auto"` is one for each processor, at most 8. Default 1. Results do not depend on it. A worker is started, and is
-   * sent a model, when a call first needs it.
+   * The most workers, 1 to 64, that measure many points at a time: calls of `closestPoints`, `signedDistances` and
+   * `deviationMaps`. `"auto"` is one for each processor, at most 8. Default 1. Results do not depend on it. A worker is
+   * started, and is sent a model, when what is left of a call would take longer than the model took to be made.
    */
   workers?: number | "auto";
   /**

@@ -6,7 +6,7 @@ import type {
   SignedDistanceOptions,
   SignedDistances,
 } from "../../measure/points/signed-distances.js";
-import { memoryBytes, pointsOfBlock } from "../../wasm/nurbs_hausdorff.js";
+import { memoryBytes } from "../../wasm/nurbs_hausdorff.js";
 import type { Connect } from "../messages.js";
 import { Helper } from "./helper.js";
 import { Layers } from "./layers.js";
@@ -14,12 +14,13 @@ import type { PoolLimits } from "./options.js";
 import { type PointBlock, PointBlocks } from "./points.js";
 import type { Target } from "./target.js";
 import { type Measure, measureBlocks, type Shared, type WorkOptions } from "./work.js";
-
-/** The least number of blocks of points that are shared out: a worker takes as long as some of them to start. */
-const LEAST_BLOCKS = 4;
+import { Worth } from "./worth.js";
 
 /** The blocks that a worker has at a time: one that it measures, and one that waits, as the first worker answers late. */
 const BLOCKS_AHEAD = 2;
+
+/** A block without points. */
+const NO_POINTS: PointBlock = { indices: new Uint32Array(), points: new Float64Array() };
 
 /** A block measured by this worker, and by another one. */
 interface Measures<Block, Part> {
@@ -37,7 +38,8 @@ export class Pool {
   readonly #hausdorff: Hausdorff;
   readonly #connect: Connect;
   readonly #limits: PoolLimits;
-  #helpers: Helper[] = [];
+  /** The other workers by their places. */
+  readonly #helpers = new Map<number, Helper>();
 
   constructor(hausdorff: Hausdorff, connect: Connect, limits: PoolLimits) {
     this.#hausdorff = hausdorff;
@@ -47,7 +49,7 @@ export class Pool {
 
   /** The number of workers that run, with this one. */
   get workers(): number {
-    return 1 + this.#helpers.length;
+    return 1 + this.#helpers.size;
   }
 
   /** Returns the closest points of a model; to be called in turn. */
@@ -66,10 +68,8 @@ export class Pool {
         return helper.call("closestPointsOfBlock", target, args, signal, [points.buffer]);
       },
     };
-    if (points.length === 0)
-      return measures.here({ points: new Float64Array(), indices: new Uint32Array() }, work.signal);
-    const helpers = points.length / 3 < LEAST_BLOCKS * pointsOfBlock() ? [] : this.#running();
-    return this.#measured(blocks, measures, { helpers, target, ...work });
+    if (points.length === 0) return measures.here(NO_POINTS, work.signal);
+    return this.#measured(blocks, measures, { target, ...work });
   }
 
   /** Returns the signed distances of a model on a grid; to be called in turn. */
@@ -85,48 +85,59 @@ export class Pool {
       there: (helper, layer, signal) =>
         helper.call("signedDistancesOfLayer", target, [layer, options], signal),
     };
-    return this.#measured(layers, measures, { helpers: this.#running(), target, ...work });
+    return this.#measured(layers, measures, { target, ...work });
   }
 
   /** Frees the other workers' copies of a model; to be called in turn. */
   drop(id: number): void {
-    for (const helper of this.#helpers) helper.drop(id);
+    for (const helper of this.#helpers.values()) helper.drop(id);
   }
 
-  /** Measures blocks here and by other workers, as soon as these have the model. */
+  /** Measures blocks here, and by the other workers as soon as they have the model, if that is worth it. */
   #measured<Block, Part, Found>(
     shared: Shared<Block, Part, Found>,
     { here, there }: Measures<Block, Part>,
-    { helpers, target, ...work }: WorkOptions & { helpers: readonly Helper[]; target: Target },
+    { target, signal, onProgress }: WorkOptions & { target: Target },
   ): Promise<Found> {
-    const byHelper = async (helper: Helper): Promise<Measure<Block, Part> | undefined> => {
-      if (!(await this.#kept(helper, helper.receive(target)))) return undefined;
-      return (block, signal) => this.#kept(helper, there(helper, block, signal));
+    const worth = new Worth(target.milliseconds);
+    const byHelper = async (place: number): Promise<Measure<Block, Part> | undefined> => {
+      if (!this.#helpers.get(place)?.has(target)) await worth.known;
+      const helper = this.#helpers.get(place) ?? new Helper(this.#connect);
+      this.#helpers.set(place, helper);
+      if (!(await this.#kept(place, helper.receive(target)))) return undefined;
+      return (block, signal) => this.#kept(place, there(helper, block, signal));
     };
-    const ready = helpers.map(byHelper);
+    const ready = Array.from({ length: this.#most() }, (_, place) => byHelper(place));
     const ahead = Array.from({ length: BLOCKS_AHEAD }, () => ready).flat();
-    return measureBlocks(shared, [Promise.resolve(here), ...ahead], work);
+    return measureBlocks(shared, [Promise.resolve(here), ...ahead], {
+      signal,
+      onProgress: (fraction) => {
+        worth.report(fraction);
+        onProgress?.(fraction);
+      },
+    });
   }
 
-  /** Returns the other workers, started where they are missing; ends those that memory forbids. */
-  #running(): readonly Helper[] {
+  /** Returns the most workers beside this one, and ends those that memory forbids. */
+  #most(): number {
     const copies = Math.floor(this.#limits.memory / memoryBytes());
     const most = Math.max(0, Math.min(this.#limits.workers, copies) - 1);
-    for (const helper of this.#helpers.splice(most)) helper.close();
-    while (this.#helpers.length < most) this.#helpers.push(new Helper(this.#connect));
-    return this.#helpers;
+    for (const place of this.#helpers.keys()) if (place >= most) this.#end(place);
+    return most;
   }
 
   /** Returns the result of some work of a worker. One that fails is ended; a later call starts another one. */
-  async #kept<Result>(helper: Helper, work: Promise<Result>): Promise<Result> {
+  async #kept<Result>(place: number, work: Promise<Result>): Promise<Result> {
     try {
       return await work;
     } catch (error) {
-      if (error instanceof HausdorffError && error.code === "WORKER_FAILED") {
-        helper.close();
-        this.#helpers = this.#helpers.filter((other) => other !== helper);
-      }
+      if (error instanceof HausdorffError && error.code === "WORKER_FAILED") this.#end(place);
       throw error;
     }
+  }
+
+  #end(place: number): void {
+    this.#helpers.get(place)?.close();
+    this.#helpers.delete(place);
   }
 }

@@ -8,11 +8,14 @@ import type { ModelSource } from "../../model/source.js";
 export class Target {
   readonly id: number;
   readonly model: NurbsModel;
+  /** The milliseconds that the model took to be made. */
+  readonly milliseconds: number;
   #source: { made: ModelSource | undefined } | undefined;
 
-  constructor(id: number, model: NurbsModel) {
+  constructor(id: number, model: NurbsModel, milliseconds: number) {
     this.id = id;
     this.model = model.held();
+    this.milliseconds = milliseconds;
   }
 
   /** What other workers make it of, made once for all; undefined if they cannot. */
