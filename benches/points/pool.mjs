@@ -1,21 +1,44 @@
 // What several workers of the package take beside one, in Node, as a whole process:
-//   node benches/points/pool.mjs points|maps WORKERS [FILE]
-// points: 100,000 points near the model, within 1 % of its diagonal of its triangles, with signs, to 1e-6 of it;
+//   node benches/points/pool.mjs points|maps WORKERS [--count N] [--file FILE]
+// points: 100,000 points, or another number, near the model, within 1 % of its diagonal of its triangles, with signs, to 1e-6 of it;
 // maps: the maps of both of the model and its copy, moved by 0.1.
-// Prints the seconds of each step, and a digest of the result, which does not depend on the number of workers.
+// Prints the seconds of each step by the clock, the seconds of CPU of the busiest threads so far, where Linux tells
+// them, and a digest of the result, which does not depend on the number of workers.
 import { createHash } from "node:crypto";
-import { readFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { parseArgs } from "node:util";
 import { Hausdorff } from "nurbs-hausdorff/worker";
 import { inRoot } from "../../scripts/paths.mjs";
 
-const COUNT = 100_000;
-const [what = "points", workers = "1", file = "step/NIST_MBE_PMI_2.stp.gz"] = process.argv.slice(2);
+const { values, positionals } = parseArgs({
+  allowPositionals: true,
+  options: {
+    count: { type: "string", default: "100000" },
+    file: { type: "string", default: "step/NIST_MBE_PMI_2.stp.gz" },
+  },
+});
+const [what = "points", workers = "1"] = positionals;
+const { file } = values;
+const COUNT = Number(values.count);
+
+/** Where Linux tells the time of each thread of this process, in ticks of 10 ms. */
+const TASKS = "/proc/self/task";
+
+function busiestThreads() {
+  if (!existsSync(TASKS)) return "";
+  const ticks = readdirSync(TASKS).map((task) => {
+    const [, fields] = readFileSync(`${TASKS}/${task}/stat`, "utf8").split(") ");
+    return Number(fields.split(" ")[11]);
+  });
+  const busiest = ticks.sort((one, other) => other - one).slice(0, Math.max(1, Number(workers) || 0));
+  return `(CPU ${busiest.map((time) => (time / 100).toFixed(2)).join(", ")})`;
+}
 
 const started = performance.now();
 let last = started;
 function lap(step) {
   const now = performance.now();
-  console.log(`${step} ${((now - last) / 1000).toFixed(2)}`);
+  console.log(`${step} ${((now - last) / 1000).toFixed(2)} ${busiestThreads()}`);
   last = now;
 }
 
