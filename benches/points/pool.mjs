@@ -96,6 +96,7 @@ if (what === "points") {
   const options = { a: {}, b: {}, transform: { translation: [0.1, 0, 0] } };
   const maps = await hd.deviationMaps(a, b, { ...options, onCoarse: () => lap("coarse") });
   lap("fine");
-  console.log(digest([maps.a, maps.b].flatMap(arraysOf)), maps.a.signs, hd.workers);
+  const counts = [maps.a, maps.b].map(({ distances }) => distances.length);
+  console.log(digest([maps.a, maps.b].flatMap(arraysOf)), maps.a.signs, hd.workers, ...counts);
 }
 hd.dispose();

@@ -24,7 +24,7 @@ const MAX_WORKERS = 64;
  */
 const MAX_AUTO = 8;
 
-/** Half of what a module of WebAssembly may have, and of the memory of a small machine of today less its system. */
+/** Half of what one module of WebAssembly may have: several copies of a model never take what a larger one would. */
 const DEFAULT_MEMORY_BUDGET = 2048;
 
 const MIB = 2 ** 20;
