@@ -156,6 +156,9 @@ test("a signal ends the blocks of all workers", async () => {
   for (const port of ports) port.close();
 });
 
+/** So many that measuring them takes many times as long as making the model of a square. */
+const many = Float64Array.from({ length: 3 * 80_000 }, (_, at) => Math.sin(at) * 2);
+
 /** A first worker in this thread beside one that answers at once, with zeros, and notes what it is asked. */
 function served() {
   const asked = [];
@@ -169,10 +172,14 @@ function served() {
       faces: new Uint32Array(length / 3),
     }),
   };
+  const answer = (method, args) =>
+    asked.failing
+      ? { failure: { code: undefined, message: "unreachable" } }
+      : { result: answers[method](args) };
   const connect = (listener) => ({
     post: ({ id, method, args, drop }) => {
       asked.push(method ?? { drop });
-      if (method) queueMicrotask(() => listener.message({ id, result: answers[method](args) }));
+      if (method) queueMicrotask(() => listener.message({ id, ...answer(method, args) }));
     },
     hold: () => {},
     close: () => {},
@@ -195,28 +202,40 @@ function served() {
 
 test("a copy of a model is sent once, and dropped when the model is changed or dropped", async () => {
   const { asked, take, call } = served();
-  const other = asked;
   await call(1, "create", { backend: "cpu" }, { workers: "auto" });
   const own = [2, 3];
   for (const id of own) await call(id, "model", [square(id)]);
   const measure = async (id, model) => {
-    other.length = 0;
-    await call(id, "closestPoints", model, points, {});
-    return new Set(other);
+    asked.length = 0;
+    await call(id, "closestPoints", model, many, {});
+    return new Set(asked);
   };
   assert.deepEqual(await measure(4, 2), new Set(["create", "source", "closestPointsOfBlock"]));
   assert.deepEqual(await measure(5, 2), new Set(["closestPointsOfBlock"]));
   assert.deepEqual(await measure(6, 3), new Set(["source", "closestPointsOfBlock"]));
   await call(7, "update", 2, 0, square(5).controlPoints, {});
   take({ drop: 3 });
-  const { distances } = await call(8, "closestPoints", 2, points, {});
+  const { distances } = await call(8, "closestPoints", 2, many, {});
   assert.ok(
     distances.every((distance) => distance >= 3),
     "all from the changed model",
   );
   // The numbers of its calls that made these models.
-  assert.deepEqual(other.filter((one) => typeof one === "object").length, 2);
+  assert.deepEqual(asked.filter((one) => typeof one === "object").length, 2);
   assert.ok(!(await measure(9, 2)).has("closestPointsOfBlock"));
+});
+
+test("a worker whose module fails rejects its call, and a later call has another one", async () => {
+  const { asked, call } = served();
+  await call(1, "create", { backend: "cpu" }, { workers: 2 });
+  await call(2, "model", [square(0)]);
+  await call(3, "closestPoints", 2, many, {});
+  asked.failing = true;
+  await assert.rejects(call(4, "closestPoints", 2, many, {}), { message: "unreachable" });
+  asked.failing = false;
+  asked.length = 0;
+  await call(5, "closestPoints", 2, many, {});
+  assert.deepEqual(new Set(asked), new Set(["create", "source", "closestPointsOfBlock"]));
 });
 
 /** Ten blocks, the numbers from 0 on, whose sum is found. */

@@ -74,7 +74,7 @@ for (const [what, make] of Object.entries(MODELS)) {
 
 test("maps of both models are those of one worker, coarse ones too", async () => {
   const found = [];
-  for (const hd of pools) {
+  for (const hd of pools.slice(0, 2)) {
     const pair = await Promise.all(["sphere", "torus"].map((name) => hd.shape(name)));
     const [coarse, fractions] = [[], []];
     const maps = await hd.deviationMaps(...pair, {

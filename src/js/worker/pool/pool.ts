@@ -126,12 +126,16 @@ export class Pool {
     return most;
   }
 
-  /** Returns the result of some work of a worker. One that fails is ended; a later call starts another one. */
+  /**
+   * Returns the result of some work of a worker. One that fails, or whose module does, is ended; a later call starts
+   * another one.
+   */
   async #kept<Result>(place: number, work: Promise<Result>): Promise<Result> {
     try {
       return await work;
     } catch (error) {
-      if (error instanceof HausdorffError && error.code === "WORKER_FAILED") this.#end(place);
+      const isCoded = error instanceof HausdorffError;
+      if (!isCoded || error.code === "WORKER_FAILED") this.#end(place);
       throw error;
     }
   }
