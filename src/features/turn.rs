@@ -86,3 +86,48 @@ impl Near<'_> {
 fn hull(curve: &Curve) -> Hull {
     Hull::of(&curve.points().collect::<Vec<_>>())
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::axis::Axis;
+    use crate::bezier::{Patch, PatchSet};
+    use crate::solid::EdgePlace;
+    use glam::{DVec3, DVec4};
+
+    /// The arc of the side t = 0 of a patch of degree 1 × 1.
+    fn side(index: u32, controls: &[DVec4; 4]) -> Arc {
+        let curve = Curve { center: DVec3::ZERO, controls: vec![controls[0], controls[2]] };
+        Arc { place: EdgePlace { index, axis: Axis::V, end: 0 }, range: [0.0, 1.0], curve }
+    }
+
+    /// Lemma E1, attained: from the middle of an edge on the x axis the other face's edge, at 45°, has the distance 0, and
+    /// from x the nearest point is at x/√2 along it, up to r from the middle. There that face has turned from 0 at its
+    /// start by atan(√3 s), by more than 48° where x > 0.83, though by less than 41° on the half of its edge that meets
+    /// the x axis.
+    #[test]
+    fn turns_are_looked_for_as_far_as_the_ends_of_a_piece_have_their_nearest_points() {
+        let plane =
+            [[-1.0, 0.0], [-1.0, -1.0], [1.0, 0.0], [1.0, -1.0]].map(|[x, y]| DVec4::new(x, y, 0.0, 1.0));
+        let along = DVec3::new(1.0, 1.0, 0.0).normalize();
+        let across = DVec3::new(1.0, -1.0, 0.0).normalize();
+        let steep = DVec3::Z * 3.0_f64.sqrt();
+        let [start, end] = [along * -0.72, along * 1.32];
+        let twisted = [start, start + across, end, end + across + steep].map(|point| point.extend(1.0));
+        let mut patches = PatchSet::default();
+        for controls in [&plane, &twisted] {
+            patches.push(Patch::whole([1, 1], DVec3::ZERO, controls));
+        }
+        let faces = Faces::of_patches(&patches);
+        let (one, whole) = (side(0, &plane), side(1, &twisted));
+        let near_half = Arc { curve: whole.curve.split(0.5)[0].clone(), range: [0.0, 0.5], ..whole.clone() };
+        let found = |other: Arc| {
+            let edge = JoinedArc { one: one.clone(), other: Some(other), is_turned: false };
+            let part = ArcPart { curve: &one.curve, range: one.range };
+            sharpness(&faces, &edge, &part, 48.0_f64.to_radians())
+        };
+        assert_eq!(found(near_half), Sharpness::Smooth);
+        assert_eq!(found(whole), Sharpness::Open);
+    }
+}

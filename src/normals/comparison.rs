@@ -25,10 +25,18 @@ pub(crate) enum Likeness {
     Open,
 }
 
+/// A part of A with a cone about its normals.
+pub(super) struct Own<'s> {
+    pub(super) shape: &'s Shape,
+    pub(super) cone: &'s NormalCone,
+    /// Returns points of the part by its formula: see [`Likenesses::of`].
+    pub(super) points: &'s dyn Fn() -> Vec<DVec3>,
+}
+
 /// The question whether points have like counterparts in B.
 pub(crate) struct Likenesses<'a> {
-    target: &'a NormalTarget<'a>,
-    reach: Reach,
+    pub(super) target: &'a NormalTarget<'a>,
+    pub(super) reach: Reach,
     /// The largest angle, in radians.
     angle: f64,
 }
@@ -44,8 +52,14 @@ impl<'a> Likenesses<'a> {
     }
 
     /// Returns what is known of a part of A whose points have these bounds on their distances from B, rounding
-    /// included (lemmas N3 and N4 of docs/score.md).
-    pub(crate) fn of(&self, shape: &Shape, [lower, upper]: [f64; 2]) -> Likeness {
+    /// included (lemmas N3 to N5 of docs/score.md). `points` makes some of its points by its formula alone, for the audit
+    /// of lemma N5.
+    pub(crate) fn of(
+        &self,
+        shape: &Shape,
+        [lower, upper]: [f64; 2],
+        points: &dyn Fn() -> Vec<DVec3>,
+    ) -> Likeness {
         if lower > self.reach.threshold() {
             return Likeness::Unlike;
         }
@@ -53,7 +67,7 @@ impl<'a> Likenesses<'a> {
         if upper < self.reach.threshold() && self.all_are_alike(shape, cone, upper) {
             return Likeness::Alike;
         }
-        self.by_one_part(shape, cone)
+        self.by_one_part(&Own { shape, cone, points })
     }
 
     /// Returns whether all parts of B within a distance of a part of A are certainly alike.
@@ -98,15 +112,16 @@ impl<'a> Likenesses<'a> {
 
     /// Looks for one part of B that is alike and whose one point is near to all points of a part of A; or shows that
     /// none in reach is alike.
-    fn by_one_part(&self, shape: &Shape, cone: &NormalCone) -> Likeness {
+    fn by_one_part(&self, own: &Own<'_>) -> Likeness {
+        let shape = own.shape;
         let reach = self.reach.beyond(self.reach.threshold());
         let (mut looked, mut found) = (Looked::default(), false);
         self.target.near(&shape.aabb, reach, &mut |place| {
             found = match (self.target.root(place), self.target.triangle(place)) {
-                (Some(root), _) => self.node_is_near(shape, cone, root, &mut looked),
+                (Some(root), _) => self.node_is_near(own, root, &mut looked),
                 (None, Some(triangle)) => {
                     looked.visits += 1;
-                    let of = self.compared(shape, cone, &triangle, reach);
+                    let of = self.compared(own, &triangle, reach);
                     looked.is_open |= of != Likeness::Unlike;
                     of == Likeness::Alike
                         && self.is_in_reach(shape, |point| self.target.distance_squared_of(place, point))
@@ -119,23 +134,23 @@ impl<'a> Likenesses<'a> {
     }
 
     /// As [`Self::by_one_part`], of the parts of one patch.
-    fn node_is_near(&self, shape: &Shape, cone: &NormalCone, node: &Node, looked: &mut Looked) -> bool {
+    fn node_is_near(&self, own: &Own<'_>, node: &Node, looked: &mut Looked) -> bool {
         looked.visits += 1;
-        match self.compared(shape, cone, &node.shape, self.reach.beyond(self.reach.threshold())) {
+        match self.compared(own, &node.shape, self.reach.beyond(self.reach.threshold())) {
             Likeness::Unlike => false,
             Likeness::Alike => {
                 looked.is_open = true;
-                self.is_covered(shape, node)
-                    || self.halves_are_near(shape, cone, node, looked)
-                    || self.has_near_point(shape, node)
+                self.is_covered(own, node)
+                    || self.halves_are_near(own, node, looked)
+                    || self.has_near_point(own.shape, node)
             }
             Likeness::Open => {
-                let is_large = node.shape.radius > HALVED_RATIO * shape.radius;
+                let is_large = node.shape.radius > HALVED_RATIO * own.shape.radius;
                 if is_large
                     && looked.visits < MAX_VISITS
                     && let Some(halves) = self.target.halves(node)
                 {
-                    return halves.iter().any(|half| self.node_is_near(shape, cone, half, looked));
+                    return halves.iter().any(|half| self.node_is_near(own, half, looked));
                 }
                 looked.is_open = true;
                 false
@@ -143,24 +158,16 @@ impl<'a> Likenesses<'a> {
         }
     }
 
-    /// Returns whether all points of a part are within the threshold of a part of a patch, by the quadrilateral that the
-    /// latter covers (lemma N5).
-    fn is_covered(&self, shape: &Shape, node: &Node) -> bool {
-        let Some(quad) = self.target.quad(node) else { return false };
-        let left = self.reach.certain() - quad.off();
-        left > 0.0 && self.are_within(shape, left, |point| quad.distance_squared(point))
-    }
-
     /// Looks at the halves of a part that bends too much for its quadrilateral to say much, if those may still be as large
     /// as the part of A.
-    fn halves_are_near(&self, shape: &Shape, cone: &NormalCone, node: &Node, looked: &mut Looked) -> bool {
+    fn halves_are_near(&self, own: &Own<'_>, node: &Node, looked: &mut Looked) -> bool {
         let is_plane =
             self.target.quad(node).is_some_and(|quad| quad.off() <= BENT_PART * self.reach.certain());
-        if is_plane || node.shape.radius <= HALVED_RATIO * shape.radius || looked.visits >= MAX_VISITS {
+        if is_plane || node.shape.radius <= HALVED_RATIO * own.shape.radius || looked.visits >= MAX_VISITS {
             return false;
         }
         let Some(halves) = self.target.halves(node) else { return false };
-        halves.iter().any(|half| self.node_is_near(shape, cone, half, looked))
+        halves.iter().any(|half| self.node_is_near(own, half, looked))
     }
 
     /// Returns whether all points of a part are within the threshold of one point of a part of a patch, which is then within
@@ -174,12 +181,12 @@ impl<'a> Likenesses<'a> {
     }
 
     /// Compares the normals of two parts, and returns that they are unlike where they are out of reach of each other.
-    fn compared(&self, shape: &Shape, cone: &NormalCone, other: &Shape, reach: f64) -> Likeness {
-        if shape.is_beyond(other, reach) {
+    fn compared(&self, own: &Own<'_>, other: &Shape, reach: f64) -> Likeness {
+        if own.shape.is_beyond(other, reach) {
             return Likeness::Unlike;
         }
         let Some(of_other) = &other.cone else { return Likeness::Open };
-        let [least, most] = cone.angles(of_other);
+        let [least, most] = own.cone.angles(of_other);
         if most <= self.angle {
             Likeness::Alike
         } else if least > self.angle {
@@ -195,7 +202,12 @@ impl<'a> Likenesses<'a> {
     }
 
     /// The same for a length in place of the threshold without its rounding.
-    fn are_within(&self, shape: &Shape, left: f64, distance_squared: impl Fn(DVec3) -> f64) -> bool {
+    pub(super) fn are_within(
+        &self,
+        shape: &Shape,
+        left: f64,
+        distance_squared: impl Fn(DVec3) -> f64,
+    ) -> bool {
         let permitted = left * left * (1.0 - gamma(DISTANCE_ROUNDINGS));
         left > 0.0
             && !shape.points.is_empty()

@@ -5,6 +5,7 @@
 
 mod comparison;
 mod cone;
+mod cover;
 mod quad;
 mod reach;
 mod shape;

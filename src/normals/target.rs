@@ -25,7 +25,7 @@ pub(crate) struct Node {
     part: ParamBox,
     depth: u32,
     pub(super) shape: Shape,
-    quad: OnceLock<Option<Quad>>,
+    pub(super) quad: OnceLock<Option<Quad>>,
     halves: OnceLock<Option<Box<[Node; 2]>>>,
 }
 

@@ -2,12 +2,15 @@
 
 use crate::area::{Area, area_of_part};
 use crate::axis::Axis;
+use crate::bezier::Patch;
 use crate::certified::{Cell, CellSpread, Density, Lemma, Pair, SpreadRefutation, SpreadStart, Spreads};
 use crate::facets::{FacetTarget, PartOf, Parts, Source, Spread, Start, Weighted, WeightedPart};
+use crate::model::RigidTransform;
 use crate::normals::{NormalCone, Shape};
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
 use crate::solid::longer_axis_of_controls;
+use glam::DVec3;
 use std::ops::Range;
 
 /// Half of the width of a cell that float64 does not usefully halve further.
@@ -45,6 +48,9 @@ pub(in crate::engine) trait Cover: Sync {
 
     /// Returns where a part is, moved, and a cone about its normals.
     fn shape(&self, part: &Self::Part) -> Shape;
+
+    /// Returns points of a part, moved, by its formula: the corners and the middle.
+    fn points(&self, part: &Self::Part) -> Vec<DVec3>;
 
     /// The lemma that the bounds rest on.
     fn lemma(&self) -> Lemma;
@@ -112,6 +118,21 @@ impl Cover for Parts<'_> {
         }
     }
 
+    fn points(&self, part: &WeightedPart) -> Vec<DVec3> {
+        let (source, transform) = self.source();
+        match (self.part_of(part), source) {
+            (PartOf::Triangle(_, corners), _) => {
+                let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
+                corners.into_iter().chain([middle]).collect()
+            }
+            (PartOf::Patch(patch, range), Source::Patches { patches, .. }) => {
+                points_of(&patches.patch(patch as usize), range, transform)
+            }
+            // No part is of the other kind.
+            _ => Vec::new(),
+        }
+    }
+
     fn lemma(&self) -> Lemma {
         Lemma::SpreadToFacets
     }
@@ -127,6 +148,13 @@ impl Cover for Parts<'_> {
     fn strike(&mut self) {
         Self::strike(self);
     }
+}
+
+/// Returns the corners and the middle of a part of a patch, moved.
+fn points_of(patch: &Patch<'_>, part: ParamBox, transform: &RigidTransform) -> Vec<DVec3> {
+    let [s, t] = part.intervals();
+    let corners = s.into_iter().flat_map(|s| t.map(|t| [s, t]));
+    corners.chain([part.middle()]).map(|at| transform.apply(patch.point(at))).collect()
 }
 
 /// Cells of patches or of triangles, measured to patches.
@@ -256,6 +284,11 @@ impl Cover for Cells<'_> {
             }
             None => Shape::of_part(&patch, range, transform),
         }
+    }
+
+    fn points(&self, part: &WeightedCell) -> Vec<DVec3> {
+        let [s, t] = part.cell.ranges();
+        points_of(&self.pair.patch_of_a(part.cell.patch), ParamBox::new(s, t), &self.pair.transform)
     }
 
     fn lemma(&self) -> Lemma {

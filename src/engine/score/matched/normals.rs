@@ -106,7 +106,8 @@ impl Search<'_> {
 
     fn compared<C: Cover>(&self, cover: &C, part: C::Part) -> Compared<C::Part> {
         let spread = part.spread();
-        let likeness = self.likenesses.of(&cover.shape(&part), [spread.lower, spread.upper]);
+        let points = || cover.points(&part);
+        let likeness = self.likenesses.of(&cover.shape(&part), [spread.lower, spread.upper], &points);
         (part, likeness)
     }
 
