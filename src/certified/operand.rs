@@ -2,6 +2,7 @@
 
 use super::rounding::JetScale;
 use super::{Sheets, TrimmedFaces};
+use crate::area::Area;
 use crate::bezier::{DerivativeBounds, Jet, LocalDerivativeBounds, Patch, PatchSet, PointError};
 use crate::bvh::Aabb;
 use crate::closest::Target;
@@ -139,6 +140,11 @@ impl<'a> Pair<'a> {
     /// A patch of A, not moved.
     pub(crate) fn patch_of_a(&self, patch: u32) -> Patch<'a> {
         self.a.patch(patch)
+    }
+
+    /// The area of a patch of A.
+    pub(crate) fn area_of_a(&self, patch: u32) -> Area {
+        self.a.target.area(patch)
     }
 
     /// The moved point of a patch of A.

@@ -1,7 +1,9 @@
 //! The patches that points are projected on.
 
+use crate::area::{Area, area_of_part};
 use crate::bezier::{OrientedBox, PatchSet};
 use crate::bvh::{Aabb, Bvh};
+use crate::param_box::ParamBox;
 use crate::threads::LazyTable;
 use crate::threads::parallel::map;
 
@@ -14,6 +16,8 @@ pub struct Target {
     pub tree: Bvh,
     /// A closer, oriented box around each patch, computed at its first use.
     boxes: LazyTable<OrientedBox>,
+    /// The area of each patch, computed at its first use.
+    areas: LazyTable<Area>,
     /// The largest degree of a patch in either direction.
     pub(crate) max_degree: usize,
 }
@@ -34,12 +38,27 @@ impl Target {
     fn with_tree(patches: PatchSet, tree: impl FnOnce(&[Aabb]) -> Bvh) -> Self {
         let boxes = map(patches.len(), |index| patches.patch(index).bounding_box());
         let max_degree = patches.iter().flat_map(|patch| patch.degree).max().unwrap_or(0);
-        Self { tree: tree(&boxes), boxes: LazyTable::default(), max_degree, patches }
+        Self {
+            tree: tree(&boxes),
+            boxes: LazyTable::default(),
+            areas: LazyTable::default(),
+            max_degree,
+            patches,
+        }
     }
 
     /// Returns the oriented box around a patch. O(p q) at its first use.
     pub(crate) fn oriented_box(&self, patch: u32) -> &OrientedBox {
         let index = patch as usize;
         self.boxes.get(self.patches.len(), index, || OrientedBox::new(&self.patches.patch(index)))
+    }
+
+    /// Returns the area of a patch, as [`area_of_part`] has it of all of its parameters: statistics of both directions and
+    /// all thresholds ask for it. A patch that folds takes up to a second, at its first use.
+    pub(crate) fn area(&self, patch: u32) -> Area {
+        let index = patch as usize;
+        *self
+            .areas
+            .get(self.patches.len(), index, || area_of_part(&self.patches.patch(index), ParamBox::UNIT))
     }
 }

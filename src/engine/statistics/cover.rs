@@ -205,7 +205,11 @@ impl<'a> Cells<'a> {
     fn area(&self, cell: &Cell) -> Area {
         let [s, t] = cell.ranges();
         let patch = self.pair.patch_of_a(cell.patch);
-        let Some((triangles, _)) = self.triangles else { return area_of_part(&patch, ParamBox::new(s, t)) };
+        let Some((triangles, _)) = self.triangles else {
+            let range = ParamBox::new(s, t);
+            let is_whole = range == ParamBox::UNIT;
+            return if is_whole { self.pair.area_of_a(cell.patch) } else { area_of_part(&patch, range) };
+        };
         // At s the triangle is as wide as s.
         let part = (s[1] * s[1] - s[0] * s[0]) * (t[1] - t[0]);
         let Area { lower, upper } = triangles.area(patch.surface as u32);
