@@ -1,19 +1,69 @@
 //! A cone about the normals of a part of a patch: lemma N1 of docs/score.md.
 
-use super::density::Density;
+use super::Area;
+use super::cell::{Cell, part_size};
+use super::density::{Density, Series};
 use super::planar::Planar;
 use crate::bezier::Patch;
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
+use crate::sorting::ordered_by;
 use glam::DVec3;
+use std::collections::BinaryHeap;
 
-/// Returns whether the normals of a plane patch are to the side of a vector; `None` where that is not shown, as where it
-/// folds over itself: against their mean they are at most the part of it that areas of planes neglect (lemma A4 of
-/// docs/area.md). O(degree³).
+/// The parts of a plane patch after which its side is left open: those that fold are a corner of it.
+const MAX_PARTS_OF_PLANE: usize = 128;
+
+/// Returns whether most of the area of a plane patch has its normals to the side of a vector; `None` where that is not
+/// shown. The map of a piece's parameters may fold over itself at a corner, where its face does not. O(degree³) for each
+/// part.
 pub(crate) fn is_to_side(patch: &Patch<'_>, side: DVec3) -> Option<bool> {
-    let plane = Planar::of(&Density::new(patch).series(ParamBox::UNIT))?;
-    let along = plane.direction.dot(side);
-    (along != 0.0).then_some(along > 0.0)
+    let density = Density::new(patch);
+    let (mut against, mut along, mut parts) = (Area::default(), Area::default(), 0);
+    let mut open = BinaryHeap::from([PlanePart::new(&density, ParamBox::UNIT)]);
+    while let Some(PlanePart { part, series, upper }) = open.pop() {
+        if let Some(plane) = Planar::of(&series) {
+            let area = Cell::planar(&density, part, &plane).area;
+            let of_side = if plane.direction.dot(side) > 0.0 { &mut along } else { &mut against };
+            *of_side = *of_side + area;
+        } else if parts < MAX_PARTS_OF_PLANE {
+            parts += 2;
+            open.extend(part.halves(series.longer_axis()).map(|half| PlanePart::new(&density, half)));
+        } else {
+            open.push(PlanePart { part, series, upper });
+            break;
+        }
+        let left: f64 = open.iter().map(|part| part.upper).sum::<f64>() * (1.0 + gamma(parts as f64));
+        // Not "at most", so that NaN decides nothing.
+        if along.lower > against.upper + left {
+            return Some(true);
+        }
+        if against.lower > along.upper + left {
+            return Some(false);
+        }
+    }
+    None
+}
+
+/// A part of a plane patch whose side is not known yet.
+struct PlanePart {
+    part: ParamBox,
+    series: Series,
+    /// An upper bound on its area.
+    upper: f64,
+}
+
+ordered_by!(PlanePart, |part| part.upper);
+
+impl PlanePart {
+    fn new(density: &Density<'_>, part: ParamBox) -> Self {
+        let series = density.series(part);
+        let count = series.numerator.len() as f64;
+        let sizes: f64 = series.numerator.iter().map(|one| one.length()).sum();
+        let most = (sizes + count * series.rounding) * (1.0 + gamma(SUM_ROUNDINGS + count));
+        let upper = part_size(part) * density.upper_bound(most);
+        Self { part, series, upper }
+    }
 }
 
 /// The roundings of the sums over coefficients, relative to the sum of their lengths.

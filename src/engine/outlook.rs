@@ -20,6 +20,11 @@ impl Outlook {
         Self { next: patience, last: f64::INFINITY, is_hopeless: false }
     }
 
+    /// Returns whether a search was found hopeless.
+    pub(super) fn has_given_up(&self) -> bool {
+        self.is_hopeless
+    }
+
     /// Returns whether a search that has done some `work` and has a `width` is not to be expected to reach the `goal` by
     /// as much work in all as `most`: not even if each doubling took the square of what the last one took of the width. It
     /// stays so.

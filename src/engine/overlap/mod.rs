@@ -72,17 +72,17 @@ pub(super) struct Patience {
     /// the motion. Coincident boundaries are separated only once pieces are small enough, so that the second search needs
     /// more patience: its width falls late, and at once.
     stalled: [usize; 2],
-    /// The number of pieces from which on the first search ends if it is not to be expected to reach its goal within the
-    /// budget.
-    hopeless: usize,
+    /// The number of pieces from which on a search is given up that is not to be expected to reach its goal within the
+    /// budget: the first one for that after the motion, and that for good.
+    hopeless: [usize; 2],
 }
 
 impl Patience {
     /// Of a question about volumes: the whole budget.
-    pub(super) const LONG: Self = Self { stalled: [8192, 131_072], hopeless: usize::MAX };
+    pub(super) const LONG: Self = Self { stalled: [8192, 131_072], hopeless: [usize::MAX; 2] };
 
     /// Of a question that has others beside it.
-    pub(super) const SHORT: Self = Self { stalled: [8192, 131_072], hopeless: 16_384 };
+    pub(super) const SHORT: Self = Self { stalled: [8192, 131_072], hopeless: [2048, 16_384] };
 }
 
 impl Engine {
@@ -153,14 +153,14 @@ impl Engine {
         let larger = volumes[0].larger(volumes[1]).lower;
         let width = options.relative_width() * larger;
         let is_late = || is_over(started, options.max_seconds);
-        let (left, outlook) = (options.most_cells(), Outlook::new(patience.hopeless));
+        let (left, outlook) = (options.most_cells(), Outlook::new(patience.hopeless[0]));
         let mut budget = Budget { started, max_seconds: options.max_seconds, left, outlook };
         let pair = Pair::new([first, second], width, false);
         let mut search = Search::new(&pair, &solids, patience.stalled[0], &is_late);
         result.stop = run(&mut search, width, &mut budget, &mut progress).await?;
         let mut common = search.volume();
-        if search.has_stalled() && !is_late() {
-            budget.outlook = Outlook::new(usize::MAX);
+        if (search.has_stalled() || budget.outlook.has_given_up()) && budget.left > 0 && !is_late() {
+            budget.outlook = Outlook::new(patience.hopeless[1]);
             let pair = Pair::new(placed(), width, true);
             let mut search = Search::new(&pair, &solids, patience.stalled[1], &is_late);
             result.stop = run(&mut search, width, &mut budget, &mut progress).await?;

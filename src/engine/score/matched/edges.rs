@@ -1,5 +1,6 @@
 //! The part of the length of a model's feature edges that has counterparts among those of another one.
 
+use super::cuts::is_cut;
 use super::shares::{Shares, largest_open};
 use crate::engine::PreparedModel;
 use crate::engine::outlook::Outlook;
@@ -71,7 +72,10 @@ pub(super) fn feature_edges(
         Some(Facet::Triangle(corners)) => corners,
         _ => [DVec3::NAN; 3],
     };
-    let joined = joined_arcs(edges, &corners, &model.control_box(), model.gap());
+    let mut joined = joined_arcs(edges, &corners, &model.control_box(), model.gap());
+    if model.facets().is_none() {
+        joined.retain(|edge| !is_cut(model, edge));
+    }
     Some(FeatureEdges::new(faces, joined, transform, [angle, error.after(0), least]))
 }
 

@@ -1,5 +1,6 @@
 //! The parts of surfaces and of feature edges that have counterparts in the other model.
 
+mod cuts;
 mod edges;
 mod normals;
 mod shares;
