@@ -87,7 +87,7 @@ impl Cell {
     }
 
     /// Computes the area over a part in a plane, by quadrature of the flux along its normal: lemmas A1, A3 and A4.
-    pub(super) fn planar(density: &Density<'_>, part: ParamBox, plane: &Planar) -> Self {
+    fn planar(density: &Density<'_>, part: ParamBox, plane: &Planar) -> Self {
         let counts = plane.rules.map(|rule| rule.count);
         let Mean { value, rounding } =
             mean(density, part, counts, |numerator| numerator.dot(plane.direction));

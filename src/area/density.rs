@@ -2,7 +2,6 @@
 
 use crate::approximation::bernstein::Linear;
 use crate::approximation::chebyshev::{coefficients, nodes};
-use crate::axis::Axis;
 use crate::bezier::{HomogeneousTangents, Patch};
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
@@ -38,17 +37,6 @@ pub(super) struct Series {
 }
 
 impl Series {
-    /// Returns the axis along which N changes more.
-    pub(super) fn longer_axis(&self) -> Axis {
-        let mut changes = [0.0; 2];
-        for (index, one) in self.numerator.iter().enumerate() {
-            for (axis, order) in [index / self.counts[1], index % self.counts[1]].into_iter().enumerate() {
-                changes[axis] += if order > 0 { one.length() } else { 0.0 };
-            }
-        }
-        if changes[0] > changes[1] { Axis::U } else { Axis::V }
-    }
-
     /// Returns the numbers of coefficients of |M|² in s and t, and the coefficients, by
     /// `2 T_i T_j = T_(i+j) + T_|i-j|`, for the first coefficients M of N along both axes.
     /// O(coefficients of M²).

@@ -1,12 +1,12 @@
 //! A cone about the normals of a part of a patch: lemma N1 of docs/score.md.
 
 use super::Area;
-use super::cell::{Cell, part_size};
-use super::density::{Density, Series};
-use super::planar::Planar;
+use super::cell::part_size;
+use super::density::Density;
+use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::param_box::ParamBox;
-use crate::rounding::gamma;
+use crate::rounding::{gamma, upper_max};
 use crate::sorting::ordered_by;
 use glam::DVec3;
 use std::collections::BinaryHeap;
@@ -14,24 +14,30 @@ use std::collections::BinaryHeap;
 /// The parts of a plane patch after which its side is left open: those that fold are a corner of it.
 const MAX_PARTS_OF_PLANE: usize = 128;
 
-/// Returns whether most of the area of a plane patch has its normals to the side of a vector; `None` where that is not
+/// Returns whether most of the area of a plane patch has its normals to the side of a unit vector; `None` where that is not
 /// shown. The map of a piece's parameters may fold over itself at a corner, where its face does not. O(degree³) for each
 /// part.
+///
+/// With the coefficients of N1, N along the vector is within `Σ' |c_kl|` of c_00 on a part; where it has one sign, its least
+/// and largest sizes bound the part's area to that side, and elsewhere `Σ |c_kl|` that to either.
 pub(crate) fn is_to_side(patch: &Patch<'_>, side: DVec3) -> Option<bool> {
     let density = Density::new(patch);
-    let (mut against, mut along, mut parts) = (Area::default(), Area::default(), 0);
-    let mut open = BinaryHeap::from([PlanePart::new(&density, ParamBox::UNIT)]);
-    while let Some(PlanePart { part, series, upper }) = open.pop() {
-        if let Some(plane) = Planar::of(&series) {
-            let area = Cell::planar(&density, part, &plane).area;
-            let of_side = if plane.direction.dot(side) > 0.0 { &mut along } else { &mut against };
-            *of_side = *of_side + area;
+    let heaviest = patch.controls.iter().map(|control| control.w).fold(0.0, upper_max);
+    let new = |part| PlanePart::new(&density, part, side);
+    let (mut against, mut along, mut parts) = (Area::default(), Area::default(), 1);
+    let mut open = BinaryHeap::from([new(ParamBox::UNIT)]);
+    while let Some(found) = open.pop() {
+        let PlanePart { part, middle, spread, upper, .. } = found;
+        if middle.abs() > spread {
+            let least = (middle.abs() - spread) / (heaviest * heaviest * heaviest);
+            let lower = part_size(part) * least * (1.0 - gamma(SUM_ROUNDINGS));
+            let of_side = if middle > 0.0 { &mut along } else { &mut against };
+            *of_side = *of_side + Area { lower, upper };
         } else if parts < MAX_PARTS_OF_PLANE {
-            parts += 2;
-            open.extend(part.halves(series.longer_axis()).map(|half| PlanePart::new(&density, half)));
+            parts += 1;
+            open.extend(part.halves(found.axis).map(new));
         } else {
-            open.push(PlanePart { part, series, upper });
-            break;
+            return None;
         }
         let left: f64 = open.iter().map(|part| part.upper).sum::<f64>() * (1.0 + gamma(parts as f64));
         // Not "at most", so that NaN decides nothing.
@@ -45,24 +51,37 @@ pub(crate) fn is_to_side(patch: &Patch<'_>, side: DVec3) -> Option<bool> {
     None
 }
 
-/// A part of a plane patch whose side is not known yet.
+/// A part of a plane patch with N along a unit vector.
 struct PlanePart {
     part: ParamBox,
-    series: Series,
-    /// An upper bound on its area.
+    /// N is along the vector within the spread of the middle.
+    middle: f64,
+    spread: f64,
+    /// An upper bound on the area.
     upper: f64,
+    /// The axis along which N changes more.
+    axis: Axis,
 }
 
 ordered_by!(PlanePart, |part| part.upper);
 
 impl PlanePart {
-    fn new(density: &Density<'_>, part: ParamBox) -> Self {
+    fn new(density: &Density<'_>, part: ParamBox, side: DVec3) -> Self {
         let series = density.series(part);
+        let (mut middle, mut changes, mut sizes) = (0.0, [0.0; 2], 0.0);
+        for (index, coefficient) in series.numerator.iter().enumerate() {
+            let along = coefficient.dot(side);
+            sizes += coefficient.length();
+            match [index / series.counts[1], index % series.counts[1]] {
+                [0, 0] => middle = along,
+                [of_s, of_t] => changes[usize::from(of_s < of_t)] += along.abs(),
+            }
+        }
         let count = series.numerator.len() as f64;
-        let sizes: f64 = series.numerator.iter().map(|one| one.length()).sum();
-        let most = (sizes + count * series.rounding) * (1.0 + gamma(SUM_ROUNDINGS + count));
-        let upper = part_size(part) * density.upper_bound(most);
-        Self { part, series, upper }
+        let rounding = count * series.rounding + gamma(SUM_ROUNDINGS + count) * sizes;
+        let upper = part_size(part) * density.upper_bound(sizes + rounding);
+        let axis = if changes[0] > changes[1] { Axis::U } else { Axis::V };
+        Self { part, middle, spread: changes[0] + changes[1] + rounding, upper, axis }
     }
 }
 
