@@ -151,4 +151,20 @@ mod tests {
         assert!(refuted(-1.0, -1.0, 1.0), "to the other side");
         assert!(refuted(1.0, 0.9, 1.0) && refuted(1.0, 1.0, f64::NAN));
     }
+
+    /// A quadrilateral with a corner turned in folds there: its normals have the sizes 9, 1.5, 1.5 and −6 at the corners,
+    /// linear between. With that corner at the first one as much is to either side, and none is known.
+    #[test]
+    fn the_side_of_a_plane_patch_that_folds_is_that_of_most_of_its_area() {
+        let side_of = |x: f64, up: f64| {
+            let corners = [[0.0, 0.0], [0.0, 3.0], [3.0, 0.0], [x, x]];
+            let controls = corners.map(|[x, y]| DVec3::new(x, y, 1.0).extend(1.0));
+            is_to_side(&Patch::whole([1, 1], DVec3::ZERO, &controls), up * DVec3::Z)
+        };
+        for (x, expected) in [(3.0, Some(true)), (0.5, Some(true)), (0.0, None), (-0.5, Some(false))] {
+            assert_eq!(side_of(x, 1.0), expected, "{x}");
+            assert_eq!(side_of(x, -1.0), expected.map(|is_up| !is_up), "{x}");
+        }
+        assert_eq!(side_of(f64::NAN, 1.0), None);
+    }
 }

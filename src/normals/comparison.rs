@@ -52,7 +52,7 @@ impl<'a> Likenesses<'a> {
     }
 
     /// Returns what is known of a part of A whose points have these bounds on their distances from B, rounding
-    /// included (lemmas N3 to N5 of docs/score.md). `points` makes some of its points by its formula alone, for the audit
+    /// included (lemmas N3 to N6 of docs/score.md). `points` makes some of its points by its formula alone, for the audit
     /// of lemma N5.
     pub(crate) fn of(
         &self,
@@ -139,10 +139,17 @@ impl<'a> Likenesses<'a> {
         match self.compared(own, &node.shape, self.reach.beyond(self.reach.threshold())) {
             Likeness::Unlike => false,
             Likeness::Alike => {
+                if self.is_covered(own, node) {
+                    return true;
+                }
+                if self.is_apart(own.shape, node) {
+                    return false;
+                }
+                if let Some(halves) = self.halves_of_bent(own.shape, node, looked) {
+                    return halves.iter().any(|half| self.node_is_near(own, half, looked));
+                }
                 looked.is_open = true;
-                self.is_covered(own, node)
-                    || self.halves_are_near(own, node, looked)
-                    || self.has_near_point(own.shape, node)
+                self.has_near_point(own.shape, node)
             }
             Likeness::Open => {
                 let is_large = node.shape.radius > HALVED_RATIO * own.shape.radius;
@@ -158,16 +165,15 @@ impl<'a> Likenesses<'a> {
         }
     }
 
-    /// Looks at the halves of a part that bends too much for its quadrilateral to say much, if those may still be as large
+    /// Returns the halves of a part that bends too much for its quadrilateral to say much, if those may still be as large
     /// as the part of A.
-    fn halves_are_near(&self, own: &Own<'_>, node: &Node, looked: &mut Looked) -> bool {
+    fn halves_of_bent<'n>(&self, shape: &Shape, node: &'n Node, looked: &Looked) -> Option<&'n [Node; 2]> {
         let is_plane =
             self.target.quad(node).is_some_and(|quad| quad.off() <= BENT_PART * self.reach.certain());
-        if is_plane || node.shape.radius <= HALVED_RATIO * own.shape.radius || looked.visits >= MAX_VISITS {
-            return false;
+        if is_plane || node.shape.radius <= HALVED_RATIO * shape.radius || looked.visits >= MAX_VISITS {
+            return None;
         }
-        let Some(halves) = self.target.halves(node) else { return false };
-        halves.iter().any(|half| self.node_is_near(own, half, looked))
+        self.target.halves(node)
     }
 
     /// Returns whether all points of a part are within the threshold of one point of a part of a patch, which is then within

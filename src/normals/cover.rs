@@ -1,8 +1,9 @@
-//! Whole faces within the threshold of whole faces, with an audit: lemma N5 of docs/score.md.
+//! Parts within the threshold of whole faces, and beyond it, with audits: lemmas N5 and N6 of docs/score.md.
 
 use super::comparison::Own;
 use super::target::Node;
-use super::{Likenesses, Shape};
+use super::{DISTANCE_ROUNDINGS, Likenesses, Shape};
+use crate::rounding::gamma;
 
 impl Likenesses<'_> {
     /// Returns whether all points of a part are within the threshold of a part of a patch, by the quadrilateral that the
@@ -26,6 +27,26 @@ impl Likenesses<'_> {
             |point| self.target.near_point(node, point).is_some_and(|near| near.distance(point) <= most);
         // Not "is any far", so that NaN refutes.
         !(own.points)().into_iter().all(is_near)
+    }
+
+    /// Returns whether no point of a part is within the threshold of a part of a patch (lemma N6), and no point of that is
+    /// found nearer to the middle of the first one than the lemma says. O(p q), and some steps of Newton's method.
+    pub(super) fn is_apart(&self, shape: &Shape, node: &Node) -> bool {
+        let Some(least) = self.least_distance(shape, node) else { return false };
+        let is_refuted = || {
+            let near = self.target.near_point(node, shape.middle);
+            // Not "is nearer", so that NaN refutes.
+            !near.is_some_and(|near| self.reach.beyond(near.distance(shape.middle)) >= least)
+        };
+        least - shape.radius > self.reach.beyond(self.reach.threshold()) && !is_refuted()
+    }
+
+    /// Returns a lower bound on the distance of a part of a patch from the middle of another part, but for rounding of
+    /// points.
+    fn least_distance(&self, shape: &Shape, node: &Node) -> Option<f64> {
+        let quad = self.target.quad(node)?;
+        let distance = quad.distance_squared(shape.middle).sqrt();
+        Some(distance * (1.0 - gamma(DISTANCE_ROUNDINGS)) - quad.off())
     }
 }
 
@@ -70,16 +91,21 @@ mod tests {
         ask(&likenesses, &Own { shape: &shape, cone: &cone, points: &|| points.clone() }, &mut root)
     }
 
+    /// The rows of an arch of degree 8.
+    fn arch() -> Vec<DVec3> {
+        let row = |i: usize| {
+            let height = if i == 0 || i == 8 { 0.0 } else { 1.0 };
+            [0.0, 4.0].map(|y| DVec3::new(i as f64, y, height))
+        };
+        (0..=8).flat_map(row).collect()
+    }
+
     /// An arch of degree 8, whose inner control points are at the height 1: it is at 127/128 in the middle, far above the
     /// sides. A tile at 1 below is as far as both together but for the bend's 1/128, and what the lemma takes off is
     /// attained up to that.
     #[test]
     fn the_bend_of_a_part_is_taken_off_the_threshold() {
-        let row = |i: usize| {
-            let height = if i == 0 || i == 8 { 0.0 } else { 1.0 };
-            [0.0, 4.0].map(|y| DVec3::new(i as f64, y, height))
-        };
-        let arch: Vec<DVec3> = (0..=8).flat_map(row).collect();
+        let arch = arch();
         let middle = DVec3::new(4.0, 2.0, -1.0);
         let asked = |threshold| {
             of_pair([8, 1], &arch, middle, threshold, |likenesses, own, root| {
@@ -89,6 +115,24 @@ mod tests {
         assert_eq!(asked(1.99), [false, true], "the nearest point is at 1.9921");
         assert_eq!(asked(1.995), [false, false]);
         assert_eq!(asked(2.0 + 1e-5), [true, false]);
+    }
+
+    /// Above the same arch, whose middle is at 127/128: from a point at the height z the lemma's distance is z − 1, which is
+    /// attained up to 1/128, and the tile is within 0.0028 of it.
+    #[test]
+    fn the_bend_of_a_part_is_taken_off_its_distance() {
+        let asked = |height| {
+            of_pair([8, 1], &arch(), DVec3::new(4.0, 2.0, height), 1.0, |likenesses, own, root| {
+                [
+                    likenesses.least_distance(own.shape, root).unwrap(),
+                    f64::from(likenesses.is_apart(own.shape, root)),
+                ]
+            })
+        };
+        for (height, is_apart) in [(1.9, 0.0), (2.002, 0.0), (2.0029, 1.0), (5.0, 1.0)] {
+            let [least, found] = asked(height);
+            assert!((least - (height - 1.0)).abs() < 1e-12 && found == is_apart, "{height} {least} {found}");
+        }
     }
 
     /// The quadrilateral of another place: the lemma's numbers say that it covers, and the audit that it does not.
@@ -107,6 +151,13 @@ mod tests {
         for shift in [DVec3::X * 3.0, DVec3::Z * 2.0] {
             assert_eq!(asked(above + shift, shift), [true, false], "{shift}");
         }
+        let is_apart = |at: DVec3| {
+            of_pair([1, 1], &square(DVec3::ZERO), above, 0.5, |likenesses, own, root| {
+                root.quad = OnceLock::from(Quad::of(&square(at), [1, 1]));
+                likenesses.is_apart(own.shape, root)
+            })
+        };
+        assert_eq!([DVec3::ZERO, -DVec3::Z].map(is_apart), [true, false]);
         let nowhere = |threshold| {
             of_pair([1, 1], &square(DVec3::ZERO), above, threshold, |likenesses, own, root| {
                 let nan = || vec![DVec3::NAN];

@@ -4,8 +4,8 @@ use super::{SIZE, cuboid, holds, models, score, truth};
 use crate::plate::Plate;
 use nurbs_hausdorff::shapes::{cone, cylinder, sphere, torus};
 use nurbs_hausdorff::{
-    AtThreshold, DQuat, DVec3, Facets, Interval, Model, PointCloud, PreparedModel, RigidTransform, Score,
-    ScoreOptions,
+    AtThreshold, DQuat, DVec3, Facets, Interval, Model, NurbsSurface, PointCloud, PreparedModel,
+    RigidTransform, Score, ScoreOptions, SurfaceArrays,
 };
 use std::f64::consts::PI;
 
@@ -196,6 +196,57 @@ fn the_rims_of_a_bore_that_moved_follow_it() {
     let near = cos(r - t).acos() - cos(r + t).acos();
     let part = 1.0 - 2.0 * (2.0 * PI - 2.0 * near) * r / all;
     are(&score(&plate(42.0), &still, &options(t)), [part; 2], [all; 2]);
+}
+
+/// The plane faces are cut between the bores, along lines that touch all of them: the pieces have no normals there, and cuts
+/// are no edges.
+#[test]
+fn cuts_of_a_face_are_no_edges() {
+    let plate =
+        Plate { size: [100.0, 50.0, 8.0], bores: [("a", 20.0), ("b", 50.0), ("c", 80.0)], radius: 9.0 };
+    let plate = PreparedModel::new(&Model::from_step(plate.step().as_bytes()).unwrap().0).unwrap();
+    let all = edges_of([100.0, 50.0, 8.0]) + 6.0 * 2.0 * PI * 9.0;
+    let found = score(&plate, &plate, &options(0.5));
+    are(&found, [1.0; 2], [all; 2]);
+}
+
+/// A face that ends at itself: at a seam where its two ends form an angle there is an edge, and where they go on smoothly
+/// there is none.
+#[test]
+fn seams_are_edges_where_they_are_sharp() {
+    let height = 2.0;
+    for (inner, sharp) in [([[3.0, 3.0], [-3.0, 3.0]], true), ([[3.0, 0.0], [-3.0, 0.0]], false)] {
+        // A loop from the origin to itself; the tangents at its ends are those to the inner control points. The smooth one
+        // has a point at its top between.
+        let loop_of: Vec<[f64; 2]> = if sharp {
+            vec![[0.0, 0.0], inner[0], inner[1], [0.0, 0.0]]
+        } else {
+            vec![[0.0, 0.0], inner[0], [0.0, 4.0], inner[1], [0.0, 0.0]]
+        };
+        let degree = loop_of.len() - 1;
+        let surface = SurfaceArrays {
+            degree: [degree, 1],
+            knots: [[vec![0.0; degree + 1], vec![1.0; degree + 1]].concat(), vec![0.0, 0.0, 1.0, 1.0]],
+            counts: [degree + 1, 2],
+            control_points: loop_of
+                .iter()
+                .flat_map(|&[x, y]| [0.0, height].map(|z| [x, y, z, 1.0]))
+                .collect(),
+        };
+        let tube = models::prepared(&Model::new(None, vec![NurbsSurface::new(0, surface).unwrap()]).unwrap());
+        // The length of the loop, by small chords.
+        let point = |t: f64| {
+            let mut points: Vec<DVec3> = loop_of.iter().map(|&[x, y]| DVec3::new(x, y, 0.0)).collect();
+            while points.len() > 1 {
+                points = points.windows(2).map(|two| two[0].lerp(two[1], t)).collect();
+            }
+            points[0]
+        };
+        let chord = |k: u32| point(f64::from(k) / 4096.0).distance(point(f64::from(k + 1) / 4096.0));
+        let rim: f64 = (0..4096).map(chord).sum();
+        let all = 2.0 * rim + if sharp { height } else { 0.0 };
+        are(&score(&tube, &tube, &options(0.01)), [1.0; 2], [all; 2]);
+    }
 }
 
 #[test]

@@ -43,6 +43,22 @@ fn both_kinds(size: [f64; 3]) -> [PreparedModel; 2] {
     [models::prepared(&cuboid([0.0; 3], size)), models::mesh(&corners, &triangles)]
 }
 
+/// Of an upright sheet all points are near a stack of lids, and within the box about an oblique sheet that begins at its
+/// edge. Only those are alike whose height over that is at most the threshold: t / sin 20° from the edge.
+#[test]
+fn oblique_faces_are_told_from_what_is_in_their_boxes() {
+    let (turn, t) = (20.0_f64.to_radians(), 0.25);
+    let quad = |corners: [[f64; 3]; 4]| corners.map(DVec3::from_array);
+    let sheet = |[x, y]: [f64; 2]| quad([[0.0, 0.0, 0.0], [x, y, 0.0], [x, y, 4.0], [0.0, 0.0, 4.0]]);
+    let lid = |z: f64| quad([[-0.5, -0.5, z], [1.5, -0.5, z], [1.5, 3.5, z], [-0.5, 3.5, z]]);
+    let lids = (0..=10).map(|k| lid(0.4 * f64::from(k)));
+    let quads: Vec<models::Quad> = lids.chain([sheet([3.0 * turn.sin(), 3.0 * turn.cos()])]).collect();
+    let upright = models::prepared(&models::of_quads(&[sheet([0.0, 3.0])]));
+    let found = at(&upright, &models::prepared(&models::of_quads(&quads)), &options(t, 30.0));
+    holds(found.precision, 1.0, WIDTH);
+    holds(found.normals.unwrap().normal_precision, t / turn.sin() / 3.0, WIDTH);
+}
+
 /// Every point of a box is a like counterpart of itself, however narrow the angle and the threshold.
 #[test]
 fn the_truth_itself_is_alike_as_faces_and_as_triangles() {

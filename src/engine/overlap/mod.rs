@@ -82,7 +82,7 @@ impl Patience {
     pub(super) const LONG: Self = Self { stalled: [8192, 131_072], hopeless: [usize::MAX; 2] };
 
     /// Of a question that has others beside it.
-    pub(super) const SHORT: Self = Self { stalled: [8192, 131_072], hopeless: [2048, 16_384] };
+    pub(super) const SHORT: Self = Self { stalled: [8192, 131_072], hopeless: [2048, 8192] };
 }
 
 impl Engine {
@@ -206,7 +206,9 @@ async fn run(
             return Ok(Stop::Precision);
         }
         budget.left = budget.left.saturating_sub(search.pieces() - before);
-        if budget.left == 0 || budget.outlook.is_hopeless(search.pieces(), search.width(), [width, most]) {
+        // A search that has had half of the budget is not begun anew.
+        let mut is_hopeless = || budget.outlook.is_hopeless(search.pieces(), search.width(), [width, most]);
+        if budget.left == 0 || budget.left > search.pieces() && is_hopeless() {
             return Ok(Stop::Cells);
         }
         if is_over(budget.started, budget.max_seconds) {
