@@ -18,8 +18,8 @@ const MAX_PARTS_OF_PLANE: usize = 128;
 /// shown. The map of a piece's parameters may fold over itself at a corner, where its face does not. O(degree³) for each
 /// part.
 ///
-/// With the coefficients of N1, N along the vector is within `Σ' |c_kl|` of c_00 on a part; where it has one sign, its least
-/// and largest sizes bound the part's area to that side, and elsewhere `Σ |c_kl|` that to either.
+/// With the coefficients of N1, N along the vector is within `Σ' |c_kl|` of c_00 on a part; where it has one sign, its mean
+/// by the largest and the least weight bounds the part's area to that side, and elsewhere `Σ |c_kl|` that to either.
 pub(crate) fn is_to_side(patch: &Patch<'_>, side: DVec3) -> Option<bool> {
     let density = Density::new(patch);
     let heaviest = patch.controls.iter().map(|control| control.w).fold(0.0, upper_max);
@@ -27,12 +27,14 @@ pub(crate) fn is_to_side(patch: &Patch<'_>, side: DVec3) -> Option<bool> {
     let (mut against, mut along, mut parts) = (Area::default(), Area::default(), 1);
     let mut open = BinaryHeap::from([new(ParamBox::UNIT)]);
     while let Some(found) = open.pop() {
-        let PlanePart { part, middle, spread, upper, .. } = found;
+        let PlanePart { part, middle, spread, mean, .. } = found;
         if middle.abs() > spread {
-            let least = (middle.abs() - spread) / (heaviest * heaviest * heaviest);
-            let lower = part_size(part) * least * (1.0 - gamma(SUM_ROUNDINGS));
+            let size = part_size(part);
+            let [least, most] = [-found.rounding, found.rounding].map(|error| mean.abs() + error);
+            let lower = size * least / (heaviest * heaviest * heaviest) * (1.0 - gamma(SUM_ROUNDINGS));
+            let area = Area { lower, upper: size * density.upper_bound(most) };
             let of_side = if middle > 0.0 { &mut along } else { &mut against };
-            *of_side = *of_side + Area { lower, upper };
+            *of_side = *of_side + area;
         } else if parts < MAX_PARTS_OF_PLANE {
             parts += 1;
             open.extend(part.halves(found.axis).map(new));
@@ -57,6 +59,9 @@ struct PlanePart {
     /// N is along the vector within the spread of the middle.
     middle: f64,
     spread: f64,
+    /// The mean of N along the vector, and an upper bound on its rounding.
+    mean: f64,
+    rounding: f64,
     /// An upper bound on the area.
     upper: f64,
     /// The axis along which N changes more.
@@ -68,11 +73,13 @@ ordered_by!(PlanePart, |part| part.upper);
 impl PlanePart {
     fn new(density: &Density<'_>, part: ParamBox, side: DVec3) -> Self {
         let series = density.series(part);
-        let (mut middle, mut changes, mut sizes) = (0.0, [0.0; 2], 0.0);
+        let (mut middle, mut mean, mut changes, mut sizes) = (0.0, 0.0, [0.0; 2], 0.0);
         for (index, coefficient) in series.numerator.iter().enumerate() {
             let along = coefficient.dot(side);
             sizes += coefficient.length();
-            match [index / series.counts[1], index % series.counts[1]] {
+            let orders = [index / series.counts[1], index % series.counts[1]];
+            mean += along * mean_of(orders[0]) * mean_of(orders[1]);
+            match orders {
                 [0, 0] => middle = along,
                 [of_s, of_t] => changes[usize::from(of_s < of_t)] += along.abs(),
             }
@@ -81,8 +88,14 @@ impl PlanePart {
         let rounding = count * series.rounding + gamma(SUM_ROUNDINGS + count) * sizes;
         let upper = part_size(part) * density.upper_bound(sizes + rounding);
         let axis = if changes[0] > changes[1] { Axis::U } else { Axis::V };
-        Self { part, middle, spread: changes[0] + changes[1] + rounding, upper, axis }
+        let spread = changes[0] + changes[1] + rounding;
+        Self { part, middle, spread, mean, rounding, upper, axis }
     }
+}
+
+/// Returns the mean of the Chebyshev polynomial T_k over [-1, 1].
+fn mean_of(order: usize) -> f64 {
+    if order.is_multiple_of(2) { 1.0 / (1.0 - (order * order) as f64) } else { 0.0 }
 }
 
 /// The roundings of the sums over coefficients, relative to the sum of their lengths.
