@@ -113,9 +113,8 @@ impl ModelInfo {
     pub fn of_prepared(model: &Model, prepared: &PreparedModel) -> Self {
         let pieces = prepared.face_patch_counts().zip(prepared.face_areas());
         let faces = model.faces().zip(pieces).zip(prepared.face_forms());
-        let faces = faces
-            .map(|((face, (patches, area)), form)| FaceInfo { form, ..FaceInfo::new(&face, patches, *area) })
-            .collect();
+        let faces = faces.map(|((face, (patches, area)), form)| FaceInfo::new(&face, form, patches, *area));
+        let faces = faces.collect();
         let trimmed = model.faces().filter(|face| face.trim().is_some()).count();
         let counts = Counts::new(Some(model), prepared);
         Self { faces, trimmed, patches: prepared.face_patch_counts().sum(), ..Self::whole(prepared, counts) }
@@ -160,14 +159,14 @@ impl BodyInfo {
 }
 
 impl FaceInfo {
-    fn new(face: &Face<'_>, patches: usize, area: Area) -> Self {
+    fn new(face: &Face<'_>, form: Option<FaceForm>, patches: usize, area: Area) -> Self {
         let surface = face.surface();
         let weight = surface.control_points()[0][3];
         Self {
             face_name: face.name().map(str::to_owned),
             color: face.color(),
             kind: face.kind().map(str::to_owned),
-            form: None,
+            form,
             degree: surface.degree(),
             counts: surface.counts(),
             domain: surface.domain().intervals(),
