@@ -1,6 +1,6 @@
 //! The plane, sphere, cylinder, cone or torus that a face lies on.
 
-use super::{Carrier, Kind};
+use super::{Carrier, Kind, MAX_CONTROLS};
 use crate::bezier::{BezierModel, Patch, extract};
 use crate::facts::Interval;
 use crate::model::{Model, NurbsSurface};
@@ -10,10 +10,6 @@ use serde::Serialize;
 
 /// The part of a surface's size by which it may leave its form: nets written with seven digits pass.
 const ON_FORM: f64 = 1e-6;
-
-/// The largest number of control points of a patch that is looked at: bounds take the square of it, for a torus 16 times
-/// that.
-const MAX_CONTROLS: usize = 100;
 
 /// The roundings of a centre or an axis, relative to the lengths that it is computed from: distances are stated with as
 /// much more on both sides, so that the radius that a source states is among them, and those of a cylinder that is written
@@ -57,7 +53,7 @@ pub enum FaceForm {
         /// An interval that contains the distances of the face's points from the axis.
         radius: Interval,
     },
-    /// A circular cone, one nappe of it.
+    /// A circular cone.
     Cone {
         /// The apex.
         point: [f64; 3],
@@ -65,7 +61,8 @@ pub enum FaceForm {
         direction: [f64; 3],
         /// The angle between the axis and the lines of the cone, in degrees.
         half_angle: f64,
-        /// An upper bound on the distances of the face's points from the cone.
+        /// An upper bound on the distances of the face's points from the cone, both nappes of it: behind the apex, points
+        /// are near the other one.
         deviation: f64,
     },
     /// A torus.
@@ -86,14 +83,38 @@ impl FaceForm {
     /// tori whose tube is wider than their circle, and surfaces whose patches have more than 100 control points.
     ///
     /// A form is stated if the surface leaves it by at most a millionth of its size. Lemmas C4 to C6 of
-    /// docs/clearance.md bound how far it does; a plane is bounded by the control points' hull. O(p⁴ q⁴) a patch.
+    /// docs/clearance.md bound how far it does; a plane is bounded by the control points' hull. The corners and the middle
+    /// of each patch are evaluated, and a form that does not hold one of them is not stated. O(p⁴ q⁴) a patch.
     #[must_use]
     pub fn of(surface: &NurbsSurface) -> Option<Self> {
         let whole = Model::new(None, vec![surface.clone()]).ok()?;
         let BezierModel { patches, point_error, .. } = extract(&whole);
         let surface =
             Surface { patches: patches.iter().map(Points::new).collect(), error: point_error.after(0) };
-        surface.plane().or_else(|| surface.round())
+        let form = surface.plane().or_else(|| surface.round())?;
+        surface.samples().all(|point| form.holds(point)).then_some(form)
+    }
+
+    /// Returns whether the distance of a point is among those that are stated; false for NaN.
+    fn holds(&self, at: DVec3) -> bool {
+        let from = |point: &[f64; 3]| at - DVec3::from_array(*point);
+        let parts = |point: &[f64; 3], direction: &[f64; 3]| {
+            let axis = DVec3::from_array(*direction);
+            [from(point).dot(axis), from(point).cross(axis).length()]
+        };
+        match self {
+            Self::Plane { point, direction, deviation } => parts(point, direction)[0].abs() <= *deviation,
+            Self::Sphere { point, radius } => radius.contains(from(point).length()),
+            Self::Cylinder { point, direction, radius } => radius.contains(parts(point, direction)[1]),
+            Self::Cone { point, direction, half_angle, deviation } => {
+                let ([up, out], (sin, cos)) = (parts(point, direction), half_angle.to_radians().sin_cos());
+                (cos * out - sin * up).abs() <= *deviation
+            }
+            Self::Torus { point, direction, major_radius, radius } => {
+                let [up, out] = parts(point, direction);
+                radius.contains(up.hypot(out - major_radius))
+            }
+        }
     }
 }
 
@@ -122,6 +143,12 @@ struct Surface<'a> {
 impl Surface<'_> {
     fn points(&self) -> impl Iterator<Item = DVec3> {
         self.patches.iter().flat_map(|patch| patch.points.iter().copied())
+    }
+
+    /// Returns the corners and the middle of each patch, by its formula.
+    fn samples(&self) -> impl Iterator<Item = DVec3> {
+        let places = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0], [0.5, 0.5]];
+        self.patches.iter().flat_map(move |of| places.map(|at| of.patch.point(at)))
     }
 
     /// Returns how far the surface reaches from a point, up to rounding.
@@ -160,7 +187,7 @@ impl Surface<'_> {
             let (range, _) = carrier.kind.range(carrier.center, middle, patch.degree, points, weights)?;
             all = [lower_min(all[0], range[0]), upper_max(all[1], range[1])];
         }
-        let rounding = gamma(FORM_ROUNDINGS) * (carrier.reach + carrier.center.length());
+        let rounding = gamma(FORM_ROUNDINGS) * (self.reach(carrier.center) + carrier.center.length());
         let distances =
             Interval { lower: all[0], upper: all[1] } + Interval::about(0.0, self.error + rounding);
         let is_on = distances.width() <= ON_FORM * self.reach(longest.points[0]);

@@ -24,6 +24,10 @@ const CURVATURE_RATIO: f64 = 1e-3;
 /// The width of the range of distances, relative to its upper end, up to which a carrier is kept.
 const MAX_SPREAD: f64 = 1e-3;
 
+/// The largest number of control points of a patch whose carrier is looked for, which takes the square of it, for a
+/// torus 16 times that.
+pub(crate) const MAX_CONTROLS: usize = 100;
+
 /// The parameters at which three centres of curvature are taken for a torus.
 const PLACES: [[f64; 2]; 3] = [[0.0, 0.0], [0.5, 0.5], [1.0, 1.0]];
 

@@ -4,15 +4,11 @@ use super::Body;
 use super::newton::moved;
 use crate::axis::Axis;
 use crate::bezier::Patch;
-use crate::carrier::Carrier;
+use crate::carrier::{Carrier, MAX_CONTROLS};
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 use std::collections::HashMap;
-
-/// The largest number of control points of a patch whose carrier is looked for, which takes the
-/// square of it, for a torus 16 times that.
-const MAX_CONTROLS: usize = 100;
 
 /// A part of a patch, with its control points after the motion of its model.
 #[derive(Debug, Clone)]

@@ -147,6 +147,24 @@ fn the_error_of_patches_is_part_of_the_radius() {
     assert!(without.width() > 2.0 * 256.0 * f64::EPSILON, "{without:?}");
 }
 
+/// The audit of a form that is said to be a little smaller than it is.
+#[test]
+fn points_beyond_what_is_stated_are_not_held() {
+    let at = [0.0; 3];
+    let direction = [0.0, 0.0, 1.0];
+    let radius = Interval { lower: 2.0, upper: 2.5 };
+    let beyond = |form: FaceForm, inside: DVec3, outside: DVec3| {
+        assert!(form.holds(inside) && !form.holds(outside) && !form.holds(DVec3::NAN), "{form:?}");
+    };
+    beyond(FaceForm::Sphere { point: at, radius }, 2.25 * DVec3::Y, 1.9 * DVec3::Y);
+    beyond(FaceForm::Cylinder { point: at, direction, radius }, DVec3::new(2.25, 0.0, 9.0), 2.6 * DVec3::X);
+    let ring = FaceForm::Torus { point: at, direction, major_radius: 5.0, radius };
+    beyond(ring, DVec3::new(5.0, 0.0, 2.25), DVec3::new(5.0, 0.0, 2.6));
+    beyond(FaceForm::Plane { point: at, direction, deviation: 0.1 }, 9.0 * DVec3::X, 0.2 * DVec3::Z);
+    let cone = FaceForm::Cone { point: at, direction, half_angle: 45.0, deviation: 0.1 };
+    beyond(cone, DVec3::new(1.0, 0.0, 1.1), DVec3::new(1.0, 0.0, 1.2));
+}
+
 #[test]
 fn free_forms_have_none() {
     for name in ["wavy-sheet", "bottle"] {

@@ -6,7 +6,7 @@ import type { Interval } from "./facts.js";
  *
  * Guarantee: `radius` contains the distance of every point of the face from `point` (of a sphere), from the line
  * through `point` along `direction` (of a cylinder), or from the circle of `majorRadius` about them (of a torus);
- * `deviation` is at least the distance of every point from the plane or the cone. Points and directions are numbers:
+ * `deviation` is at least the distance of every point from the plane, or from the cone with both of its nappes. Points and directions are numbers:
  * what is certain is how far the face is from the form with just these. The gap between the face and its source is not
  * in it.
  */

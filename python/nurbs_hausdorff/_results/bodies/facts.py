@@ -121,7 +121,8 @@ class FaceForm:
     half_angle : float or None
         Angle between a cone's axis and its lines, in degrees.
     deviation : float or None
-        Upper bound on the distances of the face's points from the plane or the cone.
+        Upper bound on the distances of the face's points from the plane, or from the cone with both
+        of its nappes.
     """
 
     kind: Literal["plane", "sphere", "cylinder", "cone", "torus"]
