@@ -11,20 +11,15 @@ mod convert;
 #[cfg(feature = "wasm")]
 mod engine;
 mod failure;
+mod files;
 #[cfg(feature = "wasm")]
 mod maps;
-#[cfg(any(feature = "wasm-meshes", feature = "wasm-scans"))]
-mod meshes;
 #[cfg(feature = "wasm")]
 mod model;
 #[cfg(feature = "wasm")]
 mod progress;
-#[cfg(feature = "wasm-readers")]
-mod readers;
 #[cfg(feature = "wasm")]
 mod surfaces;
-#[cfg(feature = "wasm-readers")]
-mod triangles;
 #[cfg(feature = "wasm")]
 mod workers;
 

@@ -2,13 +2,13 @@
 //! `PreparedModel.fromFacets` takes. Those of scans are a module of their own, as their
 //! decompression would add a third to what a mesh needs.
 
-use super::failure::to_object;
 use crate::error::{Error, Result};
 use crate::facets::{Facets, MeshGroup};
 #[cfg(feature = "wasm-meshes")]
 use crate::mesh_files::Beside;
 use crate::mesh_files::{MeshFile, MeshFormat};
 use crate::read::{Note, Skipped};
+use crate::wasm::failure::to_object;
 #[cfg(feature = "wasm-meshes")]
 use js_sys::Uint8Array;
 use serde::Serialize;

@@ -1,9 +1,9 @@
 //! The triangles of STEP files without faces: what is given, the core's `PreparedModel.fromFacets` takes, as what
 //! the readers of meshes give. They are read by the module of CAD files, which has the rest of STEP.
 
-use super::failure::to_object;
 use crate::brep::{self, MeshAccount};
 use crate::error::{Error, Result};
+use crate::wasm::failure::to_object;
 use wasm_bindgen::prelude::*;
 
 /// The most vertices, and triangles, of all meshes where they are placed: placed ones may be exponentially many in
