@@ -3,7 +3,7 @@
 use crate::arguments::{InfoArguments, Unit};
 use crate::failure::Failure;
 use crate::input::{Input, read};
-use crate::output::digits::within;
+use crate::output::digits::held;
 use crate::output::json::{OfFile, print_json};
 use crate::output::print;
 use crate::output::report::short;
@@ -235,7 +235,6 @@ fn faces(out: &mut String, info: &ModelInfo) -> std::fmt::Result {
 
 /// Names the elementary surface that a face lies on, with a radius that its interval holds.
 fn form_text(form: &FaceForm) -> String {
-    let held = |radius: &Interval| within(radius.middle(), [radius.lower, radius.upper]);
     match form {
         FaceForm::Plane { .. } => "plane".to_owned(),
         FaceForm::Sphere { radius, .. } => format!("sphere R {}", held(radius)),

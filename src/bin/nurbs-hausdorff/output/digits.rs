@@ -1,5 +1,7 @@
 //! Numbers for people: as many digits as an interval supports, and no number outside of it.
 
+use nurbs_hausdorff::Interval;
+
 /// Digits by which any two numbers of float64 differ.
 const MAX_DIGITS: i32 = 17;
 
@@ -19,11 +21,16 @@ pub(crate) fn bounded(value: f64, ends: [f64; 2]) -> String {
 }
 
 /// Returns the number with the fewest digits that lies in the interval and rounds `value`: `0.2`.
-pub(crate) fn within(value: f64, [lower, upper]: [f64; 2]) -> String {
+fn within(value: f64, [lower, upper]: [f64; 2]) -> String {
     let value = if value >= lower { value } else { lower };
     let value = if value <= upper { value } else { upper };
     let short = (1..=MAX_DIGITS).map(|digits| rounded(value, digits));
     number(short.into_iter().find(|short| (lower..=upper).contains(short)).unwrap_or(value))
+}
+
+/// Returns the number with the fewest digits that lies in the interval and rounds its middle.
+pub(crate) fn held(interval: &Interval) -> String {
+    within(interval.middle(), [interval.lower, interval.upper])
 }
 
 /// Returns the interval with its ends rounded outwards: `0.19999 … 0.20001`.

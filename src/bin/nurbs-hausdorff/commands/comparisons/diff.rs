@@ -3,7 +3,7 @@
 use crate::arguments::{DiffArguments, UnitsOfFiles};
 use crate::failure::Failure;
 use crate::input::{Input, is_judged};
-use crate::output::digits::{bounded, coordinates, within};
+use crate::output::digits::{bounded, coordinates, held};
 use crate::output::headline::{self, GAPS_DECIDE};
 use crate::output::json::{Asked, OfFiles, raw};
 use crate::output::progress::Bar;
@@ -175,8 +175,7 @@ fn findings(result: &DiffResult) -> Vec<String> {
 
 /// Says what became of a round face of A, or what one of B was.
 fn became(found: &FaceCounterpart, index: usize, diagonal: f64) -> String {
-    let [own, other] = [found.radius, found.other_radius]
-        .map(|radius| within(radius.middle(), [radius.lower, radius.upper]));
+    let [own, other] = [&found.radius, &found.other_radius].map(held);
     let [before, after] = if index == 0 { [own, other] } else { [other, own] };
     let resized = format!("radius {before} before, {after} after");
     let moved = format!("moved by {}", coordinates(found.shift, diagonal));
