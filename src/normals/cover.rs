@@ -100,9 +100,9 @@ mod tests {
         (0..=8).flat_map(row).collect()
     }
 
-    /// An arch of degree 8, whose inner control points are at the height 1: it is at 127/128 in the middle, far above the
-    /// sides. A tile at 1 below is as far as both together but for the bend's 1/128, and what the lemma takes off is
-    /// attained up to that.
+    /// An arch of degree 8 has its corners at the height 0, its inner control points at 1 and its middle at 127/128. A tile
+    /// at −1 is at 1 + 127/128 from the middle. The lemma's bound is 2, the distance 1 from the quadrilateral and the bend
+    /// 1, so that it is attained up to 1/128.
     #[test]
     fn the_bend_of_a_part_is_taken_off_the_threshold() {
         let arch = arch();

@@ -210,8 +210,8 @@ fn cuts_of_a_face_are_no_edges() {
     are(&found, [1.0; 2], [all; 2]);
 }
 
-/// A face that ends at itself: at a seam where its two ends form an angle there is an edge, and where they go on smoothly
-/// there is none.
+/// The two ends of a closed face meet at a seam, which is a feature edge if they form an angle, and is not if they are
+/// smooth there.
 #[test]
 fn seams_are_edges_where_they_are_sharp() {
     let height = 2.0;

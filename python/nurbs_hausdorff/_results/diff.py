@@ -13,10 +13,10 @@ State = Literal["unchanged", "undecided", "changed"]
 
 @dataclass(frozen=True)
 class FaceCounterpart:
-    """The face of the other model that a changed round face became, as far as one can tell.
+    """The face of the other model that a changed round face is taken to have become.
 
-    Of the faces that changed and lie on a sphere, a cylinder or a torus too, each is the one whose
-    box is nearest to that of the other. Which two belong together is a guess; what is said of the
+    Both changed and lie on a sphere, a cylinder or a torus, and of all such faces the box of each
+    is the nearest to that of the other. Which two belong together is a guess; what is said of the
     two is certain as in :class:`FaceForm`.
 
     Attributes

@@ -22,8 +22,8 @@ pub enum FaceChange {
     ResizedAndMoved,
 }
 
-/// The face of the other model that a round one became, as far as one can tell: of the faces that changed and lie on a
-/// sphere, a cylinder or a torus too, each is the one whose box is nearest to that of the other.
+/// The face of the other model that a round face is taken to have become. Both changed and lie on a sphere, a cylinder or
+/// a torus, and of all such faces the box of each is the nearest to that of the other.
 ///
 /// Which two faces belong together is a guess; what is said of the two is certain as in [`FaceForm`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -193,7 +193,7 @@ mod tests {
     fn a_wall_with_another_radius_is_resized_and_one_elsewhere_moved() {
         let (one, other) = (cylinder(1.5, 3.0).unwrap(), cylinder(1.625, 3.0).unwrap());
         let options = DiffOptions::default();
-        // The way along the axis is none of the wall's.
+        // A cylinder is the same after a motion along its axis.
         let across = DVec3::X * SHIFT.x;
         for (b, change, radius, shift) in [
             (other.clone(), FaceChange::Resized, 1.625, DVec3::ZERO),

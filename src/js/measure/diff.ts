@@ -50,8 +50,8 @@ export interface FaceDifference {
 }
 
 /**
- * The face of the other model that a round one became, as far as one can tell: of the faces that changed and lie on a
- * sphere, a cylinder or a torus too, each is the one whose box is nearest to that of the other. Which two faces belong
+ * The face of the other model that a round face is taken to have become. Both changed and lie on a sphere, a cylinder
+ * or a torus, and of all such faces the box of each is the nearest to that of the other. Which two faces belong
  * together is a guess; what is said of the two is certain as in `FaceForm`.
  */
 export interface FaceCounterpart {

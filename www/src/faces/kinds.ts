@@ -37,7 +37,7 @@ export function kindsOf(
   const [own, other] = side === "a" ? [facesOfA, facesOfB] : [facesOfB, facesOfA];
   const [ownNames, otherNames] = [countedNames(own, side), countedNames(other, otherSide(side))];
   const states = new Map(other.map((one) => [nameOf(one, otherSide(side)), one.state]));
-  // A file that only numbers its faces says nothing of which are new.
+  // Numbers of faces do not tell which faces are new.
   const isNamed = [...otherNames.keys()].some(isOwnName);
   return own.map((difference) => {
     const name = nameOf(difference, side);
