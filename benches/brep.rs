@@ -3,7 +3,7 @@
 //! the project.
 #![allow(clippy::unwrap_used, reason = "a panic is how a benchmark fails")]
 
-use nurbs_hausdorff::Model;
+use nurbs_hausdorff_cad::from_brep;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -21,7 +21,7 @@ fn main() {
         let mut read = None;
         for _ in 0..ROUNDS {
             let start = Instant::now();
-            read = Some(Model::from_brep(&text));
+            read = Some(from_brep(&text));
             fastest = fastest.min(1e3 * start.elapsed().as_secs_f64());
         }
         let size = text.len() / 1000;

@@ -11,7 +11,9 @@ mod support;
 use flate2::read::GzDecoder;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::internals::engine::{DistanceOptions, Engine, PreparedModel};
-use nurbs_hausdorff::{CertifiedOptions, Facets, MeshFile, MeshFormat, Method, TriangleMesh};
+use nurbs_hausdorff::{CertifiedOptions, Facets, Method, TriangleMesh};
+use nurbs_hausdorff_cad::from_step;
+use nurbs_hausdorff_meshes::{MeshFile, MeshFormat};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use support::clock::Stopwatch;
@@ -153,7 +155,7 @@ fn of_files(folder: &Path, pairs: &mut Vec<(String, Made)>) {
     for part in PARTS {
         let [step, stl] = ["step", "stl"].map(|ending| path(&format!("so101/{part}.{ending}.gz")));
         let pair = move |name| {
-            let (model, mut report) = nurbs_hausdorff::Model::from_step(&bytes(&step)).expect("STEP");
+            let (model, mut report) = from_step(&bytes(&step)).expect("STEP");
             let (_, model) = PreparedModel::new_skipping(model, &mut report).expect("faces");
             Pair { name, models: [model, read(&stl).prepared()], tolerance: None }
         };

@@ -9,8 +9,10 @@
 mod support;
 
 use flate2::read::GzDecoder;
+use nurbs_hausdorff::StatisticsOptions;
 use nurbs_hausdorff::internals::engine::{Engine, PreparedModel};
-use nurbs_hausdorff::{MeshFile, MeshFormat, Model, StatisticsOptions};
+use nurbs_hausdorff_cad::from_step;
+use nurbs_hausdorff_meshes::{MeshFile, MeshFormat};
 use std::io::Read;
 use std::path::Path;
 use support::clock::Stopwatch;
@@ -83,7 +85,7 @@ fn both(folder: &Path, name: &str) -> [PreparedModel; 2] {
         GzDecoder::new(file).read_to_end(&mut bytes).expect("gzip");
         bytes
     };
-    let (model, mut report) = Model::from_step(&bytes("step")).expect("STEP");
+    let (model, mut report) = from_step(&bytes("step")).expect("STEP");
     let (_, model) = PreparedModel::new_skipping(model, &mut report).expect("faces");
     let facets = MeshFile::read(&bytes("stl"), MeshFormat::Stl).expect("a mesh").facets;
     [model, PreparedModel::of_facets(&facets, None).expect("a mesh")]

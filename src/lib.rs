@@ -49,8 +49,7 @@
 //!
 //! # Map
 //!
-//! A [`Model`] is valid once it is made, from interchange JSON, arrays, STEP, IGES or the BREP text
-//! of OpenCASCADE; a [`TriangleMesh`] and a [`PointCloud`] are too. A [`PreparedModel`] keeps what is
+//! A [`Model`] is valid once it is made, from interchange JSON, arrays or what a reader gives; a [`TriangleMesh`] and a [`PointCloud`] are too. A [`PreparedModel`] keeps what is
 //! computed from it between distances: Bézier patches, trees, samples, and
 //! their copies on the GPU. [`Engine::distance`] then runs one [`Method`]:
 //!
@@ -60,20 +59,24 @@
 //! - [`Method::Hierarchy`]: pairs of boxes, after Krishnamurthy, McMains and Hanniel 2011.
 //!
 //! [`options`] and [`result`] hold the types of the fields of [`DistanceOptions`] and
-//! [`DistanceResult`]; [`pictures`] draws models in the colours of their deviation. `docs/method.md` in the repository states the theorem,
+//! [`DistanceResult`]. `docs/method.md` in the repository states the theorem,
 //! every bound with its proof, the float32 error budget, and the literature.
 //!
 //! # Features
 //!
-//! `mesh` reads meshes and clouds of points. `cad` reads CAD files: STEP, IGES and the BREP text of OpenCASCADE;
-//! `archives` those that gzip compressed, and FreeCAD documents, as well.
-//! `shapes`, on by default, is the module [`shapes`]. `cli`, on by default, is the command, which needs `archives` and
-//! `mesh`. `wasm`, `wasm-readers`, `wasm-meshes` and `wasm-scans` are the exports of the four modules
-//! of the npm package: another crate for the web needs none.
+//! `gpu`, on by default, is the kernels on WebGPU: without it, engines compute on the CPU. `shapes`, on by default, is the module [`shapes`]. `js` and `wasm` are for the wasm modules of the npm package:
+//! another crate for the web needs neither.
+//!
+//! Files are read by crates of their own, `nurbs-hausdorff-cad` and `nurbs-hausdorff-meshes`; `nurbs-hausdorff-reports`
+//! draws models in the colours of their deviation, and `nurbs-hausdorff-command` is the command.
 //!
 //! `internals` shows the remaining modules to the crate's own tests, benchmarks
 //! and examples. It promises no stability.
 
+#![cfg_attr(
+    not(feature = "gpu"),
+    allow(dead_code, unused_imports, reason = "the kernels use what nothing else does")
+)]
 // Prepared models hold types of wgpu, nested deeper than 128.
 #![recursion_limit = "256"]
 #![cfg_attr(
@@ -90,8 +93,6 @@ mod approximation;
 mod area;
 mod axis;
 mod bezier;
-#[cfg(feature = "cad")]
-mod brep;
 mod bvh;
 mod carrier;
 mod certified;
@@ -104,19 +105,19 @@ mod facets;
 mod facts;
 mod features;
 mod flatness;
+#[cfg(feature = "gpu")]
+mod gpu;
+#[cfg(not(feature = "gpu"))]
+#[path = "gpu_absent.rs"]
 mod gpu;
 mod hierarchy;
 mod iteration;
 mod limits;
-#[cfg(feature = "mesh")]
-mod mesh_files;
 mod model;
 mod normals;
 mod one_line;
 mod overlap;
 mod param_box;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod pictures;
 mod pieces;
 mod progress;
 mod read;
@@ -131,14 +132,29 @@ mod symmetry;
 pub mod tessellate;
 mod threads;
 mod tolerance;
-#[cfg(any(feature = "archives", feature = "mesh"))]
-mod unpacked;
 mod untrim;
-#[cfg(all(
-    target_arch = "wasm32",
-    any(feature = "wasm", feature = "wasm-meshes", feature = "wasm-readers", feature = "wasm-scans")
-))]
+#[cfg(all(feature = "js", target_arch = "wasm32"))]
 mod wasm;
+
+/// The parts of the private modules on which the other crates of the workspace are built. It promises no stability.
+#[doc(hidden)]
+pub mod workspace {
+    pub use crate::approximation::bernstein::{Linear, binomial, elevated};
+    pub use crate::approximation::chebyshev;
+    pub use crate::bezier::{BezierModel, Interpolation, bernstein, extract};
+    pub use crate::closest::{Target, closest};
+    pub use crate::deviation::{FLOOR, Map, Triangles, Vertex};
+    pub use crate::engine::MapPair;
+    #[cfg(not(target_arch = "wasm32"))]
+    pub use crate::engine::SignedMap;
+    pub use crate::limits::{MAX_DEGREE, MAX_FILE_DEGREE};
+    pub use crate::model::{IDENTITY, MAX_FACES, blossom, level};
+    pub use crate::read::{Assembled, Budget, FaceCounts, into_model};
+    pub use crate::sorting::ordered_by;
+    pub use crate::threads::parallel::{Watch, map_watched};
+    #[cfg(all(feature = "js", target_arch = "wasm32"))]
+    pub use crate::wasm::to_object;
+}
 
 /// What the crate's own tests, benchmarks and examples see of the private modules.
 #[cfg(feature = "internals")]
@@ -151,18 +167,14 @@ pub mod internals {
             })*
         };
     }
-    #[cfg(feature = "cad")]
-    shown!(brep);
-    shown!(bezier bvh certified closest engine error facets flatness gpu hierarchy iteration model progress untrim);
+    #[cfg(feature = "gpu")]
+    shown!(gpu);
+    shown!(bezier bvh certified closest engine error facets flatness hierarchy iteration model progress untrim);
 }
 
 pub use alignment::{Datum, DatumFit, Feature, PointPair, Robust};
 pub use area::Area;
 pub use axis::Axis;
-#[cfg(feature = "cad")]
-pub use brep::FileKind;
-#[cfg(feature = "archives")]
-pub use brep::inflated;
 pub use bvh::Aabb;
 pub use carrier::FaceForm;
 pub use deviation::{FarthestPoint, KnownDeviation};
@@ -186,8 +198,6 @@ pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};
 pub use facts::{Facts, Interval, Orientation, VolumeUnknown};
 /// The vectors and rotations of points, models and transforms.
 pub use glam::{DQuat, DVec2, DVec3};
-#[cfg(feature = "mesh")]
-pub use mesh_files::{Beside, MeshFile, MeshFormat};
 pub use model::{
     Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays, face_path,
 };

@@ -24,11 +24,11 @@ pub(crate) fn is_in_range(number: f64) -> bool {
 ///
 /// CAD exchange formats stay below it, and the kernels keep the (15 + 1)² control
 /// points of a patch in private memory.
-pub(crate) const MAX_DEGREE: usize = 15;
+pub const MAX_DEGREE: usize = 15;
 
 /// The highest degree that a file may state, that of OpenCASCADE; above [`MAX_DEGREE`] a reader fits a lower
 /// one with a proven distance.
-pub(crate) const MAX_FILE_DEGREE: usize = 25;
+pub const MAX_FILE_DEGREE: usize = 25;
 
 /// The largest number of control points of a patch along one direction.
 pub const MAX_ORDER: usize = MAX_DEGREE + 1;

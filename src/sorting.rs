@@ -26,6 +26,8 @@ pub(crate) fn sort_pairs(pairs: &mut [(f64, f64)]) {
 
 /// Orders the values of a type by a number of each, in the total order of floating-point numbers: in a heap the value of
 /// the largest number comes first.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! ordered_by {
     ($type:ty, $number:expr) => {
         impl PartialEq for $type {
@@ -48,7 +50,7 @@ macro_rules! ordered_by {
     };
 }
 
-pub(crate) use ordered_by;
+pub use ordered_by;
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {

@@ -2,8 +2,10 @@
 //! reference intervals of pairs of them.
 
 use glam::DVec3;
+use nurbs_hausdorff::Model;
 use nurbs_hausdorff::internals::engine::PreparedModel;
-use nurbs_hausdorff::{MeshFile, MeshFormat, Model};
+use nurbs_hausdorff_cad::{from_iges, from_step};
+use nurbs_hausdorff_meshes::{MeshFile, MeshFormat};
 use std::path::{Path, PathBuf};
 
 /// A pair with an interval that another program found.
@@ -39,7 +41,7 @@ pub(crate) fn load_file(path: &Path) -> PreparedModel {
         return PreparedModel::of_facets(&mesh.facets, None).expect("a mesh");
     }
     let is_iges = path.extension().is_some_and(|extension| extension == "iges");
-    let read = if is_iges { Model::from_iges(&bytes) } else { Model::from_step(&bytes) };
+    let read = if is_iges { from_iges(&bytes) } else { from_step(&bytes) };
     let (model, mut report) = read.expect("a CAD file");
     PreparedModel::new_skipping(model, &mut report).expect("faces that can be cut").1
 }

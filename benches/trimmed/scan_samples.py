@@ -22,7 +22,7 @@ LAS, E57 = 6, 7
 
 
 def integers() -> np.ndarray:
-    """The integers of point k, which src/mesh_files/scans/las/tests.rs has too."""
+    """The integers of point k, which crates/meshes/src/scans/las/tests.rs has too."""
     k = np.arange(COUNT)
     return np.stack([k * k * 37 % 2003 - 900, 31 * k % 83, k % 7 - 3], axis=1).astype(np.int32)
 

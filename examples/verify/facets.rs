@@ -1,7 +1,8 @@
 //! Triangles and points as surfaces, for the proof.
 
 use crate::proof::{Model, Surface, Witness};
-use nurbs_hausdorff::{Facets, MeshFile, MeshFormat};
+use nurbs_hausdorff::Facets;
+use nurbs_hausdorff_meshes::{MeshFile, MeshFormat};
 use std::path::Path;
 
 /// Reads a mesh or a cloud with the library; `None` for a file whose name ends otherwise.
@@ -22,7 +23,6 @@ fn model(facets: &Facets) -> Model {
             mesh.triangles().iter().map(|triangle| surface(triangle.map(corner))).collect()
         }
         Facets::Cloud(cloud) => cloud.points().iter().map(|point| surface([point.to_array(); 3])).collect(),
-        _ => Vec::new(),
     };
     Model { surfaces }
 }

@@ -21,13 +21,14 @@
 
 mod cuts;
 mod facets;
-#[path = "../../src/bin/nurbs-hausdorff/arguments/motion.rs"]
+#[path = "../../crates/command/src/arguments/motion.rs"]
 mod motion;
 #[allow(dead_code, reason = "the fuzzer compares with parts of models")]
 mod proof;
 
 use clap::Parser;
 use motion::{Rotation, Translation};
+use nurbs_hausdorff_cad::from_file;
 use proof::{Claim, Deadline, LeastClaim, Model, Motion, Report, Settings, Verdict, Witness};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -191,7 +192,7 @@ const MAX_DEVIATION: f64 = 1e-9;
 /// Reads a model with the library, whose cuts are to be proved.
 fn library_model(path: &Path) -> Result<nurbs_hausdorff::Model, String> {
     let bytes = std::fs::read(path).map_err(|error| error.to_string())?;
-    let read = nurbs_hausdorff::Model::from_file(bytes, &path.to_string_lossy());
+    let read = from_file(bytes, &path.to_string_lossy());
     read.map(|(model, _, _)| model).map_err(|error| error.to_string())
 }
 

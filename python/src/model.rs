@@ -7,9 +7,11 @@ use glam::DVec3;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use nurbs_hausdorff::tessellate::{TessellationOptions, tessellate};
 use nurbs_hausdorff::{
-    Beside, BodyInfo, Error, Facets, MeshFile, MeshFormat, MeshReport, ModelInfo, PointCloud, PreparedModel,
-    ReadReport, Side, TriangleMesh, face_path,
+    BodyInfo, Error, Facets, MeshReport, ModelInfo, PointCloud, PreparedModel, ReadReport, Side,
+    TriangleMesh, face_path,
 };
+use nurbs_hausdorff_files::Opened;
+use nurbs_hausdorff_meshes::{Beside, MeshFile, MeshFormat};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use std::collections::HashMap;
@@ -240,27 +242,14 @@ pub(crate) fn names_beside(file: &Bound<'_, PyBytes>, path: &str) -> Vec<String>
 
 /// Faces of a CAD file that cannot be cut into patches are left out, and reported.
 fn read(bytes: &[u8], path: &str, beside: &Beside) -> nurbs_hausdorff::Result<Model> {
-    let (bytes, name) = nurbs_hausdorff::inflated(bytes.to_vec(), path)?;
-    if let Some(format) = MeshFormat::of_file(&bytes, name)? {
-        let file = MeshFile::read_with(&bytes, format, beside)?;
-        return prepared(&file.facets, file.unit, file.report());
+    let Opened { content, prepared, report, kind, .. } =
+        nurbs_hausdorff_files::read(bytes.to_vec(), path, beside)?;
+    match content {
+        nurbs_hausdorff_files::Content::Surfaces(model) => {
+            Ok(Model { content: Content::Surfaces(model), prepared, report, kind })
+        }
+        nurbs_hausdorff_files::Content::Facets(facets) => with_facets(&facets, prepared, report),
     }
-    let (model, mut report, kind) = match nurbs_hausdorff::Model::from_file(bytes.clone(), name) {
-        // A STEP file without faces is a mesh.
-        Err(Error::StepTriangles { .. }) => {
-            let file = MeshFile::read(&bytes, MeshFormat::Step)?;
-            return prepared(&file.facets, file.unit, file.report());
-        }
-        read => read?,
-    };
-    let (model, prepared) = match kind {
-        nurbs_hausdorff::FileKind::Json => {
-            let prepared = PreparedModel::new(&model)?;
-            (model, prepared)
-        }
-        _ => PreparedModel::new_skipping(model, &mut report)?,
-    };
-    Ok(Model { content: Content::Surfaces(model), prepared, report, kind: kind.name() })
 }
 
 fn of_facets(
@@ -273,16 +262,18 @@ fn of_facets(
         Some(triangles) => Facets::Mesh(TriangleMesh::new(&vertices, triangles.as_chunks::<3>().0)?),
         None => Facets::Cloud(PointCloud::new(vertices)?),
     };
-    prepared(&facets, unit, ReadReport::of_facets(unit))
+    with_facets(&facets, PreparedModel::of_facets(&facets, unit)?, ReadReport::of_facets(unit))
 }
 
-fn prepared(facets: &Facets, unit: Option<f64>, report: ReadReport) -> nurbs_hausdorff::Result<Model> {
-    let prepared = PreparedModel::of_facets(facets, unit)?;
+fn with_facets(
+    facets: &Facets,
+    prepared: PreparedModel,
+    report: ReadReport,
+) -> nurbs_hausdorff::Result<Model> {
     let (kind, count, mesh) = match facets {
         Facets::Mesh(mesh) => ("mesh", mesh.triangles().len(), Some(mesh.report())),
         Facets::Cloud(cloud) => ("points", cloud.points().len(), None),
-        _ => return Err(Error::FacetsUnsupported { found: "a model of another kind" }),
     };
-    let content = Content::Facets { count, mesh, unit };
+    let content = Content::Facets { count, mesh, unit: report.unit };
     Ok(Model { content, prepared, report, kind })
 }

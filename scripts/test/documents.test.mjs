@@ -70,7 +70,7 @@ test("files that documents cite exist", () => {
 test("error codes that documents cite are those of the package", () => {
   const known = textOf("src/js/error.ts");
   const sources = files
-    .filter((path) => /^src\/.*\.(rs|ts)$/.test(path))
+    .filter((path) => /^(src|crates)\/.*\.(rs|ts)$/.test(path))
     .map(textOf)
     .join("\n");
   const found = documents.flatMap((document) =>

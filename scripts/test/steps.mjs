@@ -8,7 +8,7 @@ import { existsSync, readdirSync } from "node:fs";
 import { buildApi } from "../build/api.mjs";
 import { buildCommand } from "../build/command.mjs";
 import { buildSite } from "../build/site.mjs";
-import { wasm32 } from "../build/wasm/modules.mjs";
+import { chosen as chosenModules, modules, wasm32 } from "../build/wasm/modules.mjs";
 import { areBuilt, buildQuick, useSmall } from "../build/wasm/quick.mjs";
 import { buildSmall, small } from "../build/wasm/small.mjs";
 import { inRoot } from "../paths.mjs";
@@ -20,6 +20,9 @@ import { testEngines } from "./engines.mjs";
 import { installPackages, testPython } from "./python.mjs";
 
 const denyWarnings = ["--", "-D", "warnings"];
+
+/** The crates of the wasm modules, with the exports of all of them. */
+const wasm = [...wasm32, ...chosenModules(modules)];
 
 /** All tests of Rust but those of its documentation. */
 const rustTests = ["--lib", "--bins", "--tests"];
@@ -155,7 +158,7 @@ export const steps = [
     needs: ["wasm"],
     run: () =>
       // Compiled with the modules. The crate's own unit tests are native, and none of them runs in a browser.
-      must("cargo", ["test", "--release", "--locked", ...wasm32, "--test", "wasm"], {
+      must("cargo", ["test", "--release", "--locked", ...wasm, "--test", "wasm"], {
         env: toolsEnvironment({
           CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: "wasm-bindgen-test-runner",
           CHROMEDRIVER: which("chromedriver"),
@@ -177,11 +180,12 @@ export const steps = [
     name: "clippy-wasm",
     row: "lints",
     needs: ["command"],
-    // Also the readers as a module has them, without archives: what needs these must say so.
+    // Also the readers as a module has them, without archives and without the exports of the core.
     run: async () => {
-      const clippy = ["clippy", "--release", "--locked", ...wasm32];
-      await lint([...clippy, "--test", "wasm", ...denyWarnings]);
-      await lint([...clippy, "--features", "wasm-readers", "--lib", ...denyWarnings]);
+      const clippy = ["clippy", "--release", "--locked"];
+      await lint([...clippy, ...wasm, "--lib", "--test", "wasm", ...denyWarnings]);
+      const readers = modules.filter(({ name }) => name === "nurbs_hausdorff_readers");
+      await lint([...clippy, ...wasm32, ...chosenModules(readers), "--lib", ...denyWarnings]);
     },
   },
   {

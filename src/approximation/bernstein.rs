@@ -3,9 +3,7 @@
 use glam::{DVec3, DVec4};
 
 /// A value that linear combinations are formed of.
-pub(crate) trait Linear:
-    Copy + std::ops::Add<Output = Self> + std::ops::Mul<f64, Output = Self>
-{
+pub trait Linear: Copy + std::ops::Add<Output = Self> + std::ops::Mul<f64, Output = Self> {
     /// The value 0.
     const ZERO: Self;
 }
@@ -23,7 +21,7 @@ impl Linear for DVec4 {
 }
 
 /// Returns `C(n, k)`, exact for n up to 30.
-pub(crate) fn binomial(n: usize, k: usize) -> f64 {
+pub fn binomial(n: usize, k: usize) -> f64 {
     (0..k).fold(1.0, |value, i| value * (n - i) as f64 / (i + 1) as f64)
 }
 
@@ -31,7 +29,7 @@ pub(crate) fn binomial(n: usize, k: usize) -> f64 {
 ///
 /// A coefficient of degree n + 1 is the mean of two neighbours of degree n: `P'_i = i / (n + 1)
 /// P_(i-1) + (1 - i / (n + 1)) P_i` (Piegl and Tiller, *The NURBS Book*, 5.5). O(degree²).
-pub(crate) fn elevated<T: Linear>(mut coefficients: Vec<T>, degree: usize) -> Vec<T> {
+pub fn elevated<T: Linear>(mut coefficients: Vec<T>, degree: usize) -> Vec<T> {
     while coefficients.len() <= degree {
         let count = coefficients.len();
         let at = |index: usize| coefficients.get(index).copied().unwrap_or(T::ZERO);

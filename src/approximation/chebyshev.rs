@@ -34,14 +34,14 @@ fn cosines(count: usize) -> &'static [f64] {
 }
 
 /// Returns the zeros of `T_count(2x - 1)` in (0, 1), the largest first.
-pub(crate) fn nodes(count: usize) -> impl Iterator<Item = f64> {
+pub fn nodes(count: usize) -> impl Iterator<Item = f64> {
     let table = cosines(count);
     (0..count).map(move |k| 0.5 + 0.5 * table[2 * k + 1])
 }
 
 /// Returns the Chebyshev coefficients of the polynomial of degree below
 /// `values.len()` with these values at [`nodes`]. O(values²).
-pub(crate) fn coefficients<T: Linear>(values: &[T]) -> Vec<T> {
+pub fn coefficients<T: Linear>(values: &[T]) -> Vec<T> {
     let count = values.len();
     let table = cosines(count);
     (0..count)

@@ -1,7 +1,7 @@
 //! Polynomials in Bernstein form, Chebyshev interpolation, least squares, linear systems.
 
 pub(crate) mod bernstein;
-pub(crate) mod chebyshev;
+pub mod chebyshev;
 #[cfg(feature = "shapes")]
 pub(crate) mod elimination;
 pub(crate) mod least_squares;

@@ -7,12 +7,11 @@ mod extraction;
 mod patch;
 
 pub use crate::limits::MAX_ORDER;
-#[cfg(feature = "cad")]
-pub(crate) use basis::Interpolation;
 pub(crate) use basis::{
-    GridBasis, Restriction, bernstein, binomials, dot_products, elevation_shares, length_bounds, scaled,
-    squares, triple_products, unscale,
+    GridBasis, Restriction, binomials, dot_products, elevation_shares, length_bounds, scaled, squares,
+    triple_products, unscale,
 };
+pub use basis::{Interpolation, bernstein};
 pub(crate) use bounds::{BEYOND, MAX_DEGREES, SeamJumps};
 pub use bounds::{DerivativeBounds, LocalDerivativeBounds, OrientedBox, PointError};
 pub use extraction::{BezierModel, PatchGrid, extract};

@@ -27,43 +27,45 @@ pub use known::{FarthestPoint, KnownDeviation};
 pub(crate) use placing::Placing;
 
 /// The deviation that the map resolves, in diagonals: its vertices are in float32.
-pub(crate) const FLOOR: f64 = 5e-7;
+pub const FLOOR: f64 = 5e-7;
 
 /// A vertex.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Vertex {
+pub struct Vertex {
     /// Where it is drawn, on the triangles.
-    pub(crate) position: DVec3,
+    pub position: DVec3,
     /// The point of the model that is measured for it.
-    pub(crate) point: DVec3,
+    pub point: DVec3,
     /// The normal of the surface.
-    pub(crate) normal: DVec3,
+    pub normal: DVec3,
     /// The most that the model is from the point, but for the rounding of float32.
-    pub(crate) slack: f64,
+    pub slack: f64,
 }
 
 /// The triangles of a model.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Triangles {
-    pub(crate) corners: Vec<[u32; 3]>,
+pub struct Triangles {
+    /// The vertices of each.
+    pub corners: Vec<[u32; 3]>,
     /// The face of each; those of a face follow each other.
-    pub(crate) faces: Vec<u32>,
+    pub faces: Vec<u32>,
 }
 
 /// A map; without triangles its vertices are the points of a cloud.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Map {
+pub struct Map {
     /// The vertices, in the model's own coordinates unless the map was [placed](Self::placed).
-    pub(crate) vertices: Vec<Vertex>,
+    pub vertices: Vec<Vertex>,
     /// The signed deviation, NaN without a sign, and the distance of each vertex, in the unit of a result.
-    pub(crate) values: Vec<[f64; 2]>,
+    pub values: Vec<[f64; 2]>,
     /// The nearest point on the other model to each vertex, in the coordinates of a result.
-    pub(crate) feet: Vec<DVec3>,
-    pub(crate) triangles: Triangles,
+    pub feet: Vec<DVec3>,
+    /// The triangles between the vertices.
+    pub triangles: Triangles,
     /// The point that float32 is relative to.
-    pub(crate) origin: DVec3,
+    pub origin: DVec3,
     /// Whether the triangles are the model, so that its edges are straight.
-    pub(crate) is_mesh: bool,
+    pub is_mesh: bool,
     /// The most that a point of the triangles is from the model.
     pub(super) flatness: f64,
     /// The vertex of the farthest point that a search found, and how much farther another one must be to be
@@ -96,7 +98,8 @@ impl Map {
 
     /// Returns the vertex of the largest distance: that of the search, unless another one is certainly
     /// farther, as where a limit ended the search; else the first of equal ones.
-    pub(crate) fn worst(&self) -> Option<usize> {
+    #[must_use]
+    pub fn worst(&self) -> Option<usize> {
         let mut worst: Option<usize> = None;
         for (index, [_, distance]) in self.values.iter().enumerate() {
             if worst.is_none_or(|worst| *distance > self.values[worst][1]) {

@@ -43,11 +43,12 @@ pub use clearance::{
 pub use computation::Computation;
 #[cfg(all(feature = "wasm", target_arch = "wasm32"))]
 pub(crate) use computation::Running;
+pub use deviation_maps::MapPair;
+#[cfg(not(target_arch = "wasm32"))]
+pub use deviation_maps::SignedMap;
 pub use deviation_maps::{DeviationMap, DeviationMapOptions, DeviationMaps};
 #[cfg(all(feature = "wasm", target_arch = "wasm32"))]
 pub(crate) use deviation_maps::{Here, MapPoints, Measurer};
-#[cfg(not(target_arch = "wasm32"))]
-pub(crate) use deviation_maps::{MapPair, SignedMap};
 pub use diff::{
     DiffOptions, DiffResult, FaceChange, FaceCounterpart, FaceDifference, FaceState, PartDifference,
     PartFaces, PartMotion, PartState,

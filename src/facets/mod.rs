@@ -33,7 +33,6 @@ pub use triangle_mesh::{MeshGroup, MeshReport, TriangleMesh};
 
 /// A mesh or a cloud of points.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum Facets {
     /// A mesh.
     Mesh(TriangleMesh),

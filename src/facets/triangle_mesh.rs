@@ -158,7 +158,8 @@ impl TriangleMesh {
     }
 
     /// Returns the corners of a triangle, which must be below the number of triangles.
-    pub(crate) fn corners(&self, triangle: usize) -> [DVec3; 3] {
+    #[must_use]
+    pub fn corners(&self, triangle: usize) -> [DVec3; 3] {
         self.triangles[triangle].map(|vertex| self.vertices[vertex as usize])
     }
 

@@ -8,7 +8,7 @@
 const SEPARATOR: &str = "/";
 
 /// Returns the name of one level as it stands in a joined name.
-pub(crate) fn level(name: &str) -> String {
+pub fn level(name: &str) -> String {
     let words = name.split(' ');
     let escaped = words.map(|word| if is_slashes(word) { format!("{word}/") } else { word.to_owned() });
     escaped.collect::<Vec<_>>().join(" ")
@@ -31,7 +31,7 @@ fn is_slashes(word: &str) -> bool {
     !word.is_empty() && word.bytes().all(|byte| byte == b'/')
 }
 
-#[cfg(all(test, feature = "cad"))]
+#[cfg(test)]
 mod tests {
     use super::*;
 

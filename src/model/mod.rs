@@ -16,8 +16,9 @@ pub mod trim;
 pub use arrays::{IDENTITY, InstanceArrays, ModelArrays};
 pub use face::Face;
 pub use face_path::face_path;
-pub(crate) use face_path::level;
-pub(crate) use knots::{Span, blossom, blossom_coefficients, breaks, multiplicities, spans};
+pub use face_path::level;
+pub use knots::blossom;
+pub(crate) use knots::{Span, blossom_coefficients, breaks, multiplicities, spans};
 pub use rigid_transform::RigidTransform;
 pub use surface::{NurbsSurface, SurfaceArrays};
 
@@ -45,7 +46,7 @@ pub struct Model {
 const UNITS: std::ops::RangeInclusive<f64> = 1e-30..=1e30;
 
 /// The largest number of faces of a model after the placement of its instances.
-pub(crate) const MAX_FACES: usize = 1 << 20;
+pub const MAX_FACES: usize = 1 << 20;
 
 /// Returns whether a number of metres is a unit that a model may have.
 pub(crate) fn is_unit(metres: f64) -> bool {

@@ -6,20 +6,23 @@ use crate::model::trim::FaceArrays;
 
 /// The faces that a reader made of a file, not validated, with the account of each.
 #[derive(Default)]
-pub(crate) struct Assembled {
-    pub(crate) model: ModelArrays,
+pub struct Assembled {
+    /// The faces, with their placements.
+    pub model: ModelArrays,
     /// One entry a face of the model.
-    pub(crate) counts: Vec<FaceCounts>,
-    pub(crate) skipped: Vec<Skipped>,
-    pub(crate) notes: Vec<Note>,
+    pub counts: Vec<FaceCounts>,
+    /// The faces that could not be read.
+    pub skipped: Vec<Skipped>,
+    /// The decisions about faces.
+    pub notes: Vec<Note>,
     /// The shapes of a document by the number of their first face, in order; empty for other files.
-    pub(crate) shapes: Vec<(usize, String)>,
+    pub shapes: Vec<(usize, String)>,
 }
 
 impl Assembled {
     /// Returns the faces of a reader in JavaScript, whose curves are all exact, numbered in order.
     #[cfg(all(feature = "wasm", target_arch = "wasm32"))]
-    pub(crate) fn of_exact(model: ModelArrays) -> Self {
+    pub fn of_exact(model: ModelArrays) -> Self {
         let curves = |face: &FaceArrays| face.trim.iter().flatten().map(Vec::len).sum();
         let count = |(number, face)| FaceCounts { number, entity: None, exact: curves(face), fitted: 0 };
         let counts = model.faces.iter().enumerate().map(count).collect();
@@ -27,7 +30,7 @@ impl Assembled {
     }
 
     /// Returns how the file calls the face of a number.
-    pub(crate) fn face_id(&self, number: usize) -> FaceId {
+    pub fn face_id(&self, number: usize) -> FaceId {
         face_id(&self.shapes, number)
     }
 

@@ -4,17 +4,14 @@
 //! faces that the model refuses; [`transfer`] carries it from the wasm module of the readers to
 //! that of the core.
 
-#![cfg_attr(
-    not(feature = "cad"),
-    allow(dead_code, unused_imports, reason = "without a reader there is nothing to make a model of")
-)]
-
 mod assembled;
 mod report;
-#[cfg(any(feature = "wasm", feature = "wasm-readers"))]
+#[cfg(feature = "js")]
 mod transfer;
-pub(crate) mod validation;
+mod unpacked;
+mod validation;
 
-pub(crate) use assembled::Assembled;
-pub(crate) use report::FaceCounts;
-pub use report::{FaceId, Note, ReadReport, Skipped};
+pub use assembled::Assembled;
+pub use report::{FaceCounts, FaceId, Note, ReadReport, Skipped};
+pub use unpacked::Budget;
+pub use validation::into_model;

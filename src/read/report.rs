@@ -37,20 +37,23 @@ pub struct ReadReport {
     /// The file's faces of the model's, one entry a face of the model: with instances a face
     /// of the file has several.
     #[serde(skip)]
-    pub(crate) sources: Vec<FaceCounts>,
+    pub(super) sources: Vec<FaceCounts>,
     /// The shapes of a document, as of [`super::Assembled`].
     #[serde(skip)]
-    pub(crate) shapes: Vec<(usize, String)>,
+    pub(super) shapes: Vec<(usize, String)>,
 }
 
 /// The number of a face among those of the file, and those of its curves.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub(crate) struct FaceCounts {
-    pub(crate) number: usize,
+pub struct FaceCounts {
+    /// The number in the file, from 0.
+    pub number: usize,
     /// The number by which the file calls the face.
-    pub(crate) entity: Option<u64>,
-    pub(crate) exact: usize,
-    pub(crate) fitted: usize,
+    pub entity: Option<u64>,
+    /// The number of its curves that are exact.
+    pub exact: usize,
+    /// The number of its curves that are fitted.
+    pub fitted: usize,
 }
 
 impl ReadReport {
@@ -153,6 +156,14 @@ pub struct Skipped {
     pub why: String,
 }
 
+impl Skipped {
+    /// Returns the account of a face that could not be read.
+    #[must_use]
+    pub fn new(face: FaceId, entity: Option<u64>, code: &'static str, why: String) -> Self {
+        Self { face, entity, code, why }
+    }
+}
+
 /// What the file leaves open of a face that was read.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -163,6 +174,14 @@ pub struct Note {
     pub code: &'static str,
     /// The decision, and the reason for it.
     pub why: String,
+}
+
+impl Note {
+    /// Returns a remark on a face that was read.
+    #[must_use]
+    pub fn new(face: FaceId, code: &'static str, why: String) -> Self {
+        Self { face, code, why }
+    }
 }
 
 /// The account of a face as JSON has it.

@@ -1,7 +1,7 @@
 //! Bytes by which one wasm module gives another what it read.
 
 #![cfg_attr(
-    not(all(feature = "wasm", feature = "wasm-readers", target_arch = "wasm32")),
+    not(all(feature = "wasm", target_arch = "wasm32")),
     allow(dead_code, reason = "each of the modules either writes or reads, and native code does neither")
 )]
 
@@ -39,7 +39,7 @@ impl Assembled {
     /// # Errors
     /// [`Error::TransferInvalid`] for the faces of a document, which this module does not read; else if
     /// the writer fails, which it does not for these types.
-    pub(crate) fn to_bytes(&self) -> Result<Vec<u8>> {
+    pub fn to_bytes(&self) -> Result<Vec<u8>> {
         let account = |face: &FaceId, entity, code: &str, why: &str| {
             let FaceId::Number(face) = *face else {
                 return Err(Error::TransferInvalid { found: format!("the face {face} has no number") });
@@ -64,7 +64,7 @@ impl Assembled {
     ///
     /// # Errors
     /// [`Error::TransferInvalid`] for other bytes, and for those of another version.
-    pub(crate) fn from_bytes(bytes: &[u8]) -> Result<Self> {
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         // The version comes first, since another one may have written the rest differently.
         let (version, _) = postcard::take_from_bytes::<String>(bytes).map_err(invalid)?;
         if version != VERSION {

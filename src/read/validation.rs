@@ -11,7 +11,7 @@ use crate::threads::parallel;
 ///
 /// # Errors
 /// Those of [`Model::from_faces`] that concern no face, or every one.
-pub(crate) fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
+pub fn into_model(read: Assembled) -> Result<(Model, ReadReport)> {
     let refused = match Model::from_faces(read.model.clone()) {
         Ok(model) => return Ok((model, read.report())),
         Err(error) if read.model.faces.len() == 1 => return Err(error),

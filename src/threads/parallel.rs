@@ -155,10 +155,10 @@ fn for_each(count: usize, work: &(dyn Fn(usize) + Sync)) {
 }
 
 /// A listener that is called with each result and its index, in order.
-pub(crate) type Watch<'a, T> = Option<&'a mut dyn FnMut(usize, &T)>;
+pub type Watch<'a, T> = Option<&'a mut dyn FnMut(usize, &T)>;
 
 /// Maps as [`map`] does; with a listener on the calling thread alone, since what it draws is wanted in order.
-pub(crate) fn map_watched<T: Send>(
+pub fn map_watched<T: Send>(
     count: usize,
     work: impl Fn(usize) -> T + Sync + Send,
     watch: Watch<'_, T>,

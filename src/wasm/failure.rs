@@ -9,7 +9,7 @@ use wasm_bindgen::JsValue;
 ///
 /// # Errors
 /// The serializer's, which the crate's own types do not cause.
-pub(super) fn to_object(value: &impl Serialize) -> Result<JsValue, JsValue> {
+pub fn to_object(value: &impl Serialize) -> Result<JsValue, JsValue> {
     Ok(value.serialize(&Serializer::json_compatible())?)
 }
 

@@ -1,7 +1,5 @@
-//! The exports of the crate's four wasm modules: the classes of the core, with the feature
-//! `wasm`, the readers of CAD files, with `wasm-readers`, those of meshes, with `wasm-meshes`,
-//! and those of scans, with `wasm-scans`. The package's own API, in `src/js`, is built on them and
-//! hides them.
+//! The exports of the npm package's core, with the feature `wasm`, and what all of the package's wasm modules have in
+//! common. The package's own API, in `src/js`, is built on them and hides them.
 #![expect(unreachable_pub, reason = "wasm-bindgen exports what is public, and nothing in Rust uses it")]
 
 #[cfg(feature = "wasm")]
@@ -11,7 +9,6 @@ mod convert;
 #[cfg(feature = "wasm")]
 mod engine;
 mod failure;
-mod files;
 #[cfg(feature = "wasm")]
 mod maps;
 #[cfg(feature = "wasm")]
@@ -23,6 +20,7 @@ mod surfaces;
 #[cfg(feature = "wasm")]
 mod workers;
 
+pub use failure::to_object;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Runs when the module is loaded: panics print their message to the console.

@@ -9,7 +9,7 @@ use crate::engine::BodyInfo;
 use crate::error::{Error, Result};
 use crate::facets::{Facets, MeshGroup, PointCloud, TriangleMesh};
 use crate::model::Model;
-use crate::read::{Assembled, ReadReport, validation};
+use crate::read::{Assembled, ReadReport, into_model};
 use crate::shapes::{list, shape};
 use crate::tessellate::{draft, tessellate_patches};
 use crate::threads::parallel::Watch;
@@ -342,7 +342,7 @@ fn read_model(bytes: &[u8], name: Option<String>, unit: Option<f64>) -> Result<(
     let mut read = Assembled::from_bytes(bytes)?;
     read.model.name = name;
     read.model.unit = read.model.unit.or(unit);
-    let (model, mut report) = validation::into_model(read)?;
+    let (model, mut report) = into_model(read)?;
     for skipped in &mut report.skipped {
         skipped.entity = skipped.entity.filter(|&entity| entity <= MAX_SAFE_INTEGER);
     }
@@ -350,7 +350,7 @@ fn read_model(bytes: &[u8], name: Option<String>, unit: Option<f64>) -> Result<(
 }
 
 fn reader_model(text: &JsString) -> Result<(Model, ReadReport)> {
-    validation::into_model(Assembled::of_exact(Model::arrays_of_json(&checked(text)?)?))
+    into_model(Assembled::of_exact(Model::arrays_of_json(&checked(text)?)?))
 }
 
 /// The shapes that the crate makes, each with its name and title.

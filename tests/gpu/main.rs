@@ -1,4 +1,4 @@
-//! The kernels against float64, at the ends of float32, and within the memory promised.
+//! The kernels against float64, and at the ends of float32.
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
@@ -9,5 +9,4 @@ mod certified_gpu;
 mod float32_extremes;
 mod iteration_kernels;
 #[cfg(target_os = "linux")]
-mod memory;
 mod trimmed;

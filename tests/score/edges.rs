@@ -7,6 +7,7 @@ use nurbs_hausdorff::{
     AtThreshold, DQuat, DVec3, Facets, Interval, Model, NurbsSurface, PointCloud, PreparedModel,
     RigidTransform, Score, ScoreOptions, SurfaceArrays,
 };
+use nurbs_hausdorff_cad::from_step;
 use std::f64::consts::PI;
 
 /// The permitted width, with that of rounding.
@@ -184,7 +185,7 @@ fn a_chamfer_has_two_edges_for_one() {
 fn the_rims_of_a_bore_that_moved_follow_it() {
     let plate = |x: f64| {
         let plate = Plate { size: [80.0, 50.0, 8.0], bores: [("bore", x)], radius: 9.0 };
-        PreparedModel::new(&Model::from_step(plate.step().as_bytes()).unwrap().0).unwrap()
+        PreparedModel::new(&from_step(plate.step().as_bytes()).unwrap().0).unwrap()
     };
     let (r, t) = (9.0_f64, 0.5);
     let all = edges_of([80.0, 50.0, 8.0]) + 2.0 * 2.0 * PI * r;
@@ -204,7 +205,7 @@ fn the_rims_of_a_bore_that_moved_follow_it() {
 fn cuts_of_a_face_are_no_edges() {
     let plate =
         Plate { size: [100.0, 50.0, 8.0], bores: [("a", 20.0), ("b", 50.0), ("c", 80.0)], radius: 9.0 };
-    let plate = PreparedModel::new(&Model::from_step(plate.step().as_bytes()).unwrap().0).unwrap();
+    let plate = PreparedModel::new(&from_step(plate.step().as_bytes()).unwrap().0).unwrap();
     let all = edges_of([100.0, 50.0, 8.0]) + 6.0 * 2.0 * PI * 9.0;
     let found = score(&plate, &plate, &options(0.5));
     are(&found, [1.0; 2], [all; 2]);

@@ -4,6 +4,7 @@ use super::{AREA, SIZE, are, cuboid, deeper, holds, models, score, speck, togeth
 use crate::plate::Plate;
 use nurbs_hausdorff::shapes::sphere;
 use nurbs_hausdorff::{DVec3, Model, PreparedModel, Score, ScoreOptions};
+use nurbs_hausdorff_cad::from_step;
 use std::f64::consts::PI;
 
 /// A number that is 1 or 0.
@@ -14,7 +15,7 @@ fn is_valid(found: &Score, expected: f64) {
 /// The plate of the README, with its bores here.
 fn plate<const BORES: usize>(bores: [f64; BORES]) -> PreparedModel {
     let plate = Plate { size: [80.0, 50.0, 8.0], bores: bores.map(|x| ("bore", x)), radius: 9.0 };
-    PreparedModel::new(&Model::from_step(plate.step().as_bytes()).unwrap().0).unwrap()
+    PreparedModel::new(&from_step(plate.step().as_bytes()).unwrap().0).unwrap()
 }
 
 #[test]

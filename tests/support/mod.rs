@@ -16,5 +16,6 @@ pub mod gpu;
 pub mod iges;
 pub mod models;
 pub mod quadrature;
+pub mod root;
 pub mod step;
 pub mod trims;

@@ -1,5 +1,6 @@
 //! The models of `../shared/models`, and the small files of `../shared/faults`.
 
+use super::root::root;
 use nurbs_hausdorff::Model;
 use std::io::Write;
 use std::path::PathBuf;
@@ -16,7 +17,7 @@ pub fn faults(test: &str) -> Option<PathBuf> {
 }
 
 fn shared(test: &str, name: &str) -> Option<PathBuf> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared").join(name);
+    let folder = root().join("../shared").join(name);
     if folder.is_dir() {
         return Some(folder);
     }
@@ -27,7 +28,7 @@ fn shared(test: &str, name: &str) -> Option<PathBuf> {
 
 /// The bytes of a file of `../shared/faults`, if it is there, as [`folder`].
 pub fn fault(test: &str, path: &str) -> Option<Vec<u8>> {
-    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/faults").join(path);
+    let file = root().join("../shared/faults").join(path);
     if let Ok(bytes) = std::fs::read(file) {
         return Some(bytes);
     }

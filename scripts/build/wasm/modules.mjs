@@ -6,29 +6,43 @@ import { must } from "../../process.mjs";
 import { toolsEnvironment, toolsFolder } from "../../setup/tools.mjs";
 import { digest } from "../../stamp.mjs";
 
+const [core, cad, meshes] = ["nurbs-hausdorff", "nurbs-hausdorff-cad", "nurbs-hausdorff-meshes"];
+
 /**
  * The modules: the core, and the readers of CAD files, of meshes and of scans, which are fetched
- * when a file comes. Each is the crate with the exports of one feature.
+ * when a file comes. Each is a crate with the exports of one feature.
  */
 export const modules = [
-  { name: "nurbs_hausdorff", feature: "wasm", inlined: "inlined" },
-  { name: "nurbs_hausdorff_readers", feature: "wasm-readers", inlined: "inlined-readers" },
-  { name: "nurbs_hausdorff_meshes", feature: "wasm-meshes", inlined: "inlined-meshes" },
-  { name: "nurbs_hausdorff_scans", feature: "wasm-scans", inlined: "inlined-scans" },
+  { name: "nurbs_hausdorff", crate: core, feature: "wasm", inlined: "inlined" },
+  { name: "nurbs_hausdorff_readers", crate: cad, feature: "wasm", inlined: "inlined-readers" },
+  {
+    name: "nurbs_hausdorff_meshes",
+    crate: meshes,
+    feature: "wasm-meshes",
+    inlined: "inlined-meshes",
+  },
+  { name: "nurbs_hausdorff_scans", crate: meshes, feature: "wasm-scans", inlined: "inlined-scans" },
 ];
 
 export const wasm32 = ["--target", "wasm32-unknown-unknown", "--no-default-features"];
 
-/** The file that cargo makes of the crate in a profile. */
-export const compiled = (profile) =>
-  inRoot("target", "wasm32-unknown-unknown", profile, "nurbs_hausdorff.wasm");
+/** The choice of the crates of some modules, with their exports, for cargo. */
+export const chosen = (some) => [
+  ...new Set(some.flatMap(({ crate }) => `--package=${crate}`)),
+  `--features=${some.map(({ crate, feature }) => `${crate}/${feature}`).join()}`,
+];
+
+/** The file that cargo makes of a module's crate in a profile. */
+export const compiled = (profile, { crate }) =>
+  inRoot("target", "wasm32-unknown-unknown", profile, `${crate.replaceAll("-", "_")}.wasm`);
 
 /** A digest of all that the modules are made of. The TypeScript in src/js is no part of them. */
 export function sources() {
-  const rust = readdirSync(inRoot("src")).filter((name) => name !== "js" && name !== "bin");
+  const rust = readdirSync(inRoot("src")).filter((name) => name !== "js");
   return digest(
     [
       ...["Cargo.toml", "Cargo.lock", ".cargo", "shaders", ...rust.map((name) => `src/${name}`)],
+      ...["crates/cad", "crates/meshes"].flatMap((name) => [`${name}/Cargo.toml`, `${name}/src`]),
       ...["package-lock.json", "scripts/build/wasm"],
     ],
     [toolsFolder()],

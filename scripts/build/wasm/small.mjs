@@ -1,4 +1,4 @@
-// The wasm modules as they are published: each the crate with the exports of one feature, optimised as
+// The wasm modules as they are published: each a crate with the exports of one feature, optimised as
 // a whole and for its size.
 import { existsSync, mkdirSync, rmSync } from "node:fs";
 import { homedir } from "node:os";
@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { inRoot } from "../../paths.mjs";
 import { environment, must, say } from "../../process.mjs";
 import { stamp, stamped } from "../../stamp.mjs";
-import { bind, compiled, inline, moduleIn, modules, sources, wasm32 } from "./modules.mjs";
+import { bind, chosen, compiled, inline, moduleIn, modules, sources, wasm32 } from "./modules.mjs";
 
 /** The folder of the modules. */
 export const small = inRoot("target", "small-wasm");
@@ -48,11 +48,11 @@ export async function buildSmall() {
 }
 
 async function build(module) {
-  const { name, feature, inlined } = module;
+  const { name, inlined } = module;
   const env = environment({ CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS: rustFlags });
   const profile = ["--profile", "wasm", "--locked", "--lib"];
-  await must("cargo", ["build", ...profile, ...wasm32, "--features", feature], { env });
-  await bind(compiled("wasm"), small, name);
+  await must("cargo", ["build", ...profile, ...wasm32, ...chosen([module])], { env });
+  await bind(compiled("wasm", module), small, name);
   const file = `${small}/${name}_bg.wasm`;
   await must("wasm-opt", [file, "-o", file, ...OPTIMISED]);
   inline(moduleIn(small, module), small, inlined, SMALLEST_LEVEL);

@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 
 /// Returns the values at `t` in [0, 1] of the Bernstein polynomials of a degree below
 /// [`MAX_ORDER`], in the first degree + 1 entries. O(degree²).
-pub(crate) fn bernstein(degree: usize, t: f64) -> [f64; MAX_ORDER] {
+#[must_use]
+pub fn bernstein(degree: usize, t: f64) -> [f64; MAX_ORDER] {
     let mut values = [0.0; MAX_ORDER];
     values[0] = 1.0;
     for level in 1..=degree {
@@ -18,7 +19,7 @@ pub(crate) fn bernstein(degree: usize, t: f64) -> [f64; MAX_ORDER] {
 }
 
 /// The interpolation of values at the extrema of a Chebyshev polynomial on [0, 1].
-pub(crate) struct Interpolation {
+pub struct Interpolation {
     nodes: Vec<f64>,
     /// The inverse of the matrix of the Bernstein polynomials at the nodes.
     inverse: Vec<Vec<f64>>,
@@ -29,7 +30,8 @@ impl Interpolation {
     /// the matrix is totally positive (C. de Boor, A. Pinkus, *Backward error analysis for
     /// totally positive linear systems*). The degree is at least 1 and below [`MAX_ORDER`].
     /// O(degree³).
-    pub(crate) fn new(degree: usize) -> Self {
+    #[must_use]
+    pub fn new(degree: usize) -> Self {
         let order = degree + 1;
         let angle = |k: usize| PI * k as f64 / degree as f64;
         let nodes: Vec<f64> = (0..order).map(|k| (0.5 * angle(k)).sin().powi(2)).collect();
@@ -55,20 +57,20 @@ impl Interpolation {
     }
 
     /// Returns the degree + 1 nodes, from 0 to 1.
-    pub(crate) fn nodes(&self) -> &[f64] {
+    #[must_use]
+    pub fn nodes(&self) -> &[f64] {
         &self.nodes
     }
 
     /// Returns, for each Bernstein coefficient of a polynomial, the weights of its values at the
     /// nodes in it. The first and the last coefficient are the values there.
-    pub(crate) fn weights(&self) -> impl Iterator<Item = &[f64]> {
+    pub fn weights(&self) -> impl Iterator<Item = &[f64]> {
         self.inverse.iter().map(Vec::as_slice)
     }
 
     /// Returns the Bernstein coefficients of the polynomial with these values at the nodes.
     /// O(degree²).
-    #[cfg(any(test, feature = "cad"))]
-    pub(crate) fn coefficients<T: crate::approximation::bernstein::Linear>(&self, values: &[T]) -> Vec<T> {
+    pub fn coefficients<T: crate::approximation::bernstein::Linear>(&self, values: &[T]) -> Vec<T> {
         let combined = |weights: &[f64]| {
             weights.iter().zip(values).fold(T::ZERO, |sum, (&weight, &value)| sum + value * weight)
         };

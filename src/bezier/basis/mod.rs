@@ -11,5 +11,5 @@ pub(crate) use bernstein_product::{
     binomials, dot_products, length_bounds, scaled, squares, triple_products, unscale,
 };
 pub(crate) use grid_basis::GridBasis;
-pub(crate) use interpolation::{Interpolation, bernstein};
+pub use interpolation::{Interpolation, bernstein};
 pub(crate) use restriction::{Restriction, elevation_shares};

@@ -15,13 +15,13 @@ use crate::error::Result;
 use crate::model::RigidTransform;
 use crate::progress::{MaybeSend, Monitor};
 #[cfg(not(target_arch = "wasm32"))]
-pub(crate) use drawn::SignedMap;
+pub use drawn::SignedMap;
 #[cfg(all(feature = "wasm", target_arch = "wasm32"))]
 pub(crate) use measurer::{Here, MapPoints, Measurer};
 #[cfg(not(all(feature = "wasm", target_arch = "wasm32")))]
 use measurer::{Here, Measurer};
 pub use result::{DeviationMap, DeviationMaps};
-pub(crate) use search::MapPair;
+pub use search::MapPair;
 use search::MapSearch;
 use serde::Deserialize;
 

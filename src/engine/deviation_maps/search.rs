@@ -26,7 +26,7 @@ pub(crate) struct MapSearch<'a> {
 
 /// Two models whose maps are made.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct MapPair<'a> {
+pub struct MapPair<'a> {
     pub(crate) a: &'a PreparedModel,
     pub(crate) b: &'a PreparedModel,
     /// A's units in one of B's.
@@ -40,7 +40,7 @@ impl<'a> MapPair<'a> {
     ///
     /// # Errors
     /// [`crate::Error::UnitsDiffer`] if the units differ and must not be scaled.
-    pub(crate) fn new(
+    pub fn new(
         a: &'a PreparedModel,
         b: &'a PreparedModel,
         transform: RigidTransform,
@@ -51,7 +51,8 @@ impl<'a> MapPair<'a> {
     }
 
     /// Returns the larger diagonal of both models, in A's unit.
-    pub(crate) fn diagonal(&self) -> f64 {
+    #[must_use]
+    pub fn diagonal(&self) -> f64 {
         self.a.bounding_box().diagonal().max(self.scale * self.b.bounding_box().diagonal())
     }
 

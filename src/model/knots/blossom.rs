@@ -9,7 +9,7 @@ const MAX_ORDER: usize = MAX_FILE_DEGREE + 1;
 /// Returns the blossom, or polar form, of the polynomial of the span that begins with knot `span`, with
 /// these degree + 1 active control points, at `argument(0)`, …, `argument(degree - 1)` (L. Ramshaw,
 /// *Blossoming: a connect-the-dots approach to splines*). O(degree²).
-pub(crate) fn blossom(
+pub fn blossom(
     knots: &[f64],
     degree: usize,
     span: usize,

@@ -3,7 +3,7 @@
 mod blossom;
 mod spans;
 
-pub(crate) use blossom::blossom;
+pub use blossom::blossom;
 pub(crate) use spans::{Span, blossom_coefficients, breaks, multiplicities, spans};
 
 use crate::axis::Axis;

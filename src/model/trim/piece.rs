@@ -79,7 +79,8 @@ impl TrimPiece {
 
     /// Returns the signed area between the piece and `origin`, `½ ∫ u dv - v du` about it,
     /// by Gauss's rule: exact up to rounding for polynomial pieces, else an estimate.
-    pub(crate) fn signed_area(&self, origin: DVec2) -> f64 {
+    #[must_use]
+    pub fn signed_area(&self, origin: DVec2) -> f64 {
         let moved = self.controls.iter().map(|control| homogeneous(point_of(*control) - origin, control.z));
         let controls: Vec<DVec3> = moved.collect();
         GAUSS.iter().map(|&[t, weight]| weight * area_density(&controls, t)).sum()

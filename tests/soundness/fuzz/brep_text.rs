@@ -2,10 +2,11 @@
 //! report counts its faces.
 
 use nurbs_hausdorff::Model;
+use nurbs_hausdorff_cad::from_brep;
 
 pub fn check(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
-    match Model::from_brep(text) {
+    match from_brep(text) {
         Ok((model, report)) => {
             assert!(report.faces > 0 && report.exact + report.fitted == report.trims);
             assert!(report.gap.is_finite());

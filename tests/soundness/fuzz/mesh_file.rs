@@ -1,7 +1,8 @@
 //! Any bytes, as a file of the format that the first names, are either refused or a mesh or a cloud
 //! of finite points, whose corners are its vertices.
 
-use nurbs_hausdorff::{Facets, MeshFile, MeshFormat};
+use nurbs_hausdorff::Facets;
+use nurbs_hausdorff_meshes::{MeshFile, MeshFormat};
 
 /// The endings of names, one for each reader.
 const ENDINGS: [&str; 12] =
@@ -29,7 +30,6 @@ pub fn check(bytes: &[u8]) {
             mesh.vertices()
         }
         Facets::Cloud(cloud) => cloud.points(),
-        _ => return,
     };
     assert!(!points.is_empty() && points.iter().all(|point| point.is_finite()));
     assert!(read.unit.is_none_or(|unit| unit > 0.0 && unit.is_finite()));

@@ -2,9 +2,10 @@
 //! report counts its faces.
 
 use nurbs_hausdorff::Model;
+use nurbs_hausdorff_cad::from_step;
 
 pub fn check(bytes: &[u8]) {
-    match Model::from_step(bytes) {
+    match from_step(bytes) {
         Ok((model, report)) => {
             assert!(report.faces > 0 && report.exact + report.fitted == report.trims);
             assert!(report.gap.is_finite());

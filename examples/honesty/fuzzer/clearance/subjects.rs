@@ -10,6 +10,7 @@ use nurbs_hausdorff::internals::engine::PreparedModel;
 use nurbs_hausdorff::internals::untrim::untrim;
 use nurbs_hausdorff::shapes::{list, shape};
 use nurbs_hausdorff::{Model, NurbsSurface};
+use nurbs_hausdorff_cad::from_step;
 use std::path::Path;
 use std::process::Command;
 use std::sync::{Arc, OnceLock};
@@ -187,7 +188,7 @@ fn parts() -> Vec<(String, Model)> {
             Model::from_json(&std::fs::read_to_string(path).ok()?).ok()?
         } else if lower.ends_with(".step.gz") || lower.ends_with(".stp.gz") {
             let bytes = Command::new("gunzip").arg("-c").arg(path).output().ok()?.stdout;
-            Model::from_step(&bytes).ok()?.0
+            from_step(&bytes).ok()?.0
         } else {
             return None;
         };

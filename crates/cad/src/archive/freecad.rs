@@ -1,0 +1,107 @@
+//! The shapes of a FreeCAD document as one model.
+
+use super::document::{Object, objects};
+use super::joined::Joined;
+use super::unreadable;
+use crate::read_brep;
+use nurbs_hausdorff::workspace::{Assembled, Budget};
+use nurbs_hausdorff::{Error, Model, Result};
+use std::collections::HashSet;
+use std::io::Cursor;
+use zip::ZipArchive;
+use zip::result::ZipError;
+
+const DOCUMENT: &str = "Document.xml";
+
+/// The file that says which objects are shown; documents made without a window have none.
+const VIEWS: &str = "GuiDocument.xml";
+
+const PLACED: &str = "its parts are placed by a container: export the document as STEP";
+const BINARY: &str = "its shape is stored in binary: export the document as STEP";
+
+/// Reads the visible shapes of a FreeCAD document, in millimetres. A body's features are left out, as
+/// the body's own shape is that of the last. Shapes without faces, as sketches are, have no part in
+/// it.
+///
+/// # Errors
+/// [`Error::FormatUnsupported`] for other archives; [`Error::FileTooLarge`] before more than
+/// [`Model::MAX_JSON_BYTES`] are unpacked; [`Error::CadUnreadable`]; [`Error::EmptyDocument`].
+pub(crate) fn read_document(bytes: &[u8]) -> Result<Assembled> {
+    let mut archive = Archive::new(bytes)?;
+    if !archive.has(DOCUMENT) {
+        return Err(archive.unsupported());
+    }
+    let objects = objects(&archive.content(DOCUMENT)?, "ObjectData", "Object")?;
+    let views = match archive.has(VIEWS) {
+        true => self::objects(&archive.content(VIEWS)?, "ViewProviderData", "ViewProvider")?,
+        false => Vec::new(),
+    };
+    let hidden = views.iter().filter(|view| view.is_hidden()).map(|view| view.name.as_str());
+    let members = objects.iter().filter(|object| object.is_body()).flat_map(|body| &body.members);
+    let omitted: HashSet<&str> = hidden.chain(members.map(String::as_str)).collect();
+    let mut joined = Joined::default();
+    for object in objects.iter().filter(|object| !omitted.contains(object.name.as_str())) {
+        read_object(&mut archive, object, &mut joined)?;
+    }
+    joined.into_assembled()
+}
+
+fn read_object(archive: &mut Archive<'_>, object: &Object, joined: &mut Joined) -> Result<()> {
+    let unsupported = |why: &str| ("FORMAT_UNSUPPORTED", why.to_owned());
+    let left_out = match &object.file {
+        _ if object.is_container() => Some(unsupported(PLACED)),
+        None => None,
+        Some(file) if file.ends_with(".bin") => Some(unsupported(BINARY)),
+        Some(file) => {
+            let text = archive.content(file)?;
+            let shape = match text.trim_ascii().is_empty() {
+                true => Err(Error::EmptyModel),
+                false => {
+                    std::str::from_utf8(&text).map_err(unreadable).and_then(|text| read_brep(text, None))
+                }
+            };
+            match shape {
+                Ok(shape) => return joined.push(&object.name, shape),
+                Err(Error::EmptyModel) => None,
+                Err(error) => Some((error.code(), error.to_string())),
+            }
+        }
+    };
+    joined.leave_out(&object.name, left_out);
+    Ok(())
+}
+
+/// A zip archive that unpacks a bounded number of bytes.
+struct Archive<'a> {
+    zip: ZipArchive<Cursor<&'a [u8]>>,
+    budget: Budget,
+}
+
+impl<'a> Archive<'a> {
+    fn new(bytes: &'a [u8]) -> Result<Self> {
+        let zip = ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
+        Ok(Self { zip, budget: Budget::new(Model::MAX_JSON_BYTES) })
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.zip.index_for_name(name).is_some()
+    }
+
+    /// Returns the content of a file; empty if the archive has none of the name.
+    fn content(&mut self, name: &str) -> Result<Vec<u8>> {
+        match self.zip.by_name(name) {
+            Ok(file) => self.budget.read(file, unreadable),
+            Err(ZipError::FileNotFound) => Ok(Vec::new()),
+            Err(error) => Err(unreadable(error)),
+        }
+    }
+
+    /// Returns the error for an archive that is no document.
+    fn unsupported(&self) -> Error {
+        let (found, advice) = match self.has("[Content_Types].xml") {
+            true => ("a 3MF file or a package like it", "a 3MF file is known by the ending .3mf of its name"),
+            false => ("a zip archive", "unpack it, and choose the file inside"),
+        };
+        Error::FormatUnsupported { found, advice: advice.to_owned() }
+    }
+}

@@ -1,0 +1,192 @@
+//! glTF 2.0 and GLB, with buffers embedded or in files beside it.
+
+mod buffers;
+mod json;
+
+use super::Scene;
+use crate::soup::strip;
+use crate::{Beside, MeshFormat, Soup};
+use buffers::{buffers, chunks};
+use glam::{DAffine3, DVec3};
+use json::{Mesh, Node, Primitive, Root, TRIANGLES};
+use nurbs_hausdorff::{Error, Result};
+use std::borrow::Cow;
+
+pub(crate) use buffers::names_beside;
+
+const FORMAT: MeshFormat = MeshFormat::Gltf;
+
+/// The component type of float32 numbers.
+const FLOAT: u32 = 5126;
+
+/// The extension that places a mesh at many places of a node.
+const INSTANCING: &str = "EXT_mesh_gpu_instancing";
+
+/// A file with the bytes of its buffers.
+struct File<'a> {
+    root: Root,
+    buffers: Vec<Cow<'a, [u8]>>,
+}
+
+/// Reads the triangles of the scene, at the places of its nodes. Skins, weights of morph targets, points and lines
+/// are not measured, and are named.
+///
+/// # Errors
+/// [`Error::MeshSyntax`]; also of extensions that change the shape, and of buffers that are missing.
+pub(crate) fn read(bytes: &[u8], beside: &Beside) -> Result<Soup> {
+    let (json, binary) = chunks(bytes)?;
+    let root: Root = serde_json::from_slice(json).map_err(|error| FORMAT.syntax(error.to_string()))?;
+    if let Some(name) = root.extensions_required.iter().find(|name| !is_only_appearance(name)) {
+        return Err(FORMAT.syntax(format!("the extension {name:?}, which is not read")));
+    }
+    let buffers = buffers(&root, binary, beside)?;
+    let file = File { root, buffers };
+    let mut scene = Scene::new(FORMAT, 1.0);
+    if file.root.extensions_used.iter().any(|name| name == INSTANCING) {
+        scene.soup.skip(INSTANCING, "the instances of meshes by this extension are not read");
+    }
+    let scenes = &file.root.scenes;
+    let roots = match scenes.get(file.root.scene.unwrap_or(0)) {
+        Some(scene) => scene.nodes.clone(),
+        // A file without scenes is a library of meshes: all its nodes that are nobody's children.
+        None => {
+            let mut is_child = vec![false; file.root.nodes.len()];
+            for &child in file.root.nodes.iter().flat_map(|node| &node.children) {
+                if let Some(is_child) = is_child.get_mut(child) {
+                    *is_child = true;
+                }
+            }
+            (0..file.root.nodes.len()).filter(|&node| !is_child[node]).collect()
+        }
+    };
+    if scenes.len() > 1 {
+        let others = scenes.len() - 1;
+        scene.soup.note("scenes", format!("{others} scenes besides the first or default one are not shown"));
+    }
+    for node in roots {
+        file.place_node(node, &DAffine3::IDENTITY, 0, &mut scene)?;
+    }
+    Ok(scene.soup)
+}
+
+/// Extensions that change neither the shape nor how it is stored.
+fn is_only_appearance(name: &str) -> bool {
+    name.starts_with("KHR_materials_") || name == "KHR_texture_transform" || name == "KHR_lights_punctual"
+}
+
+impl File<'_> {
+    fn place_node(&self, node: usize, parent: &DAffine3, depth: usize, scene: &mut Scene) -> Result<()> {
+        scene.enter(depth)?;
+        let node = self.root.nodes.get(node).ok_or_else(|| missing("node", node))?;
+        let transform = *parent * node.transform();
+        if let Some(mesh) = node.mesh {
+            let mesh = self.root.meshes.get(mesh).ok_or_else(|| missing("mesh", mesh))?;
+            let name = node.name.as_deref().or(mesh.name.as_deref());
+            note_pose(node, mesh, name.unwrap_or("a node"), &mut scene.soup);
+            for primitive in &mesh.primitives {
+                self.place_primitive(primitive, name, &transform, scene)?;
+            }
+        }
+        for &child in &node.children {
+            self.place_node(child, &transform, depth + 1, scene)?;
+        }
+        Ok(())
+    }
+
+    fn place_primitive(
+        &self,
+        primitive: &Primitive,
+        name: Option<&str>,
+        transform: &DAffine3,
+        scene: &mut Scene,
+    ) -> Result<()> {
+        if primitive.mode < TRIANGLES {
+            scene.soup.note(name.unwrap_or("a node"), "its points or lines are no surface");
+            return Ok(());
+        }
+        let Some(position) = primitive.attributes.position else { return Ok(()) };
+        let number = |bytes: &[u8]| match bytes {
+            &[a, b, c, d, ..] => f64::from(f32::from_le_bytes([a, b, c, d])),
+            _ => f64::NAN,
+        };
+        let point = |bytes: &[u8]| DVec3::new(number(bytes), number(&bytes[4..]), number(&bytes[8..]));
+        let vertices: Vec<DVec3> = self.items(position, "VEC3", FLOAT)?.map(point).collect();
+        let indices: Vec<u32> = match primitive.indices {
+            None => (0..vertices.len() as u32).collect(),
+            Some(indices) => {
+                let kind = self.root.accessors.get(indices).map_or(0, |accessor| accessor.component_type);
+                let index = |bytes: &[u8]| match (kind, bytes) {
+                    (5121, &[a, ..]) => u32::from(a),
+                    (5123, &[a, b, ..]) => u32::from(u16::from_le_bytes([a, b])),
+                    (5125, &[a, b, c, d, ..]) => u32::from_le_bytes([a, b, c, d]),
+                    _ => u32::MAX,
+                };
+                self.items(indices, "SCALAR", kind)?.map(index).collect()
+            }
+        };
+        scene.place(name, &vertices, &faces(&indices, primitive.mode)?, transform)
+    }
+
+    /// Returns the bytes of each item of an accessor.
+    fn items(&self, index: usize, kind: &str, component: u32) -> Result<impl Iterator<Item = &[u8]>> {
+        let accessor = self.root.accessors.get(index).ok_or_else(|| missing("accessor", index))?;
+        if accessor.kind != kind || accessor.component_type != component || accessor.sparse.is_some() {
+            return Err(FORMAT
+                .syntax(format!("accessor {index} is sparse or not of the kind {kind}, which is not read")));
+        }
+        let width = match component {
+            5120 | 5121 => 1,
+            5122 | 5123 => 2,
+            _ => 4,
+        };
+        let size = width * if kind == "VEC3" { 3 } else { 1 };
+        let view =
+            accessor.buffer_view.ok_or_else(|| FORMAT.syntax(format!("accessor {index} has no data")))?;
+        let view = self.root.buffer_views.get(view).ok_or_else(|| missing("buffer view", view))?;
+        let buffer = self.buffers.get(view.buffer).ok_or_else(|| missing("buffer", view.buffer))?;
+        let bytes = buffer
+            .get(view.byte_offset..)
+            .and_then(|bytes| bytes.get(..view.byte_length))
+            .and_then(|bytes| bytes.get(accessor.byte_offset..));
+        let stride = view.byte_stride.unwrap_or(size).max(size);
+        let fits = |bytes: &&[u8]| {
+            accessor.count == 0
+                || (accessor.count - 1)
+                    .checked_mul(stride)
+                    .and_then(|start| start.checked_add(size))
+                    .is_some_and(|length| length <= bytes.len())
+        };
+        let bytes = bytes
+            .filter(fits)
+            .ok_or_else(|| FORMAT.syntax(format!("accessor {index} reaches beyond its buffer")))?;
+        Ok((0..accessor.count).map(move |item| &bytes[item * stride..item * stride + size]))
+    }
+}
+
+/// Notes what poses a mesh differently from its positions and transforms.
+fn note_pose(node: &Node, mesh: &Mesh, name: &str, soup: &mut Soup) {
+    if node.skin.is_some() {
+        soup.note(name, "its skin is not applied: it is measured as its node places it");
+    }
+    let weights = if node.weights.is_empty() { &mesh.weights } else { &node.weights };
+    if weights.iter().any(|&weight| weight != 0.0) {
+        soup.note(name, "its morph targets are not applied: it is measured without their weights");
+    }
+}
+
+/// Returns the triangles of a primitive.
+fn faces(indices: &[u32], mode: u32) -> Result<Vec<[u32; 3]>> {
+    Ok(match mode {
+        TRIANGLES => indices.chunks_exact(3).map(|corner| [corner[0], corner[1], corner[2]]).collect(),
+        5 => strip(indices).collect(),
+        6 => match indices {
+            [first, rest @ ..] => rest.windows(2).map(|pair| [*first, pair[0], pair[1]]).collect(),
+            [] => Vec::new(),
+        },
+        _ => return Err(FORMAT.syntax(format!("a primitive of mode {mode}"))),
+    })
+}
+
+fn missing(what: &str, index: usize) -> Error {
+    FORMAT.syntax(format!("there is no {what} {index}"))
+}

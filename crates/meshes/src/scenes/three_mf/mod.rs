@@ -1,0 +1,209 @@
+//! 3MF: a zip archive of XML.
+
+mod extensions;
+
+use super::Scene;
+use crate::{MAX_BYTES, MeshFormat, Soup};
+use extensions::{refuse_element, refuse_required};
+use glam::{DAffine3, DMat3, DVec3};
+use nurbs_hausdorff::Result;
+use nurbs_hausdorff::workspace::Budget;
+use quick_xml::Reader;
+use quick_xml::events::{BytesStart, Event};
+use std::collections::HashMap;
+use std::io::Cursor;
+use zip::ZipArchive;
+
+const FORMAT: MeshFormat = MeshFormat::ThreeMf;
+
+/// The path of the model that a package begins with, unless its relationships name another.
+const DEFAULT_MODEL: &str = "3D/3dmodel.model";
+
+/// An object of a model part: a mesh, components, or both.
+#[derive(Default)]
+struct Object {
+    name: Option<String>,
+    /// The type, where it is stated.
+    kind: Option<String>,
+    vertices: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    components: Vec<Component>,
+}
+
+/// An object at a place.
+struct Component {
+    /// The part that has the object, where it is another one.
+    path: Option<String>,
+    object: String,
+    transform: DAffine3,
+}
+
+/// One XML part of a package.
+struct PackagePart {
+    unit: f64,
+    objects: HashMap<String, Object>,
+    items: Vec<Component>,
+}
+
+/// The types of objects that are the model: those for its support are not.
+const MODEL_KINDS: [&str; 2] = ["model", "surface"];
+
+/// Reads the objects of the model at the places of the build's items. Supports and other objects are no part of the
+/// model, and are noted.
+///
+/// # Errors
+/// [`nurbs_hausdorff::Error::MeshSyntax`]; also of shapes that are not triangles and of extensions that are required and
+/// not read, by their names. [`nurbs_hausdorff::Error::FileTooLarge`] for more than 1 GiB of XML.
+pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
+    let mut archive =
+        ZipArchive::new(Cursor::new(bytes)).map_err(|error| FORMAT.syntax(error.to_string()))?;
+    let names: Vec<String> = archive.file_names().flatten().map(std::borrow::Cow::into_owned).collect();
+    let is_model = |name: &&String| name.to_ascii_lowercase().ends_with(".model");
+    let mut parts = HashMap::new();
+    let mut budget = Budget::new(MAX_BYTES);
+    for name in names.iter().filter(is_model) {
+        let file = archive.by_name(name).map_err(|error| FORMAT.syntax(error.to_string()))?;
+        let xml = budget.read(file, |found| FORMAT.syntax(found))?;
+        parts.insert(name.trim_start_matches('/').to_owned(), parse(&xml)?);
+    }
+    let root = match parts.contains_key(DEFAULT_MODEL) {
+        true => DEFAULT_MODEL,
+        false => parts.iter().find(|(_, part)| !part.items.is_empty()).map_or("", |(name, _)| name.as_str()),
+    };
+    let part = parts.get(root).ok_or_else(|| FORMAT.syntax("the archive has no model"))?;
+    let mut scene = Scene::new(FORMAT, part.unit);
+    for item in &part.items {
+        place_object(&parts, root, item, &DAffine3::IDENTITY, 0, &mut scene)?;
+    }
+    Ok(scene.soup)
+}
+
+fn place_object(
+    parts: &HashMap<String, PackagePart>,
+    path: &str,
+    component: &Component,
+    parent: &DAffine3,
+    depth: usize,
+    scene: &mut Scene,
+) -> Result<()> {
+    scene.enter(depth)?;
+    let path = component.path.as_deref().unwrap_or(path);
+    let object = parts.get(path).and_then(|part| part.objects.get(&component.object));
+    let object = object.ok_or_else(|| FORMAT.syntax(format!("there is no object {:?}", component.object)))?;
+    if let Some(kind) = object.kind.as_deref().filter(|kind| !MODEL_KINDS.contains(kind)) {
+        let kind: String = kind.chars().take(32).collect();
+        let called = object.name.as_deref().unwrap_or(&component.object);
+        scene.soup.note(called, format!("it is of the type {kind:?} and no part of the model"));
+        return Ok(());
+    }
+    let transform = *parent * component.transform;
+    scene.place(object.name.as_deref(), &object.vertices, &object.triangles, &transform)?;
+    for component in &object.components {
+        place_object(parts, path, component, &transform, depth + 1, scene)?;
+    }
+    Ok(())
+}
+
+fn parse(xml: &[u8]) -> Result<PackagePart> {
+    let mut reader = Reader::from_reader(xml);
+    let mut part = PackagePart { unit: 1e-3, objects: HashMap::new(), items: Vec::new() };
+    let mut current: Option<(String, Object)> = None;
+    loop {
+        match reader.read_event().map_err(|error| FORMAT.syntax(error.to_string()))? {
+            Event::Start(element) | Event::Empty(element) => match element.local_name().as_ref() {
+                "model" => {
+                    refuse_required(&element)?;
+                    part.unit = unit(attribute(&element, "unit")?.as_deref())?;
+                }
+                "object" => {
+                    let id =
+                        attribute(&element, "id")?.ok_or_else(|| FORMAT.syntax("an object without id"))?;
+                    let [name, kind] = [attribute(&element, "name")?, attribute(&element, "type")?];
+                    refuse_element("object", &element, name.as_deref().unwrap_or(&id))?;
+                    current = Some((id, Object { name, kind, ..Object::default() }));
+                }
+                "item" => part.items.push(component(&element)?),
+                name => {
+                    if let Some((id, object)) = &mut current {
+                        refuse_element(name, &element, object.name.as_deref().unwrap_or(id))?;
+                        object.read(name, &element)?;
+                    }
+                }
+            },
+            Event::End(element) if element.local_name().as_ref() == "object" => {
+                part.objects.extend(current.take());
+            }
+            Event::Eof => break,
+            _ => {}
+        }
+    }
+    Ok(part)
+}
+
+impl Object {
+    /// Takes over what an element within an object states.
+    fn read(&mut self, name: &str, element: &BytesStart<'_>) -> Result<()> {
+        match name {
+            "vertex" => self.vertices.push(DVec3::from_array(numbers(element, ["x", "y", "z"])?)),
+            "triangle" => self.triangles.push(numbers(element, ["v1", "v2", "v3"])?),
+            "component" => self.components.push(component(element)?),
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+fn component(element: &BytesStart<'_>) -> Result<Component> {
+    let object = attribute(element, "objectid")?.ok_or_else(|| FORMAT.syntax("an item without objectid"))?;
+    let path = attribute(element, "path")?.map(|path| path.trim_start_matches('/').to_owned());
+    let transform =
+        attribute(element, "transform")?.map_or(Ok(DAffine3::IDENTITY), |text| transform(&text))?;
+    Ok(Component { path, object, transform })
+}
+
+/// Returns the affine map of twelve numbers: the images of the axes, then the translation.
+fn transform(text: &str) -> Result<DAffine3> {
+    let numbers: Vec<f64> = text.split_ascii_whitespace().map_while(|word| word.parse().ok()).collect();
+    let columns: [f64; 12] = numbers
+        .try_into()
+        .map_err(|_| FORMAT.syntax(format!("the transform {text:?}, expected 12 numbers")))?;
+    let [a, b, c, d] = [0, 3, 6, 9].map(|k| DVec3::new(columns[k], columns[k + 1], columns[k + 2]));
+    Ok(DAffine3::from_mat3_translation(DMat3::from_cols(a, b, c), d))
+}
+
+/// Returns an attribute by its name without its namespace.
+fn attribute(element: &BytesStart<'_>, name: &str) -> Result<Option<String>> {
+    for found in element.attributes() {
+        let found = found.map_err(|error| FORMAT.syntax(error.to_string()))?;
+        if found.key.local_name().as_ref() == name {
+            return Ok(Some(found.value.clone().into_owned()));
+        }
+    }
+    Ok(None)
+}
+
+fn numbers<T: std::str::FromStr + Copy, const N: usize>(
+    element: &BytesStart<'_>,
+    names: [&str; N],
+) -> Result<[T; N]> {
+    let mut found: [Option<T>; N] = [None; N];
+    for (number, name) in found.iter_mut().zip(names) {
+        *number = attribute(element, name)?.and_then(|text| text.trim().parse().ok());
+    }
+    let numbers: Vec<T> = found.into_iter().flatten().collect();
+    let position = names.join(", ");
+    numbers.try_into().map_err(|_| FORMAT.syntax(format!("an element without the numbers {position}")))
+}
+
+/// Returns the metres of a unit; millimetres if none is stated.
+fn unit(name: Option<&str>) -> Result<f64> {
+    Ok(match name {
+        None | Some("millimeter") => 1e-3,
+        Some("micron") => 1e-6,
+        Some("centimeter") => 1e-2,
+        Some("inch") => 0.0254,
+        Some("foot") => 0.3048,
+        Some("meter") => 1.0,
+        Some(other) => return Err(FORMAT.syntax(format!("the unit {other:?}"))),
+    })
+}

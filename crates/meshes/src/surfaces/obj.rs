@@ -1,0 +1,89 @@
+//! Wavefront OBJ.
+
+use crate::{MeshFormat, Soup};
+use glam::DVec3;
+use nurbs_hausdorff::Result;
+use std::borrow::Cow;
+use tobj::{LoadOptions, load_obj_buf};
+
+const FORMAT: MeshFormat = MeshFormat::Obj;
+
+/// The name that `tobj` gives to faces without an object or a group.
+const NAMELESS: &str = "unnamed_object";
+
+/// Reads the faces; lines and points are none, and are named with their number, as are surfaces by formulas.
+///
+/// # Errors
+/// [`nurbs_hausdorff::Error::MeshSyntax`].
+pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
+    let options = LoadOptions { triangulate: false, ..LoadOptions::default() };
+    // Materials do not change the shape.
+    let no_materials = |_: &std::path::Path| Ok((Vec::new(), Default::default()));
+    let mut soup = Soup::default();
+    let text = faces_alone(bytes, &mut soup);
+    let (models, _) = load_obj_buf(&mut std::io::Cursor::new(text.as_ref()), &options, no_materials)
+        .map_err(|error| FORMAT.syntax(error.to_string()))?;
+    for tobj::Model { mesh, name } in models {
+        soup.begin_group(Some(name).filter(|name| !name.is_empty() && name != NAMELESS));
+        let first = soup.vertices.len() as u32;
+        let positions = mesh.positions.chunks_exact(3);
+        soup.vertices.extend(positions.map(|point| DVec3::new(point[0], point[1], point[2])));
+        let mut indices = mesh.indices.iter().map(|&index| first.saturating_add(index));
+        let counts: Vec<u32> =
+            if mesh.face_arities.is_empty() { vec![3; mesh.indices.len() / 3] } else { mesh.face_arities };
+        for count in counts {
+            let corners: Vec<u32> = indices.by_ref().take(count as usize).collect();
+            soup.push_polygon(&corners, FORMAT)?;
+        }
+    }
+    Ok(soup)
+}
+
+/// Returns the text with continued lines joined, and without lines, points and what `tobj` takes for faces
+/// of them; these are noted.
+fn faces_alone<'a>(bytes: &'a [u8], soup: &mut Soup) -> Cow<'a, [u8]> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let text = joined(bytes);
+    let [mut lines, mut points, mut surfaces] = [0_usize; 3];
+    let mut kept = Vec::with_capacity(text.len());
+    for line in text.split_inclusive(|&byte| byte == b'\n') {
+        let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+        match words.next() {
+            Some(b"l") => lines += 1,
+            Some(b"p") => points += 1,
+            Some(b"surf") => surfaces += 1,
+            _ => kept.extend_from_slice(line),
+        }
+    }
+    if lines > 0 {
+        soup.note("l", format!("{lines} lines are no surface"));
+    }
+    if points > 0 {
+        soup.note("p", format!("{points} elements of points are no surface"));
+    }
+    if surfaces > 0 {
+        soup.skip("surf", format!("{surfaces} surfaces by formulas are not read"));
+    }
+    if lines + points + surfaces > 0 { Cow::Owned(kept) } else { text }
+}
+
+/// Returns the text with each line that ends with a backslash joined to the next one.
+fn joined(bytes: &[u8]) -> Cow<'_, [u8]> {
+    // A comment may end with the path of a folder.
+    let continued =
+        |line: &[u8]| line.trim_ascii_end().ends_with(b"\\") && !line.trim_ascii_start().starts_with(b"#");
+    if !bytes.split(|&byte| byte == b'\n').any(continued) {
+        return Cow::Borrowed(bytes);
+    }
+    let mut text = Vec::with_capacity(bytes.len());
+    for line in bytes.split_inclusive(|&byte| byte == b'\n') {
+        if continued(line) {
+            let line = line.trim_ascii_end();
+            text.extend_from_slice(&line[..line.len() - 1]);
+            text.push(b' ');
+        } else {
+            text.extend_from_slice(line);
+        }
+    }
+    Cow::Owned(text)
+}

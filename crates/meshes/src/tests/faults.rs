@@ -1,0 +1,171 @@
+//! Files of one fault each, as strangers write them.
+
+use super::*;
+use nurbs_hausdorff::{FaceId, Facets};
+
+fn points(text: impl AsRef<[u8]>) -> Vec<[f64; 3]> {
+    match MeshFile::read(text.as_ref(), MeshFormat::Text).unwrap().facets {
+        Facets::Cloud(cloud) => cloud.points().iter().map(|point| point.to_array()).collect(),
+        Facets::Mesh(mesh) => panic!("{mesh:?}"),
+    }
+}
+
+fn refusal(bytes: impl AsRef<[u8]>, format: MeshFormat) -> String {
+    MeshFile::read(bytes.as_ref(), format).unwrap_err().to_string()
+}
+
+/// The names of the parts that are noted.
+fn noted(file: &MeshFile) -> Vec<String> {
+    file.notes.iter().map(|note| note.face.to_string()).collect()
+}
+
+#[test]
+fn a_file_has_one_separator_and_one_decimal_mark() {
+    assert_eq!(points("x;y;z\n0,5;0;0\n1,5;0;0\n"), [[0.5, 0.0, 0.0], [1.5, 0.0, 0.0]]);
+    assert_eq!(points("0,5 0,25 -1\n1 2,5 3\n"), [[0.5, 0.25, -1.0], [1.0, 2.5, 3.0]]);
+    assert_eq!(points("0,5\t0\t1\n1,5\t0\t1\n"), [[0.5, 0.0, 1.0], [1.5, 0.0, 1.0]]);
+    assert_eq!(points("\"0,5\",\"1,5\",\"2,5\"\n"), [[0.5, 1.5, 2.5]]);
+    assert_eq!(points("1, 2, 3\n4, 5, 6\n"), [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+    assert_eq!(points("1;2;3;\"a, b\"\n"), [[1.0, 2.0, 3.0]]);
+    for (text, found) in [
+        ("1;2;3\n4,5,6\n", "line 2"),
+        ("0,5;1.5;2\n", "line 1"),
+        ("1.234,5;1;1\n", "line 1"),
+        ("x,y,z\n0,5,1,5,2,5\n", "6 values, expected 3"),
+        ("1,2,3\n1,2,3,4\n", "line 2: 4 values, expected 3"),
+        ("\"x\" \"y\" \"z\"\n\"1\" 5 6 7\n", "line 2: 4 values, expected 3"),
+        ("1 2 3\n1,5 2 3\n4.5 1 1\n", "line 3"),
+    ] {
+        let refusal = refusal(text, MeshFormat::Text);
+        assert!(refusal.contains(found), "{text:?}: {refusal}");
+    }
+}
+
+#[test]
+fn empty_cells_keep_their_columns() {
+    let text = "id,x,y,z,intensity\n1,10,20,30,99\n,11,21,31,98\n";
+    assert_eq!(points(text), [[10.0, 20.0, 30.0], [11.0, 21.0, 31.0]]);
+    assert!(refusal("x,y,z\n1,2,3\n1,,3\n", MeshFormat::Text).contains("line 3"));
+}
+
+#[test]
+fn names_of_columns_count_in_all_their_spellings() {
+    for names in [
+        "# id x y z",
+        "//id,X,Y,Z",
+        "# columns: id x y z",
+        "id;Easting;Northing;Elevation",
+        "id,X [m],Y [m],Z [m]",
+        "id,\"Points:0\",\"Points:1\",\"Points:2\"",
+        "id\tpos_x\tpos_y\tpos_z",
+    ] {
+        let mark = [';', ',', '\t'].into_iter().find(|mark| names.contains(*mark)).unwrap_or(' ');
+        let rows = "7 10 20 30\n8 11 21 31\n".replace(' ', &mark.to_string());
+        let expected = [[10.0, 20.0, 30.0], [11.0, 21.0, 31.0]];
+        assert_eq!(points(format!("{names}\n{rows}")), expected, "{names}");
+    }
+    assert_eq!(points("x,y,z,height\n1,2,3,4\n"), [[1.0, 2.0, 3.0]], "plain names come first");
+    // Prose of more words than columns, and names that are none.
+    assert_eq!(points("# a file with x y z of a scan\n1 2 3\n"), [[1.0, 2.0, 3.0]]);
+    assert!(refusal("lat,lon,depth\n1,2,3\n", MeshFormat::Text).contains("found the columns \"lat\""));
+    assert!(refusal("x,x,y,z\n1,2,3,4\n", MeshFormat::Text).contains("one each"));
+}
+
+#[test]
+fn a_unit_in_the_names_of_columns_is_that_of_the_points() {
+    let unit = |text: &str| MeshFile::read(text.as_bytes(), MeshFormat::Text).unwrap().unit;
+    assert_eq!(unit("X [mm],Y [mm],Z [mm]\n1,2,3\n"), Some(1e-3));
+    assert_eq!(unit("X [mm],Y [mm],Z [m]\n1,2,3\n"), None);
+    assert_eq!(unit("x,y,z\n1,2,3\n"), None);
+}
+
+#[test]
+fn labels_may_stand_in_the_first_column() {
+    assert_eq!(points("P1 1 2 3\nP2 4 5 6\n"), [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+    assert_eq!(points("P1,1,2,3\n17,4,5,6\n"), [[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]);
+    assert!(refusal("P1 1 2 3\n4 5 6\n", MeshFormat::Text).contains("line 2"));
+}
+
+#[test]
+fn marks_of_unicode_are_no_content() {
+    assert_eq!(points("\u{feff}x,y,z\n1,2,3\n"), [[1.0, 2.0, 3.0]]);
+    let utf16: Vec<u8> = "\u{feff}1\t2\t3\r\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    assert_eq!(points(utf16), [[1.0, 2.0, 3.0]]);
+    let file = MeshFile::read(b"\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", MeshFormat::Obj).unwrap();
+    assert!(matches!(file.facets, Facets::Mesh(_)));
+}
+
+#[test]
+fn scans_follow_each_other_in_pts() {
+    let text = "2\n0 0 0\n1 0 0\n2\n0 1 0\n0 0 1\n";
+    assert_eq!(points(text), [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    for (text, found) in [
+        ("2\n0 0 0\n1 0 0\n2\n0 1 0\n", "1 points, expected 2"),
+        ("1\n0 0 0\n1 0 0\n", "more points than the 1"),
+        ("0 0 0\n1\n0 0 0\n", "expected three coordinates"),
+    ] {
+        assert!(refusal(text, MeshFormat::Text).contains(found), "{text:?}");
+    }
+}
+
+#[test]
+fn words_of_stl_are_known_in_any_case() {
+    let text = String::from_utf8(text_stl()).unwrap().to_ascii_uppercase();
+    assert_eq!(read_mesh(text.as_bytes(), MeshFormat::Stl).0, tetrahedron());
+}
+
+#[test]
+fn bytes_after_the_last_triangle_are_noted() {
+    for header in [b"exported".as_slice(), b"solid of a binary file"] {
+        let bytes = [binary_stl(header), b"\n\n".to_vec()].concat();
+        assert_eq!(read_mesh(&bytes, MeshFormat::Stl).0, tetrahedron());
+        let file = MeshFile::read(&bytes, MeshFormat::Stl).unwrap();
+        assert!(file.notes[0].why.contains("2 bytes"), "{:?}", file.notes);
+    }
+    let short = &binary_stl(b"exported")[..200];
+    assert!(refusal(short, MeshFormat::Stl).contains("200 bytes, expected 284"));
+}
+
+#[test]
+fn lines_and_points_of_obj_are_no_surface() {
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nv 9 9 0\nf 1 2 3\nl 3 4 5\np 4 5 1\n";
+    let file = MeshFile::read(obj.as_bytes(), MeshFormat::Obj).unwrap();
+    assert_eq!((groups_of(&file), noted(&file)), (vec![1], vec!["l".to_owned(), "p".to_owned()]));
+    let formula = MeshFile::read(format!("{obj}surf 0 1 0 1 1 2 3 4\n").as_bytes(), MeshFormat::Obj).unwrap();
+    assert_eq!(formula.skipped[0].face, FaceId::Name("surf".to_owned()));
+    assert!(MeshFile::read(b"v 0 0 0\nv 1 0 0\nl 1 2\n", MeshFormat::Obj).is_err());
+}
+
+#[test]
+fn a_backslash_continues_a_line_of_obj() {
+    let obj = "# C:\\models\\\nv 0 0 \\\n 0\nv 2 0 0\r\nv 0 2 0\nf 1 \\\r\n2 3\n";
+    let file = MeshFile::read(obj.as_bytes(), MeshFormat::Obj).unwrap();
+    assert_eq!(groups_of(&file), [1]);
+}
+
+#[test]
+fn strips_of_ply_are_triangles() {
+    let head = "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z\n\
+                element tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+    let vertices = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n";
+    let read =
+        |strip: &str| match MeshFile::read(format!("{head}{vertices}{strip}\n").as_bytes(), MeshFormat::Ply)
+            .unwrap()
+            .facets
+        {
+            Facets::Mesh(mesh) => mesh.triangles().to_vec(),
+            Facets::Cloud(_) => panic!("a mesh"),
+        };
+    assert_eq!(read("4 0 1 2 3"), [[0, 1, 2], [2, 1, 3]]);
+    assert_eq!(read("8 0 1 2 3 -1 0 1 4"), [[0, 1, 2], [2, 1, 3], [0, 1, 4]]);
+}
+
+/// Faces may stand before their vertices.
+#[test]
+fn faces_of_ply_may_come_first() {
+    let ply = "ply\nformat ascii 1.0\nelement face 1\nproperty list int int vertex_indices\nelement vertex 4\n\
+               property float x\nproperty float y\nproperty float z\nend_header\n4 0 1 2 3\n0 0 0\n3 0 0\n1 1 0\n0 3 0\n";
+    let file = MeshFile::read(ply.as_bytes(), MeshFormat::Ply).unwrap();
+    let Facets::Mesh(mesh) = file.facets else { panic!("a mesh") };
+    assert_eq!(mesh.triangles().len(), 2);
+}
