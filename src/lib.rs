@@ -67,7 +67,7 @@
 //! `gpu`, on by default, is the kernels on WebGPU: without it, engines compute on the CPU. `shapes`, on by default, is the module [`shapes`]. `js` and `wasm` are for the wasm modules of the npm package:
 //! another crate for the web needs neither.
 //!
-//! Files are read by crates of their own, `nurbs-hausdorff-cad` and `nurbs-hausdorff-meshes`; `nurbs-hausdorff-reports`
+//! Files are read by crates of their own, `nurbs-hausdorff-cad` and `nurbs-hausdorff-meshes`; `nurbs-hausdorff-pictures`
 //! draws models in the colours of their deviation, and `nurbs-hausdorff-command` is the command.
 //!
 //! `internals` shows the remaining modules to the crate's own tests, benchmarks

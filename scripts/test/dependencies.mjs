@@ -12,16 +12,17 @@ function list(toml, name) {
   return [...array[1].matchAll(/"([^"]*)"/g)].map((match) => match[1]);
 }
 
+/** The expression with each licence that has an exception as one word. */
+const withExceptions = (expression) => expression.replaceAll(/\s+WITH\s+/g, "-WITH-");
+
 /** Whether an SPDX expression can be satisfied with the allowed licences. */
 export function isAllowed(expression, allowed) {
   // Cargo also accepts the older form with a slash for OR.
-  const tokens = expression
-    .replaceAll("/", " OR ")
-    .replaceAll(/\s+WITH\s+/g, "-WITH-")
-    .match(/[()]|[^()\s]+/g);
+  const tokens = withExceptions(expression.replaceAll("/", " OR ")).match(/[()]|[^()\s]+/g);
+  const known = allowed.map(withExceptions);
   let next = 0;
   const one = () => {
-    if (tokens[next] !== "(") return allowed.includes(tokens[next++]);
+    if (tokens[next] !== "(") return known.includes(tokens[next++]);
     next += 1;
     const inner = any();
     next += 1;

@@ -25,6 +25,7 @@ test("a licence that is not in the list is found", () => {
   ]) {
     assert.equal(isAllowed(expression, allowed), false, expression);
   }
+  assert.equal(isAllowed("MIT WITH LLVM-exception", ["MIT WITH LLVM-exception"]), true);
 });
 
 test("crates that are not accepted are found", () => {

@@ -84,12 +84,16 @@ test("error codes that documents cite are those of the package", () => {
   assert.deepEqual([...new Set(found)], []);
 });
 
-test("the table of folders names every folder and file of src", () => {
+test("the tables of folders name every folder and file of src, and every crate", () => {
   const table = textOf("ARCHITECTURE.md").split("## The folders of `src`")[1];
   const named = new Set([...table.matchAll(/`([\w.-]+)`/g)].map(([, name]) => name));
   const entries = readdirSync(inRoot("src")).map((name) => name.replace(/\.rs$/, ""));
   assert.deepEqual(
     entries.filter((name) => name !== "lib" && !named.has(name)),
+    [],
+  );
+  assert.deepEqual(
+    readdirSync(inRoot("crates")).filter((name) => !named.has(name)),
     [],
   );
 });

@@ -28,10 +28,10 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use grid::GridArguments;
 use motion::{Rotation, Translation};
-use nurbs_hausdorff::options::{Audit, Culling, Flatness, Projection, SamplingRule};
 use nurbs_hausdorff::{
     Backend, ClearanceOptions, DiffOptions, DistanceOptions, MethodName, NamedOptions, OverlapOptions,
     Precision, Result, RigidTransform, StatisticsOptions,
+    options::{Audit, Culling, Flatness, Projection, SamplingRule},
 };
 use score::{ScoreArguments, SummaryArguments};
 use serde::Deserialize;

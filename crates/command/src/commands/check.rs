@@ -12,7 +12,7 @@ use crate::reports::{Format, NO_PICTURES, Verdict, clash_figures, print_report};
 use nurbs_hausdorff::{
     BodyPair, CheckResult, CheckRules, Engine, Error, NamedModel, PairState, PreparedModel, checked_bodies,
 };
-use nurbs_hausdorff_reports::Clash;
+use nurbs_hausdorff_pictures::Clash;
 use std::cell::Cell;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,9 @@
 //! A result as text for people to read.
 
-use nurbs_hausdorff::result::{CertifiedDetails, HierarchyDetails, IterationDetails, Stop};
-use nurbs_hausdorff::{Details, DistanceResult, SurfacePoint};
+use nurbs_hausdorff::{
+    Details, DistanceResult, SurfacePoint,
+    result::{CertifiedDetails, HierarchyDetails, IterationDetails, Stop},
+};
 use std::fmt::{Result, Write};
 
 /// Returns the lines below the first. Bounds and points are printed to full precision, so that rounding

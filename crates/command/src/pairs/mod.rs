@@ -10,7 +10,7 @@ use crate::output::{json::print_json, print};
 use crate::reports::{Answer, Format, Outcome, Row, Rows, Verdict, figures, print_report};
 use earlier::Earlier;
 use nurbs_hausdorff::{Error, one_line};
-use nurbs_hausdorff_reports::PictureOptions;
+use nurbs_hausdorff_pictures::PictureOptions;
 use std::cell::Cell;
 use std::path::Path;
 

@@ -6,7 +6,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
-use nurbs_hausdorff_reports::{Clash, Figure, Picture, PictureOptions, Pictures, clash_pictures, pictures};
+use nurbs_hausdorff_pictures::{Clash, Figure, Picture, PictureOptions, Pictures, clash_pictures, pictures};
 use quick_xml::escape::escape;
 use std::fmt::Write as _;
 use std::io::Write as _;

@@ -10,8 +10,7 @@ use crate::output::print;
 use crate::output::progress::Bar;
 use crate::output::report::hint;
 use crate::reports::Verdict;
-use nurbs_hausdorff::result::Stop;
-use nurbs_hausdorff::{ClearanceResult, Engine, Overlap, OverlapUnknown, SurfacePoint};
+use nurbs_hausdorff::{ClearanceResult, Engine, Overlap, OverlapUnknown, SurfacePoint, result::Stop};
 use std::fmt::{Result, Write};
 
 /// Measures the clearance, prints it and returns the exit status.

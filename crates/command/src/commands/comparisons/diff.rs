@@ -10,10 +10,10 @@ use crate::output::progress::Bar;
 use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
 use nurbs_hausdorff::{
-    DiffOptions, DiffResult, Engine, FaceChange, FaceCounterpart, FaceDifference, FaceState,
+    DiffOptions, DiffResult, Engine, FaceChange, FaceCounterpart, FaceDifference, FaceState, FarthestPoint,
+    KnownDeviation,
 };
-use nurbs_hausdorff::{FarthestPoint, KnownDeviation};
-use nurbs_hausdorff_reports::PictureOptions;
+use nurbs_hausdorff_pictures::PictureOptions;
 use std::fmt::Write;
 
 /// The largest number of faces of one model and state that the table lists; JSON has all.

@@ -10,9 +10,11 @@ use crate::output::progress::Bar;
 use crate::output::report;
 use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
-use nurbs_hausdorff::{Backend, Details, DistanceOptions, DistanceResult, Engine, MethodName, SurfacePoint};
-use nurbs_hausdorff::{FarthestPoint, KnownDeviation};
-use nurbs_hausdorff_reports::PictureOptions;
+use nurbs_hausdorff::{
+    Backend, Details, DistanceOptions, DistanceResult, Engine, FarthestPoint, KnownDeviation, MethodName,
+    SurfacePoint,
+};
+use nurbs_hausdorff_pictures::PictureOptions;
 
 /// Computes and prints the distance, and returns the exit status.
 pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
