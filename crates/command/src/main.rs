@@ -15,8 +15,8 @@ mod reports;
 fn main() -> std::process::ExitCode {
     use arguments::Command;
     use commands::{
-        align, check, clearance, completions, convert, diff, distance, grid, info, overlap, score,
-        statistics, summary,
+        align, check, clearance, closest_points, completions, convert, diff, distance, gaps, grid, info,
+        overlap, score, statistics, summary,
     };
     let arguments = match arguments::usage::arguments() {
         Ok(arguments) => arguments,
@@ -27,12 +27,14 @@ fn main() -> std::process::ExitCode {
         Command::Convert(arguments) => convert::run(&arguments).map(|()| 0),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Clearance(arguments) => clearance::run(&arguments),
+        Command::Gaps(arguments) => gaps::run(&arguments),
         Command::Overlap(arguments) => overlap::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Statistics(arguments) => statistics::run(&arguments).map(|()| 0),
         Command::Score(arguments) => score::run(&arguments),
         Command::Summary(arguments) => summary::run(&arguments).map(|()| 0),
         Command::Align(arguments) => align::run(&arguments),
+        Command::ClosestPoints(arguments) => closest_points::run(&arguments).map(|()| 0),
         Command::Grid(arguments) => grid::run(&arguments).map(|()| 0),
         Command::Batch(arguments) => batch::run(&arguments),
         Command::Info(arguments) => info::run(&arguments).map(|()| 0),

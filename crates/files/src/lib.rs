@@ -86,6 +86,21 @@ pub fn read(bytes: Vec<u8>, name: &str, beside: &Beside) -> Result<Opened> {
     Ok(Opened { content: Content::Surfaces(model), prepared, report, kind: kind.name() })
 }
 
+/// Reads the bytes of a mesh, a scan or a cloud of points, as [`read`] does.
+///
+/// # Errors
+/// Those of [`MeshFormat::of_file`] and [`MeshFile::read_with`]; [`Error::FormatUnsupported`] for other files.
+pub fn read_facets(bytes: Vec<u8>, name: &str, beside: &Beside) -> Result<MeshFile> {
+    let (bytes, name) = inflated(bytes, name)?;
+    match MeshFormat::of_file(&bytes, name)? {
+        Some(format) => MeshFile::read_with(&bytes, format, beside),
+        None => Err(Error::FormatUnsupported {
+            found: "a file without a mesh or points",
+            advice: "expected a mesh, a scan, or text with three coordinates a line".to_owned(),
+        }),
+    }
+}
+
 /// Whether a STEP file may hold triangles, of whose entities' names all have this word.
 fn may_hold_triangles(bytes: &[u8]) -> bool {
     const WORD: &[u8] = b"TRIANGULATED";

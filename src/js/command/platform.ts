@@ -2,7 +2,7 @@ import { createRequire } from "node:module";
 
 /** What to do on a platform without a program. */
 export const advice =
-  "cargo install nurbs-hausdorff builds it; where npm was told to leave out optional packages, " +
+  "cargo install nurbs-hausdorff-command builds it; where npm was told to leave out optional packages, " +
   "install again with --include=optional";
 
 /** The native program in the package of this platform, which npm installs beside this one. */

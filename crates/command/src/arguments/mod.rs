@@ -16,8 +16,10 @@ macro_rules! named {
 pub(crate) mod align;
 pub(crate) mod by_hand;
 pub(crate) mod check;
+pub(crate) mod gaps;
 pub(crate) mod grid;
 pub(crate) mod motion;
+pub(crate) mod points;
 pub(crate) mod score;
 pub(crate) mod usage;
 
@@ -26,6 +28,7 @@ use align::AlignArguments;
 use check::CheckArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use gaps::GapsArguments;
 use grid::GridArguments;
 use motion::{Rotation, Translation};
 use nurbs_hausdorff::{
@@ -33,6 +36,7 @@ use nurbs_hausdorff::{
     Precision, Result, RigidTransform, StatisticsOptions,
     options::{Audit, Culling, Flatness, Projection, SamplingRule},
 };
+use points::ClosestPointsArguments;
 use score::{ScoreArguments, SummaryArguments};
 use serde::Deserialize;
 use std::path::PathBuf;
@@ -65,6 +69,10 @@ pub(crate) enum Command {
     /// is less or solids overlap, 2 for bad input, 3 if --limit was not decided or
     /// faces were left out.
     Clearance(ClearanceArguments),
+    /// Lists the pairs of faces of two models that come nearer than --below, each with its least distance.
+    ///
+    /// Exit status: 0 if all pairs were compared, 2 for bad input, 3 if a budget ended that or faces were left out.
+    Gaps(GapsArguments),
     /// Computes the volumes that two solids have in common and apart, each as an interval.
     ///
     /// Exit status: 0 if they were computed, 2 for bad input, 3 if a model has no volume or faces were
@@ -107,6 +115,12 @@ pub(crate) enum Command {
     /// Exit status: 0 if a fit was found or passes --limit, 1 if no motion of the box does, 2 for bad input, 3 if
     /// the best pose is no fit or --limit was not decided.
     Align(Box<AlignArguments>),
+    /// Measures points from a model: signed distances with their bounds, the feet and their faces.
+    ///
+    /// Signs are those of the solid, negative inside, where the model closes, else those of the faces' normals.
+    ///
+    /// Exit status: 0 if they were measured, 2 for bad input.
+    ClosestPoints(ClosestPointsArguments),
     /// Writes the signed distances of a solid on a grid of points, negative inside.
     ///
     /// What is left out of --origin, --spacing and --counts follows from the model's box. The file is

@@ -266,7 +266,11 @@ impl Batch<'_> {
                 let result = self.cpu.best_fit(models.0, models.1, options).monitored(monitor).wait()?;
                 of.answered(Verdict::of(judged(&result, options.zone.limit)), &Aligned::new(&result))
             }
-            // Nothing is judged by the next two.
+            // Nothing is judged by the next three.
+            Question::Gaps(options) => {
+                let result = self.cpu.gaps(models.0, models.1, options).monitored(monitor).wait()?;
+                of.answered(Verdict::Passed, &result)
+            }
             Question::Statistics(options) => {
                 let result = self.cpu.statistics(models.0, models.1, options).monitored(monitor).wait()?;
                 of.answered(Verdict::Passed, &result)

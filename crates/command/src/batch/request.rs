@@ -6,8 +6,8 @@ use crate::output::json::Asked;
 use crate::reports::Verdict;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::{
-    BestFitOptions, CheckOptions, ClearanceOptions, DiffOptions, DistanceOptions, Error, NamedOptions,
-    OverlapOptions, Result, RigidTransform, ScoreOptions, StatisticsOptions,
+    BestFitOptions, CheckOptions, ClearanceOptions, DiffOptions, DistanceOptions, Error, GapOptions,
+    NamedOptions, OverlapOptions, Result, RigidTransform, ScoreOptions, StatisticsOptions,
 };
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -37,6 +37,7 @@ pub(super) enum Question {
     Align(Box<BestFitOptions>),
     Statistics(StatisticsOptions),
     Overlap(OverlapOptions),
+    Gaps(GapOptions),
 }
 
 impl Question {
@@ -53,6 +54,7 @@ impl Question {
             // The result states the limit, by which nothing is judged.
             Self::Statistics(_) => ("statistics", None, None),
             Self::Overlap(_) => ("overlap", None, None),
+            Self::Gaps(_) => ("gaps", None, None),
         };
         let is_judged = match self {
             Self::Diff(_) | Self::Align(_) => true,
@@ -92,6 +94,7 @@ enum CommandName {
     Align,
     Statistics,
     Overlap,
+    Gaps,
     Check,
     Info,
 }
@@ -133,6 +136,7 @@ fn request(line: Line, max_seconds: Option<f64>) -> Result<Request> {
         CommandName::Score => |options| Ok(Question::Score(Box::new(options.placed()?))),
         CommandName::Statistics => |options| Ok(Question::Statistics(options.placed()?)),
         CommandName::Overlap => |options| Ok(Question::Overlap(options.placed()?)),
+        CommandName::Gaps => |options| Ok(Question::Gaps(options.placed()?)),
     };
     pair(line, max_seconds, question)
 }
@@ -252,7 +256,7 @@ macro_rules! impl_placed {
     )*};
 }
 
-impl_placed!(DiffOptions, ClearanceOptions, ScoreOptions, StatisticsOptions, OverlapOptions);
+impl_placed!(DiffOptions, ClearanceOptions, GapOptions, ScoreOptions, StatisticsOptions, OverlapOptions);
 
 fn no_files(command: &str, files: &str) -> Error {
     no_pair(format!("`{command}` has {files}, and neither `a`, `b`, their units nor `transform`"))

@@ -3,12 +3,10 @@
 use crate::arguments::ConvertArguments;
 use crate::failure::Failure;
 use crate::input::{CadReport, Input, STANDARD_STREAM, read};
+use crate::output::file::write_file;
 use crate::output::json::{OfFile, line};
 use crate::output::print;
 use std::fmt::Write as _;
-use std::fs::OpenOptions;
-use std::io::{ErrorKind, Write as _};
-use std::path::Path;
 
 /// Writes the model as interchange JSON, and prints the report on reading it: on standard
 /// error where standard output holds the model.
@@ -22,20 +20,8 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
         eprint!("{report}");
         return print(&json);
     }
-    write(&arguments.output, &json, arguments.overwrite)?;
+    write_file(&arguments.output, arguments.overwrite, |out| out.write_all(json.as_bytes()))?;
     print(&report)
-}
-
-/// Writes a file that is not there yet, or is to be replaced.
-fn write(path: &Path, text: &str, overwrite: bool) -> Result<(), Failure> {
-    let mut options = OpenOptions::new();
-    options.write(true).truncate(true).create(overwrite).create_new(!overwrite);
-    options.open(path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(|error| {
-        match error.kind() {
-            ErrorKind::AlreadyExists => Failure::Exists(path.to_owned()),
-            _ => Failure::File { path: path.to_owned(), error },
-        }
-    })
 }
 
 fn text(report: &CadReport) -> String {

@@ -3,6 +3,7 @@
 use crate::arguments::grid::GridArguments;
 use crate::failure::Failure;
 use crate::input::{Input, read};
+use crate::output::file::write_file;
 use crate::output::grid::GridFormat;
 use crate::output::json::{OfFile, print_json};
 use crate::output::print;
@@ -10,9 +11,6 @@ use crate::output::progress::Bar;
 use nurbs_hausdorff::{Engine, Error, Grid, Precision, ReadReport, SignedDistances, Skipped};
 use serde::Serialize;
 use std::fmt::Write as _;
-use std::fs::OpenOptions;
-use std::io::{BufWriter, ErrorKind, Write as _};
-use std::path::Path;
 
 /// Measures the signed distances, writes them and prints their grid.
 pub(crate) fn run(arguments: &GridArguments) -> Result<(), Failure> {
@@ -30,28 +28,13 @@ pub(crate) fn run(arguments: &GridArguments) -> Result<(), Failure> {
     let mut bar = Bar::new();
     let found = engine.signed_distances(&input.prepared, &options).monitored(&mut bar).wait()?;
     drop(bar);
-    write(&arguments.output, arguments.overwrite, format, &found)?;
+    write_file(&arguments.output, arguments.overwrite, |out| format.write(out, &found))?;
     let Input { report, source, .. } = input;
     if arguments.json {
         let ReadReport { skipped, .. } = &report.read;
         return print_json(&OfFile::new("grid", &Summary::new(&found, skipped), &source));
     }
     print(&text(&found))
-}
-
-/// Writes a file that is not there yet, or is to be replaced.
-fn write(path: &Path, overwrite: bool, format: GridFormat, found: &SignedDistances) -> Result<(), Failure> {
-    let mut options = OpenOptions::new();
-    options.write(true).truncate(true).create(overwrite).create_new(!overwrite);
-    let written = options.open(path).and_then(|file| {
-        let mut out = BufWriter::new(file);
-        format.write(&mut out, found)?;
-        out.flush()
-    });
-    written.map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => Failure::Exists(path.to_owned()),
-        _ => Failure::File { path: path.to_owned(), error },
-    })
 }
 
 /// The signed distances but for the values, which are in the file.

@@ -1,6 +1,7 @@
 //! The commands.
 
 pub(crate) mod check;
+pub(crate) mod closest_points;
 mod comparisons;
 pub(crate) mod completions;
 pub(crate) mod convert;
@@ -8,5 +9,5 @@ pub(crate) mod grid;
 pub(crate) mod info;
 mod scores;
 
-pub(crate) use comparisons::{align, clearance, diff, distance, overlap, statistics};
+pub(crate) use comparisons::{align, clearance, diff, distance, gaps, overlap, statistics};
 pub(crate) use scores::{score, summary};

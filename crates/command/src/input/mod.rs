@@ -6,7 +6,7 @@ mod rhino;
 use crate::arguments::{Unit, UnitsOfFiles};
 use crate::failure::Failure;
 pub(crate) use bytes::{STANDARD_STREAM, Source, hexadecimal};
-use nurbs_hausdorff::{Error, FaceId, Model, PreparedModel, ReadReport, Result, one_line};
+use nurbs_hausdorff::{Error, FaceId, Facets, Model, PreparedModel, ReadReport, Result, one_line};
 use nurbs_hausdorff_cad::inflated;
 use nurbs_hausdorff_files::{Content, Opened};
 use nurbs_hausdorff_meshes::Beside;
@@ -135,6 +135,30 @@ pub(crate) fn is_judged(a: &Input, b: &Input, allow_skipped: bool) -> bool {
 
 /// The reader of all files but 3DM, as the npm package calls it.
 const READER: &str = "built-in";
+
+/// The points of a file.
+pub(crate) struct Points {
+    /// x, y, z each.
+    pub(crate) coordinates: Vec<f64>,
+    pub(crate) source: Source,
+}
+
+/// Reads the points of a cloud, or the corners of a mesh, as [`read`] does.
+///
+/// # Errors
+/// Those of [`bytes::bytes`] and [`nurbs_hausdorff_files::read_facets`], with the path; [`Error::FormatUnsupported`] for
+/// other files.
+pub(crate) fn read_points(path: &Path) -> std::result::Result<Points, Failure> {
+    let failed = |error| Failure::Model { path: path.to_owned(), error };
+    let File { bytes, beside, source, .. } = File::open(path)?;
+    let file =
+        nurbs_hausdorff_files::read_facets(bytes, &path.display().to_string(), &beside).map_err(failed)?;
+    let points = match &file.facets {
+        Facets::Mesh(mesh) => mesh.vertices(),
+        Facets::Cloud(cloud) => cloud.points(),
+    };
+    Ok(Points { coordinates: points.iter().flat_map(|point| point.to_array()).collect(), source })
+}
 
 /// A report, with the kind of the file and its reader.
 #[derive(Serialize)]

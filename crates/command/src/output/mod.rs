@@ -2,6 +2,7 @@
 
 pub(crate) mod checked;
 pub(crate) mod digits;
+pub(crate) mod file;
 pub(crate) mod grid;
 pub(crate) mod headline;
 pub(crate) mod json;

@@ -4,5 +4,6 @@ pub(crate) mod align;
 pub(crate) mod clearance;
 pub(crate) mod diff;
 pub(crate) mod distance;
+pub(crate) mod gaps;
 pub(crate) mod overlap;
 pub(crate) mod statistics;

@@ -4,4 +4,5 @@ mod align;
 pub(crate) mod check;
 mod grid;
 pub(crate) mod overlap;
+mod points;
 mod score;

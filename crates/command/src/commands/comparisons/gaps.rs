@@ -1,0 +1,53 @@
+//! The command `gaps`.
+
+use crate::arguments::gaps::GapsArguments;
+use crate::failure::Failure;
+use crate::input::{Input, is_judged, read_both};
+use crate::output::digits::{bounded, number};
+use crate::output::headline::place;
+use crate::output::json::{Asked, OfFiles, print_json};
+use crate::output::print;
+use crate::output::progress::Bar;
+use crate::output::report::hint;
+use crate::reports::Verdict;
+use nurbs_hausdorff::{Engine, FaceGap, GapsResult};
+use std::fmt::{Result, Write};
+
+/// Finds the pairs of faces, prints them and returns the exit status.
+pub(crate) fn run(arguments: &GapsArguments) -> std::result::Result<u8, Failure> {
+    let options = arguments.options()?;
+    options.validate()?;
+    let [a, b] = read_both([&arguments.a, &arguments.b], arguments.placement.units)?;
+    let engine = Engine::cpu();
+    let mut bar = Bar::new();
+    let result = engine.gaps(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
+    drop(bar);
+    let is_known = is_judged(&a, &b, arguments.allow_skipped) && result.complete;
+    if arguments.json {
+        let asked = Asked { command: "gaps", verdict: None, limit: None, symmetric: None };
+        print_json(&OfFiles::new(asked, &result, &a, &b))?;
+    } else {
+        let mut text = String::new();
+        // Writing to a string does not fail.
+        let _ = lines(&mut text, &result, [&a, &b]);
+        print(&text)?;
+    }
+    Ok(if is_known { Verdict::Passed } else { Verdict::Undecided }.status())
+}
+
+fn lines(out: &mut String, result: &GapsResult, [a, b]: [&Input; 2]) -> Result {
+    let what = if result.complete { "" } else { ", of those that were compared before a budget ended it" };
+    let count = match result.pairs.len() {
+        0 => "no faces come".to_owned(),
+        1 => "1 pair of faces comes".to_owned(),
+        count => format!("{count} pairs of faces come"),
+    };
+    writeln!(out, "{count} nearer than {}{what}", number(result.below))?;
+    for FaceGap { lower, upper, witness, .. } in &result.pairs {
+        let [of_a, of_b] = [(&witness.a, a, " of A"), (&witness.b, b, " of B")]
+            .map(|(point, input, of)| place(point, input, of, result.diagonal));
+        writeln!(out, "{} between {of_a} and {of_b}", bounded(*upper, [*lower, *upper]))?;
+    }
+    hint(out, result.hint.as_deref())?;
+    writeln!(out, "seconds    {:.3} prepare, {:.3} solve", result.seconds.prepare, result.seconds.solve)
+}

@@ -1,0 +1,85 @@
+//! The commands `closest-points` and `gaps`.
+
+use super::overlap::cuboid;
+use crate::commands::{file, plane, printed, run, status};
+use nurbs_hausdorff::shapes::shape;
+use serde_json::Value;
+use std::path::PathBuf;
+
+/// The catalogue's sphere of radius 2 about the origin, and points at these distances from its middle.
+const FROM_THE_MIDDLE: [f64; 3] = [0.5, 2.25, 5.0];
+
+fn ball_and_points(test: &str) -> [String; 2] {
+    let ball = file(&format!("{test}.json"), &shape("sphere").unwrap().to_json().unwrap());
+    let points: String = FROM_THE_MIDDLE.iter().map(|x| format!("{x} 0 0\n")).collect();
+    [ball, file(&format!("{test}.xyz"), &points)]
+}
+
+fn text(arguments: &[&str]) -> (i32, String) {
+    let output = run(arguments);
+    (status(&output), String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+#[test]
+fn points_have_signed_distances_from_a_solid() {
+    let [ball, points] = ball_and_points("closest-points");
+    let found = printed(&run(&["closest-points", &ball, &points, "--json"]));
+    assert_eq!((&found["command"], &found["signs"]), (&Value::from("closest-points"), &Value::from("solid")));
+    for (index, from_the_middle) in FROM_THE_MIDDLE.iter().enumerate() {
+        let number = |list: &str| found[list][index].as_f64().unwrap();
+        let signed = from_the_middle - 2.0;
+        assert!((number("distances") - signed.abs()).abs() <= number("bounds"), "{found}");
+        assert!((number("signed") - signed).abs() <= number("bounds"), "{found}");
+        assert!((found["feet"][3 * index].as_f64().unwrap() - 2.0).abs() < 1e-6, "{found}");
+    }
+    let (ended, lines) = text(&["closest-points", &ball, &points]);
+    assert_eq!(ended, 0);
+    assert!(lines.starts_with("farthest   3 (") && lines.contains("of point 2, at 5.0 0.0 0.0"), "{lines}");
+    assert!(lines.contains("points     3, 1 inside the solid, 0 without a sign"), "{lines}");
+}
+
+#[test]
+fn points_are_moved_and_written_with_all_digits() {
+    let [ball, points] = ball_and_points("closest-points-csv");
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("closest-points.csv");
+    let _ = std::fs::remove_file(&path);
+    let arguments =
+        ["closest-points", &ball, &points, "--translate", "1,0,0", "--output", path.to_str().unwrap()];
+    assert_eq!(status(&run(&arguments)), 0);
+    let written = std::fs::read_to_string(&path).unwrap();
+    let mut lines = written.lines();
+    assert_eq!(lines.next(), Some("x,y,z,signed,distance,bound,footX,footY,footZ,face,u,v"));
+    for (line, from_the_middle) in lines.by_ref().zip(FROM_THE_MIDDLE) {
+        let numbers: Vec<f64> = line.split(',').map(|number| number.parse().unwrap()).collect();
+        assert_eq!(numbers[0], from_the_middle, "a point is written as it is given");
+        assert!((numbers[3] - (from_the_middle - 1.0)).abs() <= numbers[5], "{line}");
+    }
+    assert_eq!(lines.next(), None);
+    // A file that is there is kept.
+    assert_eq!(status(&run(&arguments)), 2);
+    assert_eq!(status(&run(&[&arguments[..], &["--overwrite"]].concat())), 0);
+    // A model of surfaces is no file of points.
+    let refused = run(&["closest-points", &ball, &ball]);
+    assert_eq!(status(&refused), 2);
+    assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error[FORMAT_UNSUPPORTED]"));
+}
+
+#[test]
+fn gaps_are_the_pairs_of_faces_that_come_near() {
+    let [low, high] =
+        [0.0, 3.0].map(|height| file(&format!("gaps-{height}.json"), &plane(height).to_string()));
+    let found = printed(&run(&["gaps", &low, &high, "--below", "3.5", "--json"]));
+    assert_eq!((&found["command"], &found["complete"]), (&Value::from("gaps"), &Value::from(true)));
+    let [pair] = found["pairs"].as_array().unwrap().as_slice() else { panic!("{found}") };
+    let end = |name: &str| pair[name].as_f64().unwrap();
+    assert!(end("lower") <= 3.0 && 3.0 <= end("upper") && end("upper") - end("lower") < 1e-4, "{pair}");
+    let (ended, lines) = text(&["gaps", &low, &high, "--below", "3.5"]);
+    assert_eq!(ended, 0);
+    assert!(lines.starts_with("1 pair of faces comes nearer than 3.5\n3 ("), "{lines}");
+    let (ended, lines) = text(&["gaps", &low, &high, "--below", "2.5"]);
+    assert!(ended == 0 && lines.starts_with("no faces come nearer than 2.5\n"), "{lines}");
+    // Each pair of faces of a mesh is not compared.
+    let mesh = cuboid("gaps.off", [1.0; 3]);
+    assert_eq!(text(&["gaps", &low, &mesh, "--below", "1"]).0, 2);
+    assert_eq!(text(&["gaps", &low, &high, "--below=-1"]).0, 2);
+}
