@@ -94,9 +94,9 @@ impl Region {
 ///
 /// Guarantee: `lower <= d(point, target) <= upper`, and `upper - lower <= gap`
 /// up to rounding, unless the point is so evenly near to many points that
-/// [`MAX_SUB_PATCHES`] do not separate them. The search is best first: it
+/// `MAX_SUB_PATCHES` do not separate them. The search is best first: it
 /// examines boxes of the tree, then patches, bounded by their own boxes, by a plane and
-/// by a [`SquaredDistance`], then halves of patches, in the order of their lower
+/// by a `SquaredDistance`, then halves of patches, in the order of their lower
 /// bounds. O(log patches) in general position.
 #[must_use]
 pub fn closest(target: &Target, point: DVec3, gap: f64) -> Option<Closest> {

@@ -54,7 +54,7 @@ pub struct Triangles {
 /// A map; without triangles its vertices are the points of a cloud.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Map {
-    /// The vertices, in the model's own coordinates unless the map was [placed](Self::placed).
+    /// The vertices, in the model's own coordinates unless the map was placed.
     pub vertices: Vec<Vertex>,
     /// The signed deviation, NaN without a sign, and the distance of each vertex, in the unit of a result.
     pub values: Vec<[f64; 2]>,

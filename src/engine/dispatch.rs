@@ -183,24 +183,25 @@ impl Engine {
         loop {
             let device = self.gpu_for(options.backend)?;
             let gpu = device.as_ref().filter(|_| in_range);
-            // Method certified asks for its turn when its cells are many enough.
-            let turn = match gpu.filter(|_| method != MethodName::Certified) {
-                Some(gpu) => Some(gpu.turn().await),
-                None => None,
-            };
-            let run = match &options.method {
-                Method::Certified(budgets) if direction.is_of_facets() => {
-                    direction.between_facets(options, budgets, progress).await
+            let run = {
+                // Method certified asks for its turn when its cells are many enough.
+                let _turn = match gpu.filter(|_| method != MethodName::Certified) {
+                    Some(gpu) => Some(gpu.turn().await),
+                    None => None,
+                };
+                match &options.method {
+                    Method::Certified(budgets) if direction.is_of_facets() => {
+                        direction.between_facets(options, budgets, progress).await
+                    }
+                    Method::Certified(budgets) => {
+                        // A software adapter is about as fast as float64, which needs no set-up.
+                        let helps = |gpu: &&Arc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
+                        direction.certified(gpu.filter(helps), options, budgets, progress).await
+                    }
+                    Method::Iteration(own) => direction.iteration(gpu, options, own, progress).await,
+                    Method::Hierarchy(own) => direction.hierarchy(gpu, options, own, progress).await,
                 }
-                Method::Certified(budgets) => {
-                    // A software adapter is about as fast as float64, which needs no set-up.
-                    let helps = |gpu: &&Arc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
-                    direction.certified(gpu.filter(helps), options, budgets, progress).await
-                }
-                Method::Iteration(own) => direction.iteration(gpu, options, own, progress).await,
-                Method::Hierarchy(own) => direction.hierarchy(gpu, options, own, progress).await,
             };
-            drop(turn);
             match run {
                 Err(Error::DeviceLost { found }) => match &device {
                     Some(lost) => self.replace(lost, &found, options.backend).await?,

@@ -157,7 +157,7 @@ fn for_each(count: usize, work: &(dyn Fn(usize) + Sync)) {
 /// A listener that is called with each result and its index, in order.
 pub type Watch<'a, T> = Option<&'a mut dyn FnMut(usize, &T)>;
 
-/// Maps as [`map`] does; with a listener on the calling thread alone, since what it draws is wanted in order.
+/// Maps on all cores; with a listener on the calling thread alone, since what it draws is wanted in order.
 pub fn map_watched<T: Send>(
     count: usize,
     work: impl Fn(usize) -> T + Sync + Send,

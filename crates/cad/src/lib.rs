@@ -1,11 +1,10 @@
-//! The readers of boundary representations.
+//! The readers of CAD files: STEP, IGES, the BREP text of OpenCASCADE and FreeCAD's documents, as models of
+//! [`nurbs_hausdorff`] with the account of what was read.
 //!
-//! The stages: [`text`], the text of OpenCASCADE's BREP files, [`step`] and [`iges`] each read a
-//! format into the curves, surfaces and shapes of a [`topology`]; [`nurbs`] evaluates them and
-//! makes exact NURBS of them; [`faces`]
-//! turns a face into a surface and closed loops in its parameters, with [`gap`] bounding
-//! their distance from the edges; [`assembly`] collects the faces and their placements;
-//! [`file`] recognises files by their content, and names [`foreign`] ones; `archive` opens those within others.
+//! The stages: `text`, `step` and `iges` each read a format into the curves, surfaces and shapes of a `topology`;
+//! `nurbs` evaluates them and makes exact NURBS of them; `faces` turns a face into a surface and closed loops in its
+//! parameters, with `gap` bounding their distance from the edges; `instances` collects the faces and their placements;
+//! `file` recognises files by their content, and names foreign ones; `archive` opens those within others.
 
 #[cfg(feature = "archives")]
 mod archive;

@@ -11,6 +11,9 @@
 //! # }
 //! ```
 
+// Prepared models hold types of wgpu, nested deeper than 128.
+#![recursion_limit = "256"]
+
 mod bytes;
 
 pub use bytes::{bounded, bytes, bytes_beside};

@@ -6,8 +6,8 @@
 //! distance, and is marked.
 //!
 //! ```
-//! use nurbs_hausdorff::pictures::{PictureOptions, KnownDeviation, pictures};
-//! use nurbs_hausdorff::{PreparedModel, shapes};
+//! use nurbs_hausdorff::{KnownDeviation, PreparedModel, shapes};
+//! use nurbs_hausdorff_pictures::{PictureOptions, pictures};
 //!
 //! let [a, b] = [shapes::shape("sphere")?, shapes::shape("torus")?].map(|model| PreparedModel::new(&model));
 //! let options = PictureOptions { a: Some(KnownDeviation::default()), ..PictureOptions::default() };
@@ -16,6 +16,9 @@
 //! assert_eq!(shown.figures[0].pictures.len(), 2);
 //! # nurbs_hausdorff::Result::Ok(())
 //! ```
+
+// Prepared models hold types of wgpu, nested deeper than 128.
+#![recursion_limit = "256"]
 
 mod camera;
 mod clash;

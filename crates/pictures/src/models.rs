@@ -12,7 +12,7 @@ use nurbs_hausdorff::{Error, PreparedModel};
 /// O(points log patches) in general position.
 ///
 /// # Errors
-/// [`Error::UnitsDiffer`]; those of [`Engine::deviation_maps`] and of `deflate`.
+/// [`Error::UnitsDiffer`]; those of [`nurbs_hausdorff::Engine::deviation_maps`] and of `deflate`.
 pub fn pictures<E: From<Error>>(
     a: &PreparedModel,
     b: &PreparedModel,

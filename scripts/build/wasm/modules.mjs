@@ -26,10 +26,13 @@ export const modules = [
 
 export const wasm32 = ["--target", "wasm32-unknown-unknown", "--no-default-features"];
 
-/** The choice of the crates of some modules, with their exports, for cargo. */
+/**
+ * The choice of the crates of some modules, with their exports, for cargo. Features are named alone: `crate/feature`
+ * would be one of the crate's dependency on itself, by which its tests see more of it.
+ */
 export const chosen = (some) => [
-  ...new Set(some.flatMap(({ crate }) => `--package=${crate}`)),
-  `--features=${some.map(({ crate, feature }) => `${crate}/${feature}`).join()}`,
+  ...new Set(some.map(({ crate }) => `--package=${crate}`)),
+  `--features=${[...new Set(some.map(({ feature }) => feature))].join()}`,
 ];
 
 /** The file that cargo makes of a module's crate in a profile. */

@@ -4,7 +4,7 @@ use crate::limits::MAX_ORDER;
 use std::f64::consts::PI;
 
 /// Returns the values at `t` in [0, 1] of the Bernstein polynomials of a degree below
-/// [`MAX_ORDER`], in the first degree + 1 entries. O(degree²).
+/// `MAX_ORDER`, in the first degree + 1 entries. O(degree²).
 #[must_use]
 pub fn bernstein(degree: usize, t: f64) -> [f64; MAX_ORDER] {
     let mut values = [0.0; MAX_ORDER];
@@ -28,7 +28,7 @@ pub struct Interpolation {
 impl Interpolation {
     /// Inverts the matrix by Gauss-Jordan elimination without pivoting, which is accurate as
     /// the matrix is totally positive (C. de Boor, A. Pinkus, *Backward error analysis for
-    /// totally positive linear systems*). The degree is at least 1 and below [`MAX_ORDER`].
+    /// totally positive linear systems*). The degree is at least 1 and below `MAX_ORDER`.
     /// O(degree³).
     #[must_use]
     pub fn new(degree: usize) -> Self {

@@ -109,7 +109,9 @@ fn lines(out: &mut String, points: &[f64], found: &ClosestPoints) -> std::fmt::R
     end("farthest  ", indices.clone().max_by(order))?;
     end("nearest   ", indices.min_by(order))?;
     let negative = found.signed.iter().filter(|signed| **signed < 0.0).count();
-    let undecided = found.signed.iter().filter(|signed| !(**signed > 0.0 || **signed < 0.0)).count();
+    // A sign that is not decided is that of 0 or of NaN.
+    let decided = found.signed.iter().filter(|signed| signed.abs() > 0.0).count();
+    let undecided = found.signed.len() - decided;
     let side = match found.signs {
         Signs::Solid => "inside the solid",
         _ => "behind the faces",

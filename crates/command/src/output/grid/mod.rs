@@ -35,7 +35,7 @@ impl GridFormat {
     ///
     /// # Errors
     /// Those of the file.
-    pub(crate) fn write(self, out: &mut impl Write, distances: &SignedDistances) -> Result<()> {
+    pub(crate) fn write(self, out: &mut dyn Write, distances: &SignedDistances) -> Result<()> {
         match self {
             Self::Npy => npy::write(out, distances),
             Self::Nrrd => nrrd::write(out, distances),
@@ -50,7 +50,7 @@ fn size(distances: &SignedDistances) -> usize {
 }
 
 /// Writes the values, x fastest, with the lowest byte of each first.
-fn write_values(out: &mut impl Write, distances: &SignedDistances) -> Result<()> {
+fn write_values(out: &mut dyn Write, distances: &SignedDistances) -> Result<()> {
     let is_short = distances.precision == Precision::Float32;
     for &value in &distances.values {
         if is_short {

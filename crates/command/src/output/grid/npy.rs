@@ -11,7 +11,7 @@ const BEFORE_HEADER: usize = 10;
 const ALIGNMENT: usize = 64;
 
 /// Writes an array of shape x, y, z in Fortran's order.
-pub(super) fn write(out: &mut impl Write, distances: &SignedDistances) -> Result<()> {
+pub(super) fn write(out: &mut dyn Write, distances: &SignedDistances) -> Result<()> {
     let [x, y, z] = distances.grid.counts;
     let mut header =
         format!("{{'descr': '<f{}', 'fortran_order': True, 'shape': ({x}, {y}, {z}), }}", size(distances));

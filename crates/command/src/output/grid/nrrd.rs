@@ -5,7 +5,7 @@ use nurbs_hausdorff::{Grid, SignedDistances};
 use std::io::{Result, Write};
 
 /// Writes the values as raw bytes, at the nodes of the grid.
-pub(super) fn write(out: &mut impl Write, distances: &SignedDistances) -> Result<()> {
+pub(super) fn write(out: &mut dyn Write, distances: &SignedDistances) -> Result<()> {
     let Grid { origin: [x, y, z], spacing, counts: [width, depth, height], .. } = distances.grid;
     let kind = if size(distances) == 4 { "float" } else { "double" };
     write!(

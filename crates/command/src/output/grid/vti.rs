@@ -5,7 +5,7 @@ use nurbs_hausdorff::{Grid, SignedDistances};
 use std::io::{Result, Write};
 
 /// Writes the values as point data of the name `distance`, with lengths of 64 bits.
-pub(super) fn write(out: &mut impl Write, distances: &SignedDistances) -> Result<()> {
+pub(super) fn write(out: &mut dyn Write, distances: &SignedDistances) -> Result<()> {
     let Grid { origin: [x, y, z], spacing, counts, .. } = distances.grid;
     let [i, j, k] = counts.map(|count| count - 1);
     let extent = format!("0 {i} 0 {j} 0 {k}");
