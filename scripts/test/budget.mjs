@@ -5,15 +5,14 @@ import { small } from "../build/wasm/small.mjs";
 import { Failure, say } from "../process.mjs";
 
 /**
- * The largest sizes, in KiB: of the core what is promised, of the others with about 2 % of room. The core
- * has what every use needs: cutting trimmed faces
- * and the proof of every cut, as interchange JSON has them too; the bounds; sides of points, signs, clearances
- * and gaps of solids; distances, fields and comparisons of meshes and points. The readers of CAD files are
- * fetched when a first one comes, those of meshes, with archives and XML, when a mesh comes, and those
- * of scans when a scan comes.
+ * The largest sizes, in KiB, with about 2 % of room. The core has all that is measured. Without best fits, statistics,
+ * scores, volumes in common, checks of bodies and maps it would have 802 KiB gzipped; fetched later, they would need the
+ * rest of the core once more beside them, and each model prepared twice: who measures one of them would fetch
+ * 1,850 KiB (benches/RESULTS.md). The readers of CAD files are fetched when a first one comes, those of meshes, with
+ * archives and XML, when a mesh comes, and those of scans when a scan comes.
  */
 const budgets = {
-  nurbs_hausdorff: { plain: 2000, gzipped: 800 },
+  nurbs_hausdorff: { plain: 2540, gzipped: 1070 },
   nurbs_hausdorff_readers: { plain: 973, gzipped: 420 },
   nurbs_hausdorff_meshes: { plain: 679, gzipped: 298 },
   nurbs_hausdorff_scans: { plain: 387, gzipped: 156 },
