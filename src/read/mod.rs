@@ -1,6 +1,6 @@
 //! The way from the faces that a reader made of a file to a model, and the account of it.
 //!
-//! Readers, here and in JavaScript, make [`Assembled`]; [`validation`] makes a model of it, without the
+//! Readers, in crates of their own and in JavaScript, make [`Assembled`]; [`validation`] makes a model of it, without the
 //! faces that the model refuses; [`transfer`] carries it from the wasm module of the readers to
 //! that of the core.
 
