@@ -78,8 +78,11 @@ fn gaps_are_the_pairs_of_faces_that_come_near() {
     assert!(lines.starts_with("1 pair of faces comes nearer than 3.5\n3 ("), "{lines}");
     let (ended, lines) = text(&["gaps", &low, &high, "--below", "2.5"]);
     assert!(ended == 0 && lines.starts_with("no faces come nearer than 2.5\n"), "{lines}");
-    // Each pair of faces of a mesh is not compared.
+    // A mesh is one face; from 0 to 1 along each axis, it meets the plane at 0. A cloud has no faces.
     let mesh = cuboid("gaps.off", [1.0; 3]);
-    assert_eq!(text(&["gaps", &low, &mesh, "--below", "1"]).0, 2);
+    let (ended, lines) = text(&["gaps", &low, &mesh, "--below", "1"]);
+    assert!(ended == 0 && lines.starts_with("1 pair of faces comes nearer than 1\n0 ("), "{lines}");
+    let cloud = file("gaps.xyz", "0 0 0\n1 0 0\n");
+    assert_eq!(text(&["gaps", &low, &cloud, "--below", "1"]).0, 2);
     assert_eq!(text(&["gaps", &low, &high, "--below=-1"]).0, 2);
 }
