@@ -111,6 +111,7 @@ mod gpu;
 #[path = "gpu_absent.rs"]
 mod gpu;
 mod hierarchy;
+mod interval;
 mod iteration;
 mod limits;
 mod model;
@@ -195,9 +196,10 @@ pub use engine::{
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};
-pub use facts::{Facts, Interval, Orientation, VolumeUnknown};
+pub use facts::{Facts, Orientation, VolumeUnknown};
 /// The vectors and rotations of points, models and transforms.
 pub use glam::{DQuat, DVec2, DVec3};
+pub use interval::Interval;
 pub use model::{
     Face, InstanceArrays, Model, ModelArrays, NurbsSurface, RigidTransform, SurfaceArrays, face_path,
 };

@@ -4,6 +4,7 @@
 mod basis;
 mod bounds;
 mod extraction;
+mod grid_cells;
 mod patch;
 
 pub use crate::limits::MAX_ORDER;
@@ -16,6 +17,7 @@ pub(crate) use bounds::{BEYOND, MAX_DEGREES, SeamJumps};
 pub use bounds::{DerivativeBounds, LocalDerivativeBounds, OrientedBox, PointError};
 pub use extraction::{BezierModel, PatchGrid, extract};
 pub(crate) use extraction::{center_grid, power_of_two_below, snapped, without_removable_knots};
+pub(crate) use grid_cells::{cell_pieces, uniform};
 #[cfg(all(test, not(target_arch = "wasm32")))]
 pub(crate) use patch::quarter_of_cylinder;
 pub(crate) use patch::{HomogeneousTangents, normal, relative};

@@ -2,7 +2,7 @@
 
 use super::{Carrier, Kind, MAX_CONTROLS};
 use crate::bezier::{BezierModel, Patch, extract};
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::model::{Model, NurbsSurface};
 use crate::rounding::{gamma, lower_min, unit, upper_max};
 use glam::{DVec3, Vec4Swizzles};

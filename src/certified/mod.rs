@@ -39,7 +39,7 @@ pub(crate) use generatrix::Generatrix;
 pub(crate) use near_copies::blocks::Block;
 pub(crate) use nearest::Foot;
 pub(crate) use operand::{Operand, Pair};
-pub(crate) use search::{BatchResult, BranchAndBound, Domain, Gains, Interval, Limit, SearchNode};
+pub(crate) use search::{BatchResult, BranchAndBound, Domain, Gains, SearchNode};
 
 pub(crate) use sheets::{SheetCache, Sheets};
 pub(crate) use spread::{CellSpread, Density, SpreadStart, Spreads};
@@ -47,4 +47,3 @@ pub(crate) use spread::{CellSpread, Density, SpreadStart, Spreads};
 pub use audit::{Audit, AuditReport, Lemma, Lemmas};
 #[cfg(feature = "internals")]
 pub use bounds::Quadratic;
-pub use search::Stop;

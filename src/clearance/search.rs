@@ -10,7 +10,7 @@ use super::hull::{HullDistance, hull_distance};
 use super::newton::{Pairing, PatchPair};
 use super::piece::Pieces;
 use crate::bvh::{Aabb, Node};
-use crate::certified::{Interval, Stop};
+use crate::interval::{Interval, Stop};
 use crate::model::RigidTransform;
 use crate::rounding::lower_min;
 use crate::sorting::ordered_by;

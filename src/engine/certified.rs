@@ -4,10 +4,11 @@ use super::options::CertifiedOptions;
 use super::result::DirectedResult;
 use super::{Backend, CertifiedDetails, Details, DistanceOptions, PreparedModel, Stop};
 use crate::certified::{
-    AuditReport, BranchAndBound, Gains, Generatrix, Interval, Lemma, Limit, Pair, Refutation, audit_whole,
+    AuditReport, BranchAndBound, Gains, Generatrix, Lemma, Pair, Refutation, audit_whole,
 };
 use crate::error::{Error, Result};
 use crate::gpu::{Gpu, GpuCertified, Turn};
+use crate::interval::{Interval, Limit};
 use crate::progress::Progress;
 use crate::surface_point::SurfacePoint;
 use glam::DVec3;

@@ -7,9 +7,10 @@ use super::{
     DistanceOptions, DistanceResult, PatchCounts, PreparedModel, Processor, Seconds, Statistics, Stop,
     WithGaps, Witness,
 };
-use crate::certified::{Interval, Pair};
+use crate::certified::Pair;
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::progress::Progress;
 use glam::DVec3;

@@ -1,6 +1,7 @@
 //! What is known of a body, or of a model.
 
-use super::{AboutCentroid, Interval, Mass, Matrix};
+use super::{AboutCentroid, Mass, Matrix};
+use crate::interval::Interval;
 use serde::Serialize;
 
 /// How the faces of a body are oriented in its source: by their normals, or the order of corners.

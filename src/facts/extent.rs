@@ -1,8 +1,8 @@
 //! The largest coordinate of patches along a direction.
 
-use super::Interval;
 use crate::axis::Axis;
 use crate::bezier::Patch;
+use crate::interval::Interval;
 use crate::rounding::{gamma, upper_max};
 use crate::sorting::ordered_by;
 use glam::{DVec3, Vec4Swizzles};

@@ -1,8 +1,9 @@
 //! Volume, centroid and inertia from moments.
 
+use super::Matrix;
 use super::moments::IntervalMoments;
 use super::principal::Principal;
-use super::{Interval, Matrix};
+use crate::interval::Interval;
 use glam::DVec3;
 
 /// The mass properties of a set of density 1.

@@ -7,7 +7,6 @@
 
 mod body;
 mod extent;
-mod interval;
 mod mass;
 mod moments;
 mod nodes;
@@ -15,9 +14,9 @@ mod patch;
 mod principal;
 mod triangle;
 
+use crate::interval::Interval;
 pub use body::{Facts, Orientation, VolumeUnknown};
 pub(crate) use extent::{largest, largest_of_points};
-pub use interval::Interval;
 pub(crate) use mass::{AboutCentroid, Mass};
 pub(crate) use moments::{IntervalMoments, Moments, shifted};
 pub(crate) use patch::of_patch;

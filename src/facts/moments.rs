@@ -1,6 +1,6 @@
 //! Volumes and moments up to second order about a point, with bounds on their errors.
 
-use super::Interval;
+use crate::interval::Interval;
 use crate::rounding::{UNIT_ROUNDOFF, gamma};
 use glam::DVec3;
 

@@ -1,6 +1,7 @@
 //! The principal moments and axes of an interval matrix.
 
-use super::{Interval, Matrix};
+use super::Matrix;
+use crate::interval::Interval;
 use crate::rounding::gamma;
 use glam::{DMat3, DVec3};
 

@@ -1,7 +1,7 @@
 //! The moments of the cone from the origin over a triangle.
 
-use super::Interval;
 use super::moments::{COUNT, Moments, order};
+use crate::interval::Interval;
 use crate::rounding::gamma;
 use glam::DVec3;
 

@@ -1,7 +1,7 @@
 //! A part of an edge.
 
 use super::Sharpness;
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::normals::Hull;
 use crate::rounding::{gamma, upper_max};

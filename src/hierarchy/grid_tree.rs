@@ -3,9 +3,9 @@
 use super::CellPart;
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, DerivativeBounds, PatchGrid};
+use crate::bezier::{cell_pieces, uniform};
 use crate::bvh::{Aabb, Bvh};
 use crate::error::{Error, Result};
-use crate::iteration::{cell_pieces, uniform};
 use crate::threads::parallel::map;
 use glam::DVec3;
 

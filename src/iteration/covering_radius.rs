@@ -1,7 +1,7 @@
 //! The covering radius of a sampling, the error K_A of the 2012 paper.
 
 use super::sample_grid::SampleGrid;
-use crate::bezier::{BezierModel, Patch};
+use crate::bezier::{BezierModel, Patch, cell_pieces};
 use crate::bvh::Aabb;
 use crate::rounding::{gamma, upper_max};
 use crate::threads::parallel::map;
@@ -85,21 +85,6 @@ impl CoveringRadius {
                 * ROUNDING_FACTOR,
         }
     }
-}
-
-/// Returns, for every interval between two neighbouring locations, the patches
-/// that it overlaps and its interval of parameters on each.
-pub(crate) fn cell_pieces(locations: &[(usize, f64)]) -> Vec<Vec<(usize, [f64; 2])>> {
-    let overlaps = |pair: &[(usize, f64)]| {
-        let ((first, start), (last, end)) = (pair[0], pair[1]);
-        (first..=last)
-            .map(|patch| {
-                (patch, [if patch == first { start } else { 0.0 }, if patch == last { end } else { 1.0 }])
-            })
-            .filter(|(_, [start, end])| start < end || first == last)
-            .collect()
-    };
-    locations.windows(2).map(overlaps).collect()
 }
 
 /// Returns an upper bound on how far the box of a piece of `patch`, as computed, is

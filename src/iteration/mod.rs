@@ -16,7 +16,6 @@ mod sample_grid;
 mod sampling;
 
 pub use covering_radius::CoveringRadius;
-pub(crate) use covering_radius::cell_pieces;
 pub use project::{Culling, project};
 pub(crate) use reduce::BLOCK_SIZE;
 pub use reduce::reduce;
@@ -24,7 +23,6 @@ pub use sample::sample;
 pub use sample_grid::SampleGrid;
 #[cfg(feature = "internals")]
 pub use sampling::PAGE_SAMPLES;
-pub(crate) use sampling::uniform;
 pub use sampling::{Sampling, SamplingRule};
 
 use crate::closest::{Projection, Status};

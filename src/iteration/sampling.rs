@@ -1,7 +1,7 @@
 //! The samples of a model.
 
 use crate::axis::Axis;
-use crate::bezier::{BezierModel, PatchGrid};
+use crate::bezier::{BezierModel, PatchGrid, uniform};
 use serde::Deserialize;
 use std::ops::Range;
 
@@ -114,17 +114,6 @@ impl Sampling {
         }
         pages
     }
-}
-
-/// Returns `samples` evenly spaced parameters from the first of `breaks` to the last.
-pub(crate) fn uniform(breaks: &[f64], samples: usize) -> Vec<f64> {
-    let (start, end) = (breaks[0], breaks[breaks.len() - 1]);
-    (0..samples)
-        .map(|index| {
-            let fraction = index as f64 / (samples - 1) as f64;
-            (1.0 - fraction) * start + fraction * end
-        })
-        .collect()
 }
 
 /// Returns parameters that divide the summed length of a few parameter lines

@@ -7,7 +7,7 @@ use super::separation::{are_told, may_meet};
 use super::solid::MAX_DEPTH;
 use super::undecided::{Known, Undecided};
 use super::{BoundarySide, Sides};
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::rounding::upper_max;
 use crate::solid::Side;
 use glam::DVec3;

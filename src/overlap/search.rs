@@ -6,7 +6,7 @@ use super::piece::Whole;
 use super::undecided::{Known, Undecided};
 use super::{PlacedSolid, Sides};
 use crate::bvh::Aabb;
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::rounding::{gamma, upper_max};
 use crate::threads::parallel::map;
 use glam::DVec3;

@@ -3,7 +3,7 @@
 use super::piece::Patches;
 use crate::bezier::{PatchSet, PointError};
 use crate::bvh::Aabb;
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::rounding::{VANISHING_LENGTH, gamma};
 use crate::solid::{Enclosing, Ruled, Side};

@@ -2,7 +2,7 @@
 
 use super::crossing::{Crossing, Level};
 use super::piece::{Piece, Whole};
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::solid::Enclosing;
 use crate::sorting::ordered_by;
 use glam::DVec3;

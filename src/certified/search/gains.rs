@@ -1,6 +1,6 @@
 //! Whether a search still gains: how its interval narrows with its cells.
 
-use super::Interval;
+use crate::interval::Interval;
 
 /// The factor by which an interval narrows at a gain.
 const GAIN: f64 = 2.0;

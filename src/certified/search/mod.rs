@@ -7,7 +7,6 @@ mod evaluation;
 mod frontier;
 mod gains;
 mod incumbent;
-mod limit;
 mod node;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
@@ -15,7 +14,6 @@ mod tests;
 
 pub(crate) use gains::Gains;
 pub(crate) use incumbent::Witness;
-pub(crate) use limit::Limit;
 pub(crate) use node::{Domain, SearchNode};
 
 use super::audit::Lemmas;
@@ -24,6 +22,7 @@ use super::nearest::{Foot, NearestPoint, Sample};
 use super::rounding::{before_rounding_up, closest_point_error, point_error, rounded_up};
 use super::{Block, Pair, Sheets};
 use crate::bezier::Patch;
+use crate::interval::{Interval, Limit, Stop};
 use crate::threads::parallel::{is_few, map_short, together};
 use audited::AuditState;
 use blocks::by_blocks;
@@ -43,30 +42,6 @@ const MIN_HALF_WIDTH: f64 = 1.0 / (1_u64 << 40) as f64;
 /// the interval cannot be as narrow as requested, and the search stops at the
 /// narrowest that can be.
 const MAX_ROUNDING_PART: f64 = 0.5;
-
-/// Why a search ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
-pub enum Stop {
-    /// The interval is as narrow as requested, or the limit is decided.
-    Converged,
-    /// The budget of cells is spent.
-    Cells,
-    /// The budget of time is spent.
-    Time,
-    /// The interval is as narrow as float64 allows for these coordinates.
-    Precision,
-    /// The caller cancelled.
-    Cancelled,
-}
-
-/// `lower <= distance <= upper`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Interval {
-    pub(crate) lower: f64,
-    pub(crate) upper: f64,
-}
 
 /// Stopping criterion.
 #[derive(Debug, Clone, Copy)]

@@ -4,8 +4,8 @@ use super::parting::parting_distance;
 use crate::clearance::Nearest;
 use crate::closest::closest;
 use crate::engine::PreparedModel;
-use crate::facts::Interval;
 use crate::flatness::Flatness;
+use crate::interval::Interval;
 use crate::solid::Side;
 use glam::DVec3;
 

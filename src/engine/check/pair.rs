@@ -8,7 +8,7 @@ use crate::clearance::{Goal, Nearest, Search};
 use crate::engine::clearance::{Overlap, OverlapUnknown, Solids};
 use crate::engine::{PreparedModel, Stop};
 use crate::error::{Error, Result};
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use serde::Serialize;
 
@@ -60,7 +60,7 @@ pub struct BodyPair {
 
 /// What a search has found.
 struct Found {
-    interval: crate::certified::Interval,
+    interval: Interval,
     nearest: Nearest,
     stop: Stop,
     goal: Goal,
@@ -85,13 +85,12 @@ pub(super) fn judged(models: [&PreparedModel; 2], limits: &Limits, reach: f64) -
     } else {
         by_overlap(models, &found, limits, is_far)
     };
-    let clearance = Interval { lower: interval.lower, upper: interval.upper };
     let depth = inside_both.map(|point| depth(models, point, &nearest));
     Ok(BodyPair {
         a: String::new(),
         b: String::new(),
         state,
-        clearance: if inside_both.is_some() { Interval::exactly(0.0) } else { clearance },
+        clearance: if inside_both.is_some() { Interval::exactly(0.0) } else { interval },
         volume: None,
         depth,
         point: inside_both.unwrap_or(nearest.points[0].to_array()),
@@ -133,7 +132,7 @@ fn by_overlap(
 }
 
 /// Returns the state of bodies that have no common inside; `None` where the interval decides none.
-fn by_clearance(interval: crate::certified::Interval, limits: &Limits, is_far: bool) -> Option<PairState> {
+fn by_clearance(interval: Interval, limits: &Limits, is_far: bool) -> Option<PairState> {
     if is_far || interval.lower >= limits.reach() {
         Some(PairState::Apart)
     } else if interval.upper <= limits.tolerance {

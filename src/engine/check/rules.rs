@@ -4,7 +4,7 @@ use super::pattern::Pattern;
 use super::{BodyPair, CheckedBody, PairState};
 use crate::engine::options::at_least_zero;
 use crate::error::{Error, Result};
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::rounding::upper_max;
 use serde::{Deserialize, Serialize};
 

@@ -2,12 +2,12 @@
 
 use super::options::GapOptions;
 use super::{run, witness};
-use crate::certified::Interval;
 use crate::clearance::{Goal, Search};
 use crate::engine::direction::Direction;
 use crate::engine::hint::hint;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Stop, Witness};
 use crate::error::Result;
+use crate::interval::Interval;
 use crate::progress::{Monitor, Progress};
 use crate::sorting::sort_by_number;
 use serde::Serialize;

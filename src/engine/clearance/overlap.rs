@@ -1,9 +1,9 @@
 //! Whether two solids overlap.
 
 use super::common_point::CommonPoint;
-use crate::certified::Interval;
 use crate::clearance::{Goal, Nearest};
 use crate::engine::{PreparedModel, Stop};
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::solid::Side;
 use glam::DVec3;

@@ -1,6 +1,6 @@
 //! The clearance of the sources of the models.
 
-use crate::certified::Interval;
+use crate::interval::Interval;
 use serde::Serialize;
 
 /// The interval that holds for every pair of sources within the gaps of both models, and the

@@ -4,7 +4,7 @@ use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::bvh::Aabb;
 use crate::carrier::FaceForm;
 use crate::engine::PreparedModel;
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use glam::DVec3;
 use serde::Serialize;

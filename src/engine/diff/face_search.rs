@@ -2,9 +2,10 @@
 
 use super::face::FacePatches;
 use crate::bezier::PatchSet;
-use crate::certified::{BranchAndBound, Interval, Limit, Operand, Pair};
+use crate::certified::{BranchAndBound, Operand, Pair};
 use crate::engine::PreparedModel;
 use crate::facets::{Domain, FacetSearch, FacetTarget, Measured, Source};
+use crate::interval::{Interval, Limit};
 use crate::model::RigidTransform;
 use crate::surface_point::SurfacePoint;
 use glam::DVec3;

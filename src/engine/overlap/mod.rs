@@ -14,7 +14,7 @@ use super::outlook::Outlook;
 use super::section::is_over;
 use super::{Computation, Engine, PreparedModel, Seconds, Stop};
 use crate::error::{Error, Result};
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::overlap::{Pair, Search};
 use crate::progress::{Monitor, Progress};
 use serde::Serialize;

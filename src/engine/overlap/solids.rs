@@ -1,8 +1,8 @@
 //! Two models as solids in one frame.
 
 use crate::engine::{PreparedModel, PreparedTarget};
-use crate::facts::Interval;
 use crate::flatness::Flatness;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::overlap::{BoundarySide, Known, PlacedSolid, Sides};
 use crate::solid::{Enclosing, Side};

@@ -1,6 +1,6 @@
 //! Volumes of sets of two bodies from that of their intersection.
 
-use crate::facts::Interval;
+use crate::interval::Interval;
 use serde::Serialize;
 
 /// The volumes of sets of two bodies, each in an interval that contains it, in cubes of model units.

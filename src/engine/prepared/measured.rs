@@ -7,9 +7,10 @@ use crate::bezier::Patch;
 use crate::bvh::Aabb;
 use crate::facets::Facet;
 use crate::facts::{
-    Facts, Interval, IntervalMoments, Mass, Moments, Orientation, VolumeUnknown, area_of_triangle, largest,
+    Facts, IntervalMoments, Mass, Moments, Orientation, VolumeUnknown, area_of_triangle, largest,
     largest_of_points, of_patch, of_triangle, shifted,
 };
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::threads::computed;
 use crate::threads::parallel::{map, map_ranges};

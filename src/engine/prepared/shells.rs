@@ -3,9 +3,9 @@
 use super::PreparedModel;
 use crate::bezier::{BezierModel, PatchSet};
 use crate::bvh::Aabb;
-use crate::certified::Interval;
 use crate::clearance::{Body, Goal, Search};
 use crate::closest::Target;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::solid::{Boundary, Enclosing, Relation, Side};
 use crate::threads::locked;

@@ -5,7 +5,8 @@ mod symmetric;
 mod with_gaps;
 
 use super::{FaceDeviations, MethodName, Statistics};
-pub use crate::certified::{AuditReport, Lemma, Lemmas, Stop};
+pub use crate::certified::{AuditReport, Lemma, Lemmas};
+pub use crate::interval::Stop;
 use crate::iteration::StatusCounts;
 use crate::surface_point::SurfacePoint;
 pub(super) use directed_result::DirectedResult;

@@ -1,6 +1,6 @@
 //! The interval that holds for the sources of the models.
 
-use crate::certified::{Interval, Limit};
+use crate::interval::{Interval, Limit};
 use serde::Serialize;
 
 /// The interval that holds for every pair of sources within the gaps of both models, and the

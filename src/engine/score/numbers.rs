@@ -1,6 +1,6 @@
 //! The numbers of a score that requirements name.
 
-use crate::facts::Interval;
+use crate::interval::Interval;
 use serde::{Deserialize, Serialize};
 use std::fmt::{Display, Formatter};
 use std::str::FromStr;

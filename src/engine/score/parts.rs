@@ -3,7 +3,8 @@
 use super::result::{AtAngle, AtThreshold, Difference, EdgesAt, FaceCounts, ScoredModel, SurfaceScore};
 use crate::engine::statistics::Sums;
 use crate::engine::{Beyond, Body, BodyKind, Counts, DiffResult, FaceDifference, FaceState, PreparedModel};
-use crate::facts::{Interval, Orientation};
+use crate::facts::Orientation;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::threads::parallel::map;
 use glam::DVec3;

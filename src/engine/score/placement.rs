@@ -4,7 +4,7 @@ use super::{ScoreAlignment, ScoreOptions};
 use crate::engine::section::Section;
 use crate::engine::{BestFit, BestFitOptions, Engine, PreparedModel};
 use crate::error::Result;
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::progress::Monitor;
 use glam::DVec3;

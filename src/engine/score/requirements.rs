@@ -2,7 +2,7 @@
 
 use super::numbers::Known;
 use super::{ScoreNumber, ScoreOptions};
-use crate::facts::Interval;
+use crate::interval::Interval;
 use serde::Serialize;
 
 /// A number that has to be large or small enough.

@@ -2,7 +2,7 @@
 
 use super::{Placement, Requirement};
 use crate::engine::Seconds;
-use crate::facts::Interval;
+use crate::interval::Interval;
 use serde::Serialize;
 
 /// The score of a candidate against the truth.

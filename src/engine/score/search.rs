@@ -14,7 +14,7 @@ use crate::engine::{
     Method, OverlapOptions, PreparedModel, Seconds, StatisticsOptions,
 };
 use crate::error::{Error, Result};
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::progress::Monitor;
 use glam::DVec3;

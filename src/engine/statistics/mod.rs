@@ -9,7 +9,7 @@ mod sums;
 use super::Seconds;
 use crate::certified::{Audit, AuditReport};
 use crate::error::{Error, Result};
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::tolerance::{PermittedWidth, positive};
 pub(in crate::engine) use audited::audit;

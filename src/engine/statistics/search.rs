@@ -14,7 +14,7 @@ use crate::engine::section::is_over;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds};
 use crate::error::{Error, Result};
 use crate::facets::{Parts, PreparedFacets, Source, Spread, Start, Weighted};
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::progress::{Monitor, Progress};
 use crate::sorting::sort_by_number;
 use std::ops::Range;

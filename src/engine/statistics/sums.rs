@@ -3,7 +3,7 @@
 use super::{Beyond, Measure, Percentile};
 use crate::area::Area;
 use crate::facets::{Spread, Weighted};
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::rounding::{UNIT_ROUNDOFF, upper_max, upper_min};
 use crate::sorting::sort_pairs;
 

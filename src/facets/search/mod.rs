@@ -31,7 +31,7 @@ pub(crate) use spread::{PartOf, Parts, Spread, Weighted, WeightedPart};
 
 use super::Facet;
 use super::rounding::{cut_rounding, facet_rounding};
-use crate::certified::{Interval, Limit};
+use crate::interval::{Interval, Limit};
 use crate::model::RigidTransform;
 use crate::rounding::{UNIT_ROUNDOFF, gamma, upper_max};
 use crate::sorting::sort_by_number;

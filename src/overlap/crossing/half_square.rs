@@ -1,7 +1,7 @@
 //! Parts of the unit square on one side of a line.
 
 use crate::axis::Axis;
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::rounding::gamma;
 
 /// More than the roundings of a part of the square, and of the place of the line in it.

@@ -7,7 +7,7 @@ use super::carrier::Form;
 use super::density::Slopes;
 use super::piece::Weight;
 use crate::axis::Axis;
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::rounding::gamma;
 pub(super) use half_square::Affine;
 pub(super) use level::Level;

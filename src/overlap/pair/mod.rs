@@ -101,7 +101,7 @@ mod tests {
     use super::super::solid::Known;
     use super::*;
     use crate::bezier::{PointError, extract};
-    use crate::facts::Interval;
+    use crate::interval::Interval;
     use crate::model::RigidTransform;
     use crate::shapes::cylinder;
     use glam::DQuat;

@@ -13,7 +13,7 @@ use super::result::{AtAngle, EdgeLengths, EdgesAt, Score};
 use super::search::Pair;
 use crate::engine::section::Section;
 use crate::error::Result;
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::progress::Monitor;
 use edges::{AskedEdges, feature_edges, matched_edges, with_none};

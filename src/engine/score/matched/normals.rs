@@ -9,7 +9,7 @@ use crate::engine::section::is_over;
 use crate::engine::statistics::{Cells, Cover, audit, bounded, halve_page};
 use crate::error::{Error, Result};
 use crate::facets::{Parts, PreparedFacets, Source, Weighted};
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::normals::{Likeness, Likenesses, NormalTarget, Reach};
 use crate::progress::{Monitor, Progress};

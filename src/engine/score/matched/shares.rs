@@ -1,6 +1,6 @@
 //! The share of pieces with a property where some pieces are undecided, and the choice of the pieces to halve.
 
-use crate::facts::Interval;
+use crate::interval::Interval;
 use crate::normals::Likeness;
 use crate::sorting::sort_by_number;
 

@@ -1,4 +1,11 @@
-//! Intervals of real numbers.
+//! What every search states: an interval that contains a number, whether a limit on it is decided, and why the search
+//! ended.
+
+mod limit;
+mod stop;
+
+pub(crate) use limit::Limit;
+pub use stop::Stop;
 
 use serde::Serialize;
 use std::fmt::{Display, Formatter};
