@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 /// A device.
 #[derive(Debug)]
-pub enum Gpu {}
+pub(crate) enum Gpu {}
 
 /// The sole use of a device.
 pub(crate) enum Turn {}
@@ -25,13 +25,12 @@ impl Gpu {
     ///
     /// # Errors
     /// [`Error::NoAdapter`].
-    pub async fn new() -> Result<Self> {
+    pub(crate) async fn new() -> Result<Self> {
         Err(Error::NoAdapter { found: "the library was compiled without the feature gpu".to_owned() })
     }
 
     /// Returns the name of the adapter.
-    #[must_use]
-    pub fn adapter(&self) -> Option<String> {
+    pub(crate) fn adapter(&self) -> Option<String> {
         match *self {}
     }
 
