@@ -199,13 +199,13 @@ export class Measurement {
   }
 
   /** Draws maps in their colours. */
-  paint({ scale, maps, largest, isSame }: deviation.Painting): void {
+  paint({ scale, maps, isSame }: deviation.Painting): void {
     const { view } = this.#parts;
     if (isSame) {
       view.rescale(scale);
       return;
     }
-    view.showMaps(maps, scale, largest);
+    view.showMaps(maps, scale);
     this.show();
   }
 
@@ -248,7 +248,7 @@ export class Measurement {
     const { client, places } = this.#parts;
     if (reply.state !== "done" || !client.isNewest(reply.run)) return;
     if (reply.run !== this.#colored) return;
-    deviation.bound(reply.result);
+    deviation.bound(reply.result, reply.maps);
     places.show();
     element("points").dataset.bounded = `${reply.result.limit}`;
   }

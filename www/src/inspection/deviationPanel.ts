@@ -20,7 +20,6 @@ import type { MapDisplay } from "../worker/map/display.ts";
 import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { areaBeyond, totalArea } from "./cumulative.ts";
 import { showDistribution } from "./distributionPlot.ts";
-import { keepWithin } from "./faceBounds.ts";
 import { hideLegend, type Legend, showLegend } from "./legend.ts";
 
 /** The deviation that the map resolves, in diagonals: its vertices are in float32. */
@@ -55,8 +54,6 @@ let listener: (painting: Painting) => void = () => {};
 export interface Painting {
   scale: ColorScale;
   maps: Sides<MapDisplay>;
-  /** The largest distance of them. */
-  largest: number;
   /** Whether only the scale is another one than before. */
   isSame: boolean;
 }
@@ -94,12 +91,11 @@ export function showMaps(result: DistanceResult, maps: Sides<MapDisplay>): Paint
   return { ...paintingOf(shown), isSame: false };
 }
 
-/** Keeps the maps within what is certain of each face. */
-export function bound(bounds: DiffResult): void {
+/** Shows what is certain of each face, and maps in place of those that were more than that. */
+export function bound(bounds: DiffResult, kept: Sides<MapDisplay>): void {
   if (shown === undefined) return;
-  const changed = keepWithin(shown.maps, bounds);
-  shown = { ...shownOf(shown.result, shown.maps), bounds };
-  if (changed) repaint();
+  shown = { ...shownOf(shown.result, { ...shown.maps, ...kept }), bounds };
+  if (Object.keys(kept).length > 0) repaint();
 }
 
 /** The models that are painted. */
@@ -129,7 +125,7 @@ function drawnOf(maps: Sides<MapDisplay>): Sides<MapDisplay> {
 }
 
 const paintingOf = (now: ShownMaps): Omit<Painting, "isSame"> => ({
-  ...{ scale: draw(now), maps: now.drawn, largest: now.extent.largest },
+  ...{ scale: draw(now), maps: now.drawn },
 });
 
 /** Whether no deviation of a map has a sign. */

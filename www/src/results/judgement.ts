@@ -2,6 +2,7 @@
 
 import type { Allowed } from "../scene/colors/scale.ts";
 import { texts } from "../texts/index.ts";
+import type { MeasuredFace } from "../worker/map/places.ts";
 
 export type Verdict = "pass" | "fail" | "undecided";
 
@@ -13,13 +14,6 @@ export interface Judgement {
   text: string;
   /** Whether something that the interval does not hold could change the verdict. */
   isDoubtful?: boolean;
-}
-
-/** The extremes of the signed deviations of a face, in float32, and the largest distance. */
-export interface MeasuredFace {
-  lowest: number;
-  highest: number;
-  distance: number;
 }
 
 /** What a verdict is about. */

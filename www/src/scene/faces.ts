@@ -1,7 +1,16 @@
 // The faces of one model, coloured by the class of each: one draw call a class.
 import type { Tessellation } from "nurbs-hausdorff";
-import { Box3, BufferAttribute, BufferGeometry, Color, type Material, Mesh, Vector3 } from "three";
+import {
+  Box3,
+  BufferAttribute,
+  type BufferGeometry,
+  Color,
+  type Material,
+  Mesh,
+  Vector3,
+} from "three";
 import type { Side } from "../worker/protocol.ts";
+import { ofSameVertices } from "./bounds.ts";
 import { glass, satin } from "./material.ts";
 
 export type FaceClass = "plain" | "own" | "undecided" | "changed" | "extended" | "near" | "clash";
@@ -51,10 +60,7 @@ export class FaceColors {
     this.#source = source;
     this.#indices = indices;
     this.#ranges = ranges;
-    const geometry = new BufferGeometry();
-    for (const name of ["position", "normal"]) {
-      geometry.setAttribute(name, source.getAttribute(name));
-    }
+    const geometry = ofSameVertices(source, "position", "normal");
     this.mesh = new Mesh(geometry, [
       glass(PLAIN),
       glass(color),

@@ -20,13 +20,13 @@ import {
 } from "three";
 import { concatenated } from "../common/arrays.ts";
 import type { DisplayModel, Side } from "../worker/protocol.ts";
+import { forgetAllBounds, ofSameVertices, setBounds } from "./bounds.ts";
 import { Cap } from "./cap.ts";
 import {
   displace,
   faceOfTriangle,
   facesByTriangles,
   facesOfVertices,
-  forgetAllBounds,
   type Offsets,
   setPositions,
 } from "./exploded/displaced.ts";
@@ -83,8 +83,8 @@ export class ModelMesh {
     geometry.setAttribute("position", new BufferAttribute(positions, 3));
     geometry.setAttribute("normal", new BufferAttribute(normals, 3));
     if (!isCloud) geometry.setIndex(new BufferAttribute(indices, 1));
-    const edges = new BufferGeometry();
-    edges.setAttribute("position", geometry.getAttribute("position"));
+    setBounds(geometry, model.bounds);
+    const edges = ofSameVertices(geometry, "position");
     edges.setIndex(new BufferAttribute(model.outline.edges, 1));
     const dots = { size: POINT_SIZE, sizeAttenuation: false };
     this.#satin = isCloud ? rounded(new PointsMaterial({ color, ...dots })) : satin(color);
@@ -126,8 +126,7 @@ export class ModelMesh {
   close(): Cap | undefined {
     if (this.#cap !== undefined) return undefined;
     // All faces, whichever are hidden: what is counted has to close.
-    const whole = new BufferGeometry();
-    whole.setAttribute("position", this.#surface.geometry.getAttribute("position"));
+    const whole = ofSameVertices(this.#surface.geometry, "position");
     whole.setIndex(new BufferAttribute(this.model.tessellation.indices, 1));
     this.#cap = new Cap(whole, this.#side);
     this.group.add(this.#cap.group);
@@ -352,10 +351,7 @@ export class ModelMesh {
  * which three.js chooses the shaders that it compiles ahead.
  */
 function likePaint(surface: BufferGeometry): BufferGeometry {
-  const geometry = new BufferGeometry();
-  for (const name of ["position", "normal"]) {
-    geometry.setAttribute(name, surface.getAttribute(name));
-  }
+  const geometry = ofSameVertices(surface, "position", "normal");
   geometry.setAttribute("uv", new BufferAttribute(new Float32Array(), 2));
   return geometry;
 }

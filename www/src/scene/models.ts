@@ -302,12 +302,12 @@ export class Models {
     });
   }
 
-  /** Paints models by their deviations, in units of `unit`; those without a map are plain. */
-  paint(maps: Sides<MapDisplay>, unit: number): void {
+  /** Paints models by their deviations; those without a map are plain. */
+  paint(maps: Sides<MapDisplay>): void {
     for (const side of SIDES) {
       const map = maps[side];
       if (map === undefined) this.#meshes[side]?.paint();
-      else this.#meshes[side]?.paint(deviationGeometry(map, unit), map.faces);
+      else this.#meshes[side]?.paint(deviationGeometry(map), map.faces);
     }
   }
 

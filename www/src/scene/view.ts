@@ -336,9 +336,9 @@ export class View {
     this.#viewport?.draw();
   }
 
-  /** Shows the deviations of models, whose largest distance is `largest`. */
-  showMaps(maps: Sides<MapDisplay>, scale: ColorScale, largest: number): void {
-    this.#maps.show(maps, { scale, largest }, this.#overlays);
+  /** Shows the deviations of models. */
+  showMaps(maps: Sides<MapDisplay>, scale: ColorScale): void {
+    this.#maps.show(maps, scale, this.#overlays);
     this.#viewport?.draw();
   }
 

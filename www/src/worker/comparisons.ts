@@ -3,6 +3,7 @@
 import type { DiffResult, Hausdorff, NurbsModel } from "nurbs-hausdorff/worker";
 import { diffByLimits, placedParts } from "./diffs.ts";
 import { Latest } from "./latest.ts";
+import { buffersOf, type MapDisplay } from "./map/display.ts";
 import type {
   ClearanceState,
   DiffState,
@@ -11,6 +12,7 @@ import type {
   PlainFitOptions,
   PlainGapOptions,
   Reply,
+  Sides,
 } from "./protocol.ts";
 
 /** Seconds that bounds of faces may take which nobody asked for. */
@@ -35,11 +37,18 @@ export class Comparisons {
   readonly #fit: Latest<FitState>;
   readonly #clearance: Latest<ClearanceState>;
 
-  constructor(engine: Hausdorff, reply: (reply: Reply) => void) {
+  /** `keep` keeps the maps of a run within what is certain of each face, and returns those that change. */
+  constructor(
+    engine: Hausdorff,
+    reply: (reply: Reply, transfer?: Transferable[]) => void,
+    keep: (run: number, faces: DiffResult) => Sides<MapDisplay>,
+  ) {
     this.#engine = engine;
     this.#faces = new Latest((state) => reply({ kind: "diff", ...state }));
     this.#bounds = new Latest((state) => {
-      if ("run" in state) reply({ kind: "bound", ...state });
+      if (!("run" in state)) return;
+      const maps = keep(state.run, state.result);
+      reply({ kind: "bound", ...state, maps }, Object.values(maps).flatMap(buffersOf));
     });
     this.#fit = new Latest((state) => reply({ kind: "fit", ...state }));
     this.#clearance = new Latest((state) => reply({ kind: "clearance", ...state }));

@@ -1,7 +1,7 @@
 // The queue of measurements: one runs, and only the newest request waits.
 import type {
-  DeviationMap,
   DeviationMaps,
+  DiffResult,
   DistanceOptions,
   DistanceResult,
   Hausdorff,
@@ -9,11 +9,19 @@ import type {
   OnProgress,
 } from "nurbs-hausdorff/worker";
 import { isCancelled } from "./failure.ts";
+import { keepWithin } from "./map/bounded.ts";
 import type { MapOf } from "./map/csv.ts";
 import { buffersOf, type MapDisplay, mapDisplay } from "./map/display.ts";
-import { entriesOf, knownOf } from "./map/maps.ts";
+import { knownOf } from "./map/maps.ts";
 import type { Placing } from "./map/placed.ts";
-import type { EngineState, PlainOptions, Reply, Side, Sides } from "./protocol.ts";
+import {
+  type EngineState,
+  type PlainOptions,
+  type Reply,
+  SIDES,
+  type Side,
+  type Sides,
+} from "./protocol.ts";
 
 /**
  * Milliseconds for which a measurement continues although a newer request waits.
@@ -40,12 +48,20 @@ interface Requested extends Request {
   abort: AbortController;
 }
 
+/** The maps that a run ended with. */
+interface Painted {
+  run: number;
+  maps: readonly MapOf[];
+  /** That of the result. */
+  diagonal: number;
+}
+
 export class Measurements {
   readonly #engine: Hausdorff;
   readonly #reply: (reply: Reply, transfer?: Transferable[]) => void;
   readonly #fail: (error: unknown, run: number) => void;
   #models: Sides<NurbsModel> = {};
-  #painted: MapOf[] = [];
+  #painted: Painted | undefined;
   #waiting: Requested | undefined;
   #running: Requested | undefined;
 
@@ -75,7 +91,17 @@ export class Measurements {
 
   /** The maps of the last measurement; none if it had none. */
   get painted(): readonly MapOf[] {
-    return this.#painted;
+    return this.#painted?.maps ?? [];
+  }
+
+  /** Keeps the maps of a run within what is certain of each face; returns those that change by that, to be drawn. */
+  bound(run: number, { facesOfA, facesOfB }: DiffResult): Sides<MapDisplay> {
+    if (this.#painted?.run !== run) return {};
+    const { maps, diagonal } = this.#painted;
+    const changed = maps.filter(({ side, map }) =>
+      keepWithin(map, side === "a" ? facesOfA : facesOfB),
+    );
+    return displayed(changed, diagonal);
   }
 
   request(request: Request): void {
@@ -107,7 +133,7 @@ export class Measurements {
       this.#reply({ kind: "cancelled", run, interval: undefined });
       return;
     }
-    this.#painted = [];
+    this.#painted = undefined;
     const colours = paint.length > 0;
     try {
       const part = colours ? DISTANCE_PART : 1;
@@ -138,8 +164,11 @@ export class Measurements {
     const rest = { begin: DISTANCE_PART, part: 1 - DISTANCE_PART };
     let report = this.#progress(requested, GRACE.others, rest);
     let coarse: DeviationMaps | undefined;
-    const show = (maps: Sides<DeviationMap>, pending: boolean) =>
-      this.#show(requested, result, displayed(maps, placing, result), pending);
+    const { diagonal } = result;
+    const show = (maps: readonly MapOf[], pending: boolean) => {
+      if (!pending) this.#painted = { run: requested.run, maps, diagonal };
+      this.#show(requested, result, displayed(maps, diagonal), pending);
+    };
     try {
       const fine = await this.#engine.deviationMaps(a, b, {
         ...knownOf(result, paint),
@@ -147,26 +176,19 @@ export class Measurements {
         signal: abort.signal,
         onCoarse: (maps) => {
           coarse = maps;
-          show(sidesOf(maps), true);
+          show(mapsOf(maps, placing), true);
           // Finer ones wait for nobody.
           report = this.#progress(requested, 0, rest);
         },
         onProgress: (fraction) => report(fraction),
       });
-      this.#keep(sidesOf(fine), placing);
-      show(sidesOf(fine), false);
+      show(mapsOf(fine, placing), false);
     } catch (error) {
       if (!isCancelled(error)) throw error;
       // Of a newer request come newer colours; else the coarse ones stay, if there are any.
       if (this.#waiting !== undefined) return;
-      const maps = coarse === undefined ? {} : sidesOf(coarse);
-      this.#keep(maps, placing);
-      show(maps, false);
+      show(coarse === undefined ? [] : mapsOf(coarse, placing), false);
     }
-  }
-
-  #keep(maps: Sides<DeviationMap>, placing: Placing): void {
-    this.#painted = entriesOf(maps).map(([side, map]) => ({ side, map, placing }));
   }
 
   /** Where the models are, in a measurement with these options. */
@@ -211,21 +233,17 @@ export class Measurements {
 }
 
 /** The maps that were made. */
-const sidesOf = ({ a, b }: DeviationMaps): Sides<DeviationMap> => ({
-  ...(a && { a }),
-  ...(b && { b }),
-});
+const mapsOf = (maps: DeviationMaps, placing: Placing): MapOf[] =>
+  SIDES.flatMap((side) => {
+    const map = maps[side];
+    return map === undefined ? [] : [{ side, map, placing }];
+  });
 
-/** What the page draws of the maps of a result. */
-function displayed(
-  maps: Sides<DeviationMap>,
-  placing: Placing,
-  { diagonal }: DistanceResult,
-): Sides<MapDisplay> {
-  return Object.fromEntries(
-    entriesOf(maps).map(([side, map]) => [side, mapDisplay(map, side, placing, diagonal)]),
+/** What the page draws of the maps of a result of this diagonal. */
+const displayed = (maps: readonly MapOf[], diagonal: number): Sides<MapDisplay> =>
+  Object.fromEntries(
+    maps.map(({ side, map, placing }) => [side, mapDisplay(map, side, placing, diagonal)]),
   );
-}
 
 /** Returns the options of a search, within a budget of time if it is hurried. */
 function searchOptions(options: PlainOptions, hurried: boolean): DistanceOptions {

@@ -24,7 +24,7 @@ import type {
   Vector3,
 } from "nurbs-hausdorff";
 import type { CadReport } from "nurbs-hausdorff/cad";
-
+import type { Bounds } from "../common/bounds.ts";
 import type { MapDisplay } from "./map/display.ts";
 
 export type Side = "a" | "b";
@@ -152,6 +152,8 @@ export interface DisplayModel {
   report: CadReport | null;
   box: { min: Vector3; max: Vector3 };
   tessellation: Tessellation;
+  /** The box of its vertices, relative to its origin. */
+  bounds: Bounds;
   /** The edges of its faces. */
   outline: Outline;
   /** Whether its triangles are the model itself, flat each. */
@@ -225,8 +227,11 @@ export type FactsReply = { kind: "facts" } & (FactsState | Ended);
 export type OverlapReply = { kind: "overlap" } & (OverlapState | Ended);
 export type CheckReply = { kind: "check" } & (CheckState | Ended);
 export type ClearanceReply = { kind: "clearance" } & (ClearanceState | Ended);
-export type BoundReply = { kind: "bound"; run: number } & (
-  | { state: "done"; result: DiffResult }
+export type BoundReply = {
+  kind: "bound";
+  run: number;
+} /** `maps` are those that were more than is certain of a face, and are no longer. */ & (
+  | { state: "done"; result: DiffResult; maps: Sides<MapDisplay> }
   | Ended
 );
 export type DiffReply = { kind: "diff" } & (DiffState | Ended);

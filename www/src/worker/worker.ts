@@ -218,7 +218,9 @@ async function start() {
   const shapes = [...examples, ...(await engine.shapes())];
   reply({ kind: "ready", engine: engineState(engine), shapes });
   const measurements = new Measurements(engine, reply, fail);
-  const comparisons = new Comparisons(engine, reply);
+  const comparisons = new Comparisons(engine, reply, (run, faces) =>
+    measurements.bound(run, faces),
+  );
   return { engine, measurements, comparisons, bodyTasks: new BodyTasks(engine, reply) };
 }
 

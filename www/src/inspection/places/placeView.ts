@@ -5,7 +5,6 @@ import { addMeasured, allowed, allowedOf } from "../../results/verdict.ts";
 import type { View } from "../../scene/view.ts";
 import type { Side } from "../../worker/protocol.ts";
 import { painted } from "../deviationPanel.ts";
-import { boundedPlace } from "../faceBounds.ts";
 import type { Probing } from "../pins/probing.ts";
 import { isBeyond, PlaceList, sizeText } from "./placeList.ts";
 import { type Place, placesOf } from "./places.ts";
@@ -31,9 +30,9 @@ export class PlaceView {
   /** The worst place of each face of the maps, the largest first. */
   get all(): Place[] {
     const { maps = {}, bounds } = painted() ?? {};
-    return placesOf(maps, this.#view.models.drawn)
-      .map((place) => boundedPlace(place, bounds))
-      .sort((one, two) => ranked(two) - ranked(one));
+    return placesOf(maps, this.#view.models.drawn, bounds).sort(
+      (one, two) => ranked(two) - ranked(one),
+    );
   }
 
   /** Shows the list for what is allowed now. */

@@ -6,6 +6,8 @@ import type { ColorScale } from "./scale.ts";
 const WIDTH = 1024;
 /** The rows: deviations with a sign, and without. */
 const ROWS = 2;
+/** The width of a scale whose inverse float32 holds: those of models without a size are less. */
+const LEAST_WIDTH = 2 ** -126;
 
 export class ScaleTexture {
   readonly texture = new DataTexture(new Uint8Array(4 * ROWS * WIDTH), WIDTH, ROWS);
@@ -16,8 +18,8 @@ export class ScaleTexture {
     this.texture.minFilter = NearestFilter;
   }
 
-  /** Shows a scale for deviations that are given in units of `unit`. */
-  show(scale: ColorScale, unit: number): void {
+  /** Shows a scale; texture coordinates are deviations, and rows as `MapDisplay` has them. */
+  show(scale: ColorScale): void {
     const data = this.texture.image.data as Uint8Array;
     const width = scale.high - scale.low;
     for (let row = 0; row < ROWS; row++) {
@@ -27,13 +29,8 @@ export class ScaleTexture {
         data.set([hex >> 16, (hex >> 8) & 255, hex & 255, 255], 4 * (row * WIDTH + column));
       }
     }
-    this.texture.repeat.set(unit / width, 1);
+    this.texture.repeat.set(width > LEAST_WIDTH ? 1 / width : 0, 1);
     this.texture.offset.set(-scale.low / width, 0);
     this.texture.needsUpdate = true;
   }
-}
-
-/** The texture coordinates of a deviation in units of the texture's `show`. */
-export function textureCoordinates(signed: number, distance: number): [number, number] {
-  return Number.isNaN(signed) ? [distance, 0.75] : [signed, 0.25];
 }

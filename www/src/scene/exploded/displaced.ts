@@ -1,5 +1,6 @@
 // Vertices that are moved with the faces that they are of.
-import { BufferAttribute, type BufferGeometry, type Object3D, type Vector3 } from "three";
+import { BufferAttribute, type BufferGeometry, type Vector3 } from "three";
+import { forgetBounds } from "../bounds.ts";
 
 /** Ways of faces, by their index; none of a face that stays. */
 export type Offsets = readonly (Vector3 | undefined)[];
@@ -50,18 +51,6 @@ export function displace(
 export function setPositions(geometry: BufferGeometry, positions: Float32Array): void {
   geometry.setAttribute("position", new BufferAttribute(positions, 3));
   forgetBounds(geometry);
-}
-
-/** Has the bounds of all that is drawn below an object computed anew, by which is decided what is drawn. */
-export function forgetAllBounds(group: Object3D): void {
-  group.traverse((object) => {
-    if ("geometry" in object) forgetBounds(object.geometry as BufferGeometry);
-  });
-}
-
-function forgetBounds(geometry: BufferGeometry): void {
-  geometry.boundingBox = null;
-  geometry.boundingSphere = null;
 }
 
 /** The face that a triangle is of, by the ranges of indices that faces have in order. O(log n). */

@@ -8,7 +8,6 @@ import {
   type Vector3,
 } from "three";
 import type { MapDisplay } from "../../worker/map/display.ts";
-import { coordinates } from "./deviation.ts";
 
 export class ProjectionLines {
   readonly lines: LineSegments;
@@ -28,16 +27,17 @@ export class ProjectionLines {
     this.lines.visible = false;
   }
 
-  /** Draws the lines of a map. `center` is the scene's origin; deviations are in units of `unit`. */
-  show(map: MapDisplay, unit: number, center: Vector3): void {
+  /** Draws the lines of a map. `center` is the scene's origin. */
+  show(map: MapDisplay, center: Vector3): void {
     this.lines.geometry.dispose();
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(map.lines, 3));
-    const ends = Uint32Array.from(
-      { length: 2 * map.lineVertices.length },
-      (_, end) => map.lineVertices[end >> 1] ?? 0,
-    );
-    geometry.setAttribute("uv", new BufferAttribute(coordinates(map, unit, ends), 2));
+    // Both ends of a line have the deviation of the vertex that it starts from.
+    const coordinates = Float32Array.from({ length: 4 * map.lineVertices.length }, (_, index) => {
+      const vertex = map.lineVertices[index >> 2] ?? 0;
+      return map.coordinates[2 * vertex + (index & 1)] ?? 0;
+    });
+    geometry.setAttribute("uv", new BufferAttribute(coordinates, 2));
     this.lines.geometry = geometry;
     this.lines.position.set(...map.lineOrigin).sub(center);
     this.lines.visible = true;

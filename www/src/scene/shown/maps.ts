@@ -11,8 +11,6 @@ export class ShownMaps {
   readonly #models: Models;
   readonly #scale: ScaleTexture;
   readonly #lines: Record<"a" | "b", ProjectionLines>;
-  /** The unit of the deviations drawn. */
-  #unit = 1;
 
   constructor(models: Models, scale: ScaleTexture) {
     this.#models = models;
@@ -25,29 +23,28 @@ export class ShownMaps {
     return SIDES.map((side): Group | Object3D => this.#lines[side].lines);
   }
 
-  /** Shows the deviations of models, whose largest distance is `largest`, as colours, lines or both. */
+  /** Shows the deviations of models, as colours, lines or both. */
   show(
     maps: Sides<MapDisplay>,
-    { scale, largest }: { scale: ColorScale; largest: number },
+    scale: ColorScale,
     { deviation, lines }: { deviation: boolean; lines: boolean },
   ): void {
-    this.#unit = largest;
-    this.#scale.show(scale, largest);
-    this.#models.paint(deviation ? maps : {}, largest);
+    this.#scale.show(scale);
+    this.#models.paint(deviation ? maps : {});
     for (const side of SIDES) {
       const map = maps[side];
-      if (lines && map) this.#lines[side].show(map, largest, this.#models.center);
+      if (lines && map) this.#lines[side].show(map, this.#models.center);
       else this.#lines[side].hide();
     }
   }
 
   /** Shows the same deviations in the colours of another scale. */
   rescale(scale: ColorScale): void {
-    this.#scale.show(scale, this.#unit);
+    this.#scale.show(scale);
   }
 
   hide(): void {
-    this.#models.paint({}, 1);
+    this.#models.paint({});
     for (const lines of Object.values(this.#lines)) lines.hide();
   }
 }

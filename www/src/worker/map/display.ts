@@ -1,8 +1,10 @@
 // What the page draws of a map: triangles, lines and the distribution.
 import type { DeviationMap, Signs, Vector3 } from "nurbs-hausdorff";
+import { type Bounds, boundsOf } from "../../common/bounds.ts";
 import type { Side } from "../protocol.ts";
 import { type Distribution, distributionOf, type Estimates, estimatesOf } from "./distribution.ts";
 import { type Placing, placed } from "./placed.ts";
+import { type FacePlace, placesOf } from "./places.ts";
 
 /** The largest number of lines drawn; more would hide the models. */
 const MAX_LINES = 4096;
@@ -21,8 +23,10 @@ export interface MapDisplay {
   signed: Float32Array<ArrayBuffer>;
   signs: Signs;
   distances: Float32Array<ArrayBuffer>;
-  /** How much less the deviation of a point of the model beside each vertex may be. */
-  slacks: Float32Array<ArrayBuffer>;
+  /** Two numbers a vertex: its deviation, signed where it has a sign, and the row of the scale that is for those. */
+  coordinates: Float32Array<ArrayBuffer>;
+  /** The box of the vertices. */
+  bounds: Bounds;
   indices: Uint32Array<ArrayBuffer>;
   /** The face of every triangle; those of a face follow each other. */
   faces: Uint32Array<ArrayBuffer>;
@@ -37,7 +41,13 @@ export interface MapDisplay {
   lineOrigin: Vector3;
   distribution: Distribution;
   estimates: Estimates | undefined;
+  /** The worst place of each face that has triangles. */
+  places: FacePlace[];
 }
+
+/** The rows of the scale, as heights in its texture: deviations with a sign, and without. */
+const SIGNED_ROW = 0.25;
+const UNSIGNED_ROW = 0.75;
 
 /** Returns what to draw of the map of a model, in a result of models of this diagonal. */
 export function mapDisplay(
@@ -50,31 +60,44 @@ export function mapDisplay(
   const distribution = distributionOf(map, scale);
   return {
     ...{ positions: map.positions.slice(), normals: map.normals.slice() },
+    ...{ coordinates: coordinatesOf(map), bounds: boundsOf(map.positions) },
     signed: new Float32Array(map.signed),
     signs: map.signs,
     distances: new Float32Array(map.distances),
-    slacks: Float32Array.from(map.slacks, (slack) => slack + ROUNDING * diagonal),
     indices: map.indices.slice(),
     faces: map.faces.slice(),
     ...extremes(map),
     ...linesOf(map, side, placing),
     ...{ distribution, estimates: estimatesOf(distribution) },
+    places: placesOf(map, ROUNDING * diagonal),
   };
 }
 
 /** The buffers that are moved to the page. */
 export function buffersOf(display: MapDisplay): ArrayBuffer[] {
-  const { positions, normals, signed, distances, slacks, indices, faces } = display;
+  const { positions, normals, signed, distances, coordinates, indices, faces } = display;
   const { lines, lineVertices } = display;
   const { absolute, signed: bySign } = display.distribution;
   const arrays = [
-    ...[positions, normals, signed, distances, slacks, indices, faces, lines, lineVertices],
+    ...[positions, normals, signed, distances, coordinates, indices, faces],
+    ...[lines, lineVertices],
     ...[absolute, bySign].flatMap(({ values, areas }) => [values, areas]),
   ];
   return arrays.map(({ buffer }) => buffer);
 }
 
-export function extremes({ signed, distances }: Pick<DeviationMap, "signed" | "distances">) {
+function coordinatesOf({ signed, distances }: DeviationMap): Float32Array<ArrayBuffer> {
+  const coordinates = new Float32Array(2 * distances.length);
+  for (const [vertex, distance] of distances.entries()) {
+    const value = signed[vertex] ?? Number.NaN;
+    const isSigned = !Number.isNaN(value);
+    coordinates[2 * vertex] = isSigned ? value : distance;
+    coordinates[2 * vertex + 1] = isSigned ? SIGNED_ROW : UNSIGNED_ROW;
+  }
+  return coordinates;
+}
+
+function extremes({ signed, distances }: DeviationMap) {
   let [lowest, highest, largest] = [0, 0, 0];
   for (const [index, distance] of distances.entries()) {
     const value = signed[index] ?? Number.NaN;

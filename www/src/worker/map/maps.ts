@@ -1,6 +1,6 @@
 // What a result says of the maps of its models.
 import type { DeviationMapOptions, DistanceResult, KnownDeviation } from "nurbs-hausdorff/worker";
-import type { Side, Sides } from "../protocol.ts";
+import type { Side } from "../protocol.ts";
 
 /** The result of the distances from one side to the other, where it was computed. */
 export function directedFrom(result: DistanceResult, side: Side): DistanceResult | undefined {
@@ -26,6 +26,3 @@ function knownOfSide(result: DistanceResult, side: Side): KnownDeviation {
   const [{ face, point }, foot] = side === "a" ? [a, b] : [b, a];
   return { uppers, farthest: { face, point, foot: foot.point } };
 }
-
-/** Returns the sides as entries. */
-export const entriesOf = <T>(sides: Sides<T>): [Side, T][] => Object.entries(sides) as [Side, T][];

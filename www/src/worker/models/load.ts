@@ -2,6 +2,7 @@
 
 import { meshFormatOf } from "nurbs-hausdorff/cad";
 import { type Hausdorff, HausdorffError, type NurbsModel } from "nurbs-hausdorff/worker";
+import { boundsOf } from "../../common/bounds.ts";
 import { example } from "../../examples/index.ts";
 import { texts } from "../../texts/index.ts";
 import { faceName } from "../probe.ts";
@@ -73,6 +74,7 @@ export async function load(
 
 async function displayOf(source: Source, model: NurbsModel): Promise<DisplayModel> {
   const tessellation = await model.tessellate();
+  const bounds = boundsOf(tessellation.positions);
   return {
     source,
     faceCount: model.faceCount,
@@ -80,7 +82,8 @@ async function displayOf(source: Source, model: NurbsModel): Promise<DisplayMode
     report: model.report,
     box: model.boundingBox,
     tessellation,
-    outline: outline(tessellation, isMesh(model)),
+    bounds,
+    outline: outline(tessellation, bounds, isMesh(model)),
     isMesh: isMesh(model),
     faceNames: Array.from({ length: model.faceCount }, (_, face) => listedName(model, face)),
     faceColors: colorsOf(model),

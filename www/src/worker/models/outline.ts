@@ -1,5 +1,6 @@
 // The outline of a model: the edges of its faces, creases and gaps.
 import type { Tessellation, Vector3 } from "nurbs-hausdorff";
+import type { Bounds } from "../../common/bounds.ts";
 import type { Outline } from "../protocol.ts";
 import { cross } from "../rigid.ts";
 import { type Edge, smooth } from "./edges.ts";
@@ -20,9 +21,10 @@ const BEND_COSINE = Math.cos((30 * Math.PI) / 180);
  * its triangles bend.
  * O(n log n) in the number of triangles.
  */
-export function outline(tessellation: Tessellation, isMesh = false): Outline {
+export function outline(tessellation: Tessellation, { min, max }: Bounds, isMesh = false): Outline {
   const { indices, faces } = tessellation;
-  const tolerance = BORDER_TOLERANCE * diagonalOf(tessellation.positions);
+  const tolerance =
+    BORDER_TOLERANCE * Math.hypot(...max.map((end, axis) => end - (min[axis] ?? 0)));
   const edges = faces.map(({ firstIndex, indexCount }) => {
     const own = indices.subarray(firstIndex, firstIndex + indexCount);
     if (isMesh) return creases(tessellation, own);
@@ -128,19 +130,6 @@ function withoutDoubled(edges: Edge[], { positions, normals }: Tessellation): Ed
     }
   }
   return [...byPlace.values()].filter((edge) => !inner.has(edge));
-}
-
-function diagonalOf(positions: Float32Array): number {
-  const lengths = [0, 1, 2].map((axis) => {
-    let [low, high] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
-    for (let place = axis; place < positions.length; place += 3) {
-      const value = positions[place] ?? 0;
-      low = Math.min(low, value);
-      high = Math.max(high, value);
-    }
-    return high - low;
-  });
-  return Math.hypot(...lengths);
 }
 
 /** Returns whether the edge has a positive length; at poles some have none. */
