@@ -1,9 +1,9 @@
-// node benches/page/large/large.mjs [assembly | A B]: opens two files at once on the built page (`npx vite build
-// www`) in headless Chromium: two meshes of a million triangles each, an assembly of 200 parts and its revision in
-// which a part moved, or files. Prints the seconds until the first faces are drawn, both models, the interval and all
+// node benches/page/large/large.mjs [points | assembly | A B]: opens two files at once on the built page (`npx vite
+// build www`) in headless Chromium: two meshes of a million triangles each, two scans of a million points each, an
+// assembly of 200 parts and its revision in which a part moved, or files. Prints the seconds until the first faces are drawn, both models, the interval and all
 // colours; the resident memory of the page's processes; the longest tasks of the main thread meanwhile, in
 // milliseconds of its own CPU; and the milliseconds that a click on the models takes until its point is found, once
-// the trees of triangles are built.
+// the trees are built.
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { basename, extname, join } from "node:path";
@@ -12,10 +12,12 @@ import { watch } from "../marks.mjs";
 import { resident } from "../resident.mjs";
 import { mainThreadTasks, trace } from "../tracing.mjs";
 import { assemblyOf } from "./assembly.mjs";
-import { writeScan } from "./scan.mjs";
+import { writePoints, writeScan } from "./scan.mjs";
 
 /** Cells along a side of the sheet: 999,698 triangles. */
 const CELLS = 707;
+/** Points along a side of the sheet. */
+const POINTS = 1000;
 /** What B lies above A, in mm. */
 const LIFT = 0.25;
 /** The uses of a part in the assembly, and by how much the last one is moved in B, in mm. */
@@ -40,8 +42,13 @@ async function filesOf(args) {
     }
     return made;
   }
-  const made = ["scan-a.stl", "scan-b.stl"].map((name) => join(folder, name));
-  for (const [index, file] of made.entries()) writeScan(file, CELLS, index * LIFT);
+  const isPoints = args[0] === "points";
+  const ending = isPoints ? "xyz" : "stl";
+  const made = ["a", "b"].map((name) => join(folder, `scan-${name}.${ending}`));
+  for (const [index, file] of made.entries()) {
+    if (isPoints) writePoints(file, POINTS, index * LIFT);
+    else writeScan(file, CELLS, index * LIFT);
+  }
   return made;
 }
 
@@ -78,7 +85,7 @@ try {
   console.log(`resident: ${resident().toFixed(0)} MiB`);
   await page.waitForTimeout(TREES);
   const trees = await page.evaluate(() =>
-    performance.getEntriesByName("tree of triangles").map(({ duration }) => duration),
+    performance.getEntriesByName("tree of a model").map(({ duration }) => duration),
   );
   const took = trees.map((duration) => `${(duration / 1000).toFixed(2)} s`);
   console.log(`trees built in: ${took.join(", ")}`);

@@ -1,5 +1,5 @@
-// Writes a mesh of many triangles: a sheet with waves as a binary STL, 84 bytes and 50 a triangle.
-import { closeSync, openSync, writeSync } from "node:fs";
+// Writes a sheet with waves: of many triangles as a binary STL, 84 bytes and 50 a triangle, or of many points as text.
+import { closeSync, openSync, writeFileSync, writeSync } from "node:fs";
 
 /** The bytes of an STL's header, its count and of one triangle. */
 const HEADER = 80;
@@ -10,6 +10,24 @@ const TRIANGLE = 50;
 const SIDE = 100;
 const WAVE = 25;
 const HEIGHT = 5;
+/** The decimals of coordinates as text. */
+const DECIMALS = 5;
+
+/** The corner of a cell of `cells` along a side. */
+function cornerOf(cells, lift, i, j) {
+  const [x, y] = [i, j].map((index) => (SIDE * index) / cells);
+  const z = HEIGHT * Math.sin((2 * Math.PI * x) / WAVE) * Math.cos((2 * Math.PI * y) / WAVE);
+  return [x, y, z + lift];
+}
+
+/** Writes a sheet of `cells`² points, `lift` mm above z = 0. */
+export function writePoints(path, cells, lift) {
+  const lines = Array.from({ length: cells * cells }, (_, index) => {
+    const point = cornerOf(cells, lift, Math.floor(index / cells), index % cells);
+    return point.map((value) => value.toFixed(DECIMALS)).join(" ");
+  });
+  writeFileSync(path, lines.join("\n"));
+}
 
 /** Writes a sheet of 2 · `cells`² triangles, `lift` mm above z = 0. */
 export function writeScan(path, cells, lift) {
@@ -17,11 +35,7 @@ export function writeScan(path, cells, lift) {
   const bytes = Buffer.alloc(HEADER + COUNT + TRIANGLE * count);
   bytes.writeUInt32LE(count, HEADER);
   let at = HEADER + COUNT;
-  const corner = (i, j) => {
-    const [x, y] = [i, j].map((index) => (SIDE * index) / cells);
-    const z = HEIGHT * Math.sin((2 * Math.PI * x) / WAVE) * Math.cos((2 * Math.PI * y) / WAVE);
-    return [x, y, z + lift];
-  };
+  const corner = (i, j) => cornerOf(cells, lift, i, j);
   const triangle = (...corners) => {
     // The normal stays zero: readers take it from the corners.
     at += 12;

@@ -1,4 +1,5 @@
-// What the pointer hits among many triangles: by a tree, the same as one by one; hidden faces are not hit.
+// What the pointer hits among many triangles and points: by a tree, the same as one by one; what is hidden or cut away is
+// not hit.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {
@@ -7,7 +8,13 @@ import {
   DoubleSide,
   Mesh,
   MeshBasicMaterial,
+  OrthographicCamera,
+  PerspectiveCamera,
+  Plane,
+  Points,
+  PointsMaterial,
   Raycaster,
+  Vector2,
   Vector3,
 } from "three";
 import { drawn } from "../support/drawn.mjs";
@@ -47,27 +54,35 @@ function sheets(...heights) {
   return { positions: new Float32Array(positions), indices: new Uint32Array(indices) };
 }
 
+// The worker's code in this thread, with copies of what is posted.
+let posted;
+globalThis.self = { postMessage: (data) => (posted = structuredClone(data)) };
+await moduleOf("scene/picking/treeWorker.ts");
+let answer;
+globalThis.Worker = class {
+  postMessage(data) {
+    self.onmessage({ data: structuredClone(data) });
+    answer = () => this.onmessage({ data: posted });
+  }
+  terminate() {}
+};
+
+/** Gives the tree that was asked for, once it was. */
+async function built() {
+  while (answer === undefined) await new Promise((resolve) => setTimeout(resolve, 50));
+  answer();
+  answer = undefined;
+}
+
 test("a tree hits what is hit one by one, where vertices were moved too", async () => {
-  // The worker's code in this thread, with copies of what is posted.
-  let posted;
-  globalThis.self = { postMessage: (data) => (posted = structuredClone(data)) };
-  await moduleOf("scene/picking/treeWorker.ts");
-  let built;
-  globalThis.Worker = class {
-    postMessage(data) {
-      self.onmessage({ data: structuredClone(data) });
-      built = () => this.onmessage({ data: posted });
-    }
-    terminate() {}
-  };
-  const { TriangleTree } = await moduleOf("scene/picking/tree.ts");
+  const { TriangleHits } = await moduleOf("scene/picking/triangleHits.ts");
   const triangles = sheets(0, 0.3);
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(triangles.positions, 3));
   geometry.setIndex(new BufferAttribute(triangles.indices, 1));
   const mesh = new Mesh(geometry, new MeshBasicMaterial({ side: DoubleSide }));
   mesh.matrixWorld.makeRotationX(0.4).setPosition(0.1, 0.2, 0.3);
-  const tree = new TriangleTree(mesh, triangles);
+  const tree = new TriangleHits(mesh, triangles);
   const rays = Array.from({ length: RAYS }, () => {
     const from = new Vector3(next(), next(), 3);
     return new Raycaster(from, new Vector3(next(), next(), 0).sub(from).normalize());
@@ -90,8 +105,7 @@ test("a tree hits what is hit one by one, where vertices were moved too", async 
     assert.ok(count > RAYS / 2, `${count}`);
   };
   compare();
-  while (built === undefined) await new Promise((resolve) => setTimeout(resolve, 50));
-  built();
+  await built();
   compare();
   // The upper sheet goes far up, in place.
   for (let at = triangles.positions.length / 2 + 2; at < triangles.positions.length; at += 3) {
@@ -99,6 +113,70 @@ test("a tree hits what is hit one by one, where vertices were moved too", async 
   }
   geometry.boundingSphere = null;
   tree.moved();
+  compare();
+});
+
+test("of a cloud the point in front of those under the pointer is hit, by a tree too", async () => {
+  const { PointHits } = await moduleOf("scene/picking/pointHits.ts");
+  const count = 60_000;
+  const positions = Float32Array.from({ length: 3 * count }, next);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(positions, 3));
+  const points = new Points(geometry, new PointsMaterial());
+  points.matrixWorld
+    .makeRotationX(0.4)
+    .scale(new Vector3(2, 2, 2))
+    .setPosition(0.1, 0.2, 0.3);
+  const [eye, flat] = [new PerspectiveCamera(32), new OrthographicCamera(-3, 3, 3, -3, 0.1, 20)];
+  for (const camera of [eye, flat]) {
+    camera.position.set(1, 2, 9);
+    camera.lookAt(0, 0, 0);
+    camera.updateMatrixWorld();
+  }
+  const rays = Array.from({ length: RAYS }, (_, index) => {
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2(next() / 3, next() / 3), index % 2 ? eye : flat);
+    ray.params.Points.threshold = index % 2 ? 0.004 : 0.03;
+    return ray;
+  });
+  new PointHits(points, positions);
+  /** The point in front of all whose discs a ray hits, by their definition. */
+  const expected = ({ ray, params, camera }) => {
+    let [best, least] = [undefined, Number.POSITIVE_INFINITY];
+    const planes = points.material.clippingPlanes ?? [];
+    const at = new Vector3();
+    for (let index = 0; index < count; index++) {
+      at.fromArray(positions, 3 * index).applyMatrix4(points.matrixWorld);
+      const depth = at.clone().sub(ray.origin).dot(ray.direction);
+      const radius = params.Points.threshold * (camera === eye ? depth : 1);
+      const isHit = depth > 0 && ray.distanceToPoint(at) <= radius;
+      if (!isHit || depth >= least || planes.some((plane) => plane.distanceToPoint(at) < 0))
+        continue;
+      [best, least] = [index, depth];
+    }
+    return best;
+  };
+  const compare = () => {
+    let found = 0;
+    for (const ray of rays) {
+      const hits = [];
+      points.raycast(ray, hits);
+      const best = expected(ray);
+      assert.deepEqual(
+        hits.map(({ index }) => index),
+        best === undefined ? [] : [best],
+      );
+      if (best === undefined) continue;
+      found += 1;
+      const at = new Vector3().fromArray(positions, 3 * best).applyMatrix4(points.matrixWorld);
+      assert.ok(at.distanceTo(new Vector3().copy(hits[0].point)) < 1e-9);
+    }
+    assert.ok(found > RAYS / 2, `${found}`);
+  };
+  compare();
+  await built();
+  compare();
+  points.material.clippingPlanes = [new Plane(new Vector3(0, 0, -1), 0.2)];
   compare();
 });
 
@@ -132,7 +210,7 @@ test("a click on many triangles finds what is drawn there, and below what is hid
   await opened.until("done", () => page.setInputFiles("#file-a", groups("a.obj", 0, 0.5)));
   await opened.until("done", () => page.setInputFiles("#file-b", groups("b.obj", -0.25)));
   await page.selectOption("#show-b", "hidden");
-  await page.waitForFunction(() => performance.getEntriesByName("tree of triangles").length >= 2);
+  await page.waitForFunction(() => performance.getEntriesByName("tree of a model").length >= 2);
   await page.selectOption("#direction", "top");
   await drawn(page);
   const pinned = async () => {
@@ -147,6 +225,24 @@ test("a click on many triangles finds what is drawn there, and below what is hid
   await page.locator("#tree-list .face input[type=checkbox]").nth(1).uncheck();
   await drawn(page);
   assert.match(await pinned(), /0\.250/);
+});
+
+test("a click on a cloud finds the point that is seen there, however small the cloud is", async () => {
+  // Nine points, of which the middle one is farther from B than the others, within a thousandth of a unit.
+  const point = (i, j, z) => `${i * 4e-4} ${j * 4e-4} ${z}`;
+  const places = [-1, 0, 1].flatMap((i) => [-1, 0, 1].map((j) => [i, j]));
+  const cloud = (heightOf) => places.map(([i, j]) => point(i, j, heightOf(i, j))).join("\n");
+  const [a, b] = [cloud((i, j) => (i === 0 && j === 0 ? 1e-4 : 3e-4)), cloud(() => 0)];
+  await opened.until("done", () => page.setInputFiles("#file-a", file("a.xyz", a)));
+  await opened.until("done", () => page.setInputFiles("#file-b", file("b.xyz", b)));
+  await page.selectOption("#direction", "top");
+  await drawn(page);
+  const count = await page.locator(".pin").count();
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("Enter");
+  const pin = page.locator(".pin").nth(count);
+  await pin.waitFor();
+  assert.match(await pin.textContent(), /0\.000100/);
 });
 
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

@@ -63,6 +63,9 @@ export function painted(map: Texture, offset: number): MeshStandardMaterial {
   return material;
 }
 
+/** The size of the points of a scan, in pixels. */
+export const POINT_SIZE = 8;
+
 /** The part of a point's radius beyond which it is dark, and how dark: it is seen on any ground. */
 const RIM = { from: 0.7, brightness: 0.1 };
 

@@ -31,15 +31,14 @@ import {
   setPositions,
 } from "./exploded/displaced.ts";
 import { type FaceClass, FaceColors } from "./faces.ts";
-import { glass, painted, rounded, satin } from "./material.ts";
-import { TriangleTree } from "./picking/tree.ts";
+import { glass, POINT_SIZE, painted, rounded, satin } from "./material.ts";
+import { PointHits } from "./picking/pointHits.ts";
+import { TriangleHits } from "./picking/triangleHits.ts";
 
 /** How much of a model is shown: all, a see-through surface, or nothing. */
 export type Visibility = "solid" | "glass" | "hidden";
 
 const TRIANGLES = { color: 0x101820, wireframe: true, transparent: true, opacity: 0.16 };
-/** The size of the points of a scan, in pixels. */
-const POINT_SIZE = 8;
 /** The opacity of colours that are seen through. */
 const SEE_THROUGH = 0.4;
 /** The outline of a model in its own colours, and of one whose outline alone shows which it is. */
@@ -52,7 +51,7 @@ export class ModelMesh {
   readonly #satin: Material;
   readonly #glass: Material;
   readonly #surface: Mesh | Points;
-  readonly #tree: TriangleTree | undefined;
+  readonly #hits: TriangleHits | PointHits;
   readonly #painted: Mesh | Points;
   readonly #triangles: Mesh;
   readonly #outline: LineSegments<BufferGeometry, LineBasicMaterial>;
@@ -91,9 +90,13 @@ export class ModelMesh {
     this.#glass = isCloud
       ? rounded(new PointsMaterial({ color, ...dots, transparent: true, opacity: SEE_THROUGH }))
       : glass(color);
-    this.#surface = isCloud ? new Points(geometry, this.#satin) : new Mesh(geometry, this.#satin);
-    if (this.#surface instanceof Mesh)
-      this.#tree = new TriangleTree(this.#surface, { positions, indices });
+    if (isCloud) {
+      this.#surface = new Points(geometry, this.#satin);
+      this.#hits = new PointHits(this.#surface, positions);
+    } else {
+      this.#surface = new Mesh(geometry, this.#satin);
+      this.#hits = new TriangleHits(this.#surface, { positions, indices });
+    }
     // B lies a little behind A, so that coincident colours do not fight for depth.
     const paint = isCloud
       ? rounded(new PointsMaterial({ map, ...dots, transparent: true }))
@@ -212,7 +215,7 @@ export class ModelMesh {
 
   /** Moves faces by these ways, in the model's coordinates; without any, all are where they are. */
   explode(offsets: Offsets | undefined): void {
-    if (offsets === this.#offsets || this.#surface instanceof Points) return;
+    if (offsets === this.#offsets || this.#hits instanceof PointHits) return;
     this.#offsets = offsets;
     const position = this.#surface.geometry.getAttribute("position") as BufferAttribute;
     const positions = position.array as Float32Array;
@@ -220,7 +223,7 @@ export class ModelMesh {
     if (offsets === undefined) positions.set(this.#rest);
     else displace(this.#rest, this.#facesOfVertices, offsets, positions);
     position.needsUpdate = true;
-    this.#tree?.moved();
+    this.#hits.moved();
     this.#displacePaint();
     forgetAllBounds(this.group);
   }
@@ -331,7 +334,7 @@ export class ModelMesh {
 
   dispose(): void {
     this.group.removeFromParent();
-    this.#tree?.dispose();
+    this.#hits.dispose();
     this.#faces.dispose();
     this.#cap?.dispose();
     const parts = [this.#surface, this.#painted, this.#outline, this.#triangles];

@@ -15,6 +15,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { nextTask } from "../../common/nextTask.ts";
+import { POINT_SIZE } from "../material.ts";
 import { fitDistance } from "./fit.ts";
 import { followFlat } from "./flat.ts";
 import { isSame, NOWHERE, nearest, type Part, partOf } from "./free.ts";
@@ -219,7 +220,11 @@ export class Viewport {
   pixelAt(point: Vector3): number {
     const { position } = this.#perspective;
     const at = this.#camera === this.#perspective ? point : this.controls.target;
-    const pixel = (2 * position.distanceTo(at) * TANGENT) / this.#canvas.clientHeight;
+    return this.#pixelAtDistance(position.distanceTo(at));
+  }
+
+  #pixelAtDistance(distance: number): number {
+    const pixel = (2 * distance * TANGENT) / this.#canvas.clientHeight;
     return this.#isBeside ? pixel / BESIDE : pixel;
   }
 
@@ -253,6 +258,10 @@ export class Viewport {
     );
     const ray = new Raycaster();
     ray.setFromCamera(at, this.#camera);
+    // The radius of points, from the eye's perspective where they are 1 away.
+    const isFlat = this.#camera === this.#orthographic;
+    const distance = isFlat ? this.#perspective.position.distanceTo(this.controls.target) : 1;
+    ray.params.Points.threshold = (POINT_SIZE / 2) * this.#pixelAtDistance(distance);
     return ray.intersectObjects(objects, false);
   }
 

@@ -1,9 +1,9 @@
-// The triangles that a tree is of, as the page and its worker share them.
+// The triangles or points that a tree is of, as the page and its worker share them.
 import { BufferAttribute, BufferGeometry } from "three";
 import type { SerializedBVH } from "three-mesh-bvh";
 
-/** The triangles of a mesh: x, y, z a vertex, and three vertices each. */
-export interface Triangles {
+/** What is hit: x, y, z a vertex, and three vertices a triangle; without triangles, the vertices as points. */
+export interface Hittable {
   positions: Float32Array;
   indices: Uint32Array;
 }
@@ -11,10 +11,14 @@ export interface Triangles {
 /** A tree whose triangles stay where they are. */
 export type Serialized = Omit<SerializedBVH, "index">;
 
-/** The geometry that a tree is of. */
-export function geometryOf({ positions, indices }: Triangles): BufferGeometry {
+/** The geometry that a tree is of: a point is a triangle whose corners are one. */
+export function geometryOf({ positions, indices }: Hittable): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(positions, 3));
-  geometry.setIndex(new BufferAttribute(indices, 1));
+  const corners =
+    indices.length > 0
+      ? indices
+      : Uint32Array.from(positions, (_, corner) => Math.floor(corner / 3));
+  geometry.setIndex(new BufferAttribute(corners, 1));
   return geometry;
 }
