@@ -171,6 +171,40 @@ test("against a scan the models keep the signs that are known", async () => {
   await opened.screenshot("scan-and-solid");
 });
 
+test("a dense scan has the colours of the legend: its points hide each other's rims", async () => {
+  // Points two pixels apart and less, on a sheet that is tilted by 45 degrees.
+  const side = 200;
+  const points = Array.from({ length: side * side }, (_, index) => {
+    const [i, j] = [Math.floor(index / side), index % side].map((at) => (2 * at) / side - 1);
+    return `${i} ${j} ${j + 0.01}`;
+  });
+  const tilted = {
+    surfaces: planes(0).surfaces.map((surface) => ({
+      ...surface,
+      ctrl: surface.ctrl.map((row) => row.map(([x, y, z, w]) => [x, y, z + y, w])),
+    })),
+  };
+  await openPair(file("scan.xyz", points.join("\n")), modelFile("sheet.json", tilted));
+  await page.locator("#limit").fill("0.2");
+  await page.selectOption("#show-b", "hidden");
+  for (const isFlat of [false, true]) {
+    await page.locator("#orthographic").setChecked(isFlat);
+    for (const view of ["top", "front"]) {
+      await page.selectOption("#direction", view);
+      const [green, dark] = [
+        await countPixels(page, GREEN),
+        await countPixels(page, "r + g + b < 120"),
+      ];
+      assert.ok(green > 20_000, `${view}: ${green} pixels of the legend's green`);
+      // Those of the outline are dark.
+      assert.ok(dark < 0.1 * green, `${view}: ${dark} dark pixels beside ${green}`);
+    }
+  }
+  await page.locator("#orthographic").uncheck();
+  await page.selectOption("#show-b", "auto");
+  await page.locator("#limit").fill("");
+});
+
 /** A box from 0 to these sizes as STL. */
 function stlBox(name, [x, y, z]) {
   const corner = (index) => [index & 1 ? x : 0, index & 2 ? y : 0, index & 4 ? z : 0];

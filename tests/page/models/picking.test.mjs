@@ -242,7 +242,8 @@ test("a click on a cloud finds the point that is seen there, however small the c
   await page.keyboard.press("Enter");
   const pin = page.locator(".pin").nth(count);
   await pin.waitFor();
-  assert.match(await pin.textContent(), /0\.000100/);
+  // A point is named by its number, and has no parameters.
+  assert.match(await pin.textContent(), /0\.000100*A point 4foot on B point 4:/);
 });
 
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

@@ -68,8 +68,16 @@ export const POINT_SIZE = 8;
 
 /** The part of a point's radius beyond which it is dark, and how dark: it is seen on any ground. */
 const RIM = { from: 0.7, brightness: 0.1 };
+/**
+ * How far back the rim of a point lies, in its radii: up to the arctangent of this, the angle at which a surface is
+ * seen, points of a dense cloud hide each other's rims.
+ */
+const CONE = 2;
 
-/** Makes the points of a material round, with a dark rim. */
+/**
+ * Makes the points of a material round, with a dark rim. They are cones towards the eye, so that each pixel has the
+ * colour of the point nearest to it, and rims are seen only where no other point is near.
+ */
 export function rounded(material: PointsMaterial): PointsMaterial {
   material.toneMapped = false;
   material.onBeforeCompile = (shader) => {
@@ -78,8 +86,15 @@ export function rounded(material: PointsMaterial): PointsMaterial {
       `float away = 2.0 * length(gl_PointCoord - 0.5);
       if (away > 1.0) discard;
       outgoingLight *= away > ${RIM.from.toFixed(3)} ? ${RIM.brightness.toFixed(3)} : 1.0;
+      bool isFlat = projectionMatrix[3][3] == 1.0;
+      float depth = isFlat ? (projectionMatrix[3][2] + 1.0 - 2.0 * gl_FragCoord.z) / projectionMatrix[2][2] : 1.0 / gl_FragCoord.w;
+      float radius = ${(POINT_SIZE / 2).toFixed(1)} * (isFlat ? 1.0 : depth) / (projectionMatrix[1][1] * scale);
+      depth += ${CONE.toFixed(1)} * away * radius;
+      float behind = (projectionMatrix[3][2] - projectionMatrix[2][2] * depth) / (isFlat ? 1.0 : depth);
+      gl_FragDepth = 0.5 + 0.5 * behind;
       #include <opaque_fragment>`,
     );
+    shader.fragmentShader = `uniform mat4 projectionMatrix;\nuniform float scale;\n${shader.fragmentShader}`;
   };
   return material;
 }

@@ -3,6 +3,7 @@
 import type { Hausdorff, NurbsModel, Transform, Vector3 } from "nurbs-hausdorff/worker";
 import { texts } from "../texts/index.ts";
 import { placed, unplaced } from "./map/placed.ts";
+import { isCloud, isMesh } from "./models/meshes.ts";
 import type { Probe, Side, Sides } from "./protocol.ts";
 
 /** A point near a model, in that model's own coordinates. */
@@ -31,9 +32,10 @@ export async function probe(
   const onOther = await engine.closestPoints(other, [...unplaced(otherSide, point, placing)]);
   const size = other === b ? scale : 1;
   return {
-    ...{ side, face: faceName(own, onOwn.faces[0]), u, v, point },
+    ...{ side, face: placeOn(own, onOwn.faces[0]), point },
+    ...(!isMesh(own) && { u, v }),
     foot: placed(otherSide, vector(onOther.feet), placing),
-    footFace: faceName(other, onOther.faces[0]),
+    footFace: placeOn(other, onOther.faces[0]),
     distance: size * (onOther.distances[0] ?? Number.NaN),
     bound: size * (onOther.bounds[0] ?? Number.NaN),
     signed: size * (onOther.signed[0] ?? Number.NaN),
@@ -41,6 +43,12 @@ export async function probe(
 }
 
 const vector = ([x = 0, y = 0, z = 0]: Float64Array): Vector3 => [x, y, z];
+
+/** The name of a face; of a mesh its triangle, of a scan its point. */
+function placeOn(model: NurbsModel, face = 0): string {
+  if (!isMesh(model)) return faceName(model, face);
+  return isCloud(model) ? texts.common.point(face) : texts.common.triangle(face);
+}
 
 /** The name of a face in its source, or its number. */
 export const faceName = (model: NurbsModel, face = 0): string =>

@@ -80,12 +80,14 @@ export type CheckOf = Side | "both";
 /** A point of one model, and its closest point on the other. */
 export interface Probe {
   side: Side;
+  /** The name of its face; of a mesh its triangle, of a scan its point. */
   face: string;
-  u: number;
-  v: number;
+  /** Its parameters on its face; a mesh has none. */
+  u?: number;
+  v?: number;
   point: Vector3;
   foot: Vector3;
-  /** The other model's face. */
+  /** That of the foot on the other model. */
   footFace: string;
   distance: number;
   /** The true distance differs from `distance` by at most this. */

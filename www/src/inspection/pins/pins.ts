@@ -95,7 +95,9 @@ function lines({ side, face, u, v, distance, signed, footFace, foot }: Probe, di
     : signedText(signed, diagonal);
   const said = [
     `${size}${unit === undefined ? "" : ` ${unit}`}`,
-    texts.places.onFace(side.toUpperCase(), face, short(u), short(v)),
+    u === undefined || v === undefined
+      ? texts.places.at(side.toUpperCase(), face)
+      : texts.places.onFace(side.toUpperCase(), face, short(u), short(v)),
     texts.places.footOn(other, footFace, foot.map((at) => short(shownLength(at))).join(", ")),
   ];
   return said.map((text) => {

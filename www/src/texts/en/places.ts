@@ -48,6 +48,7 @@ export const places = {
   clickASecondPoint: (deviation: string) => `${deviation}; click a second point`,
   theSectionWithItsDeviations: "The section with its deviations enlarged",
   removeThePinnedPoint: "Remove the pinned point",
+  at: (side: string, place: string) => `${side} ${place}`,
   onFace: (side: string, face: string, u: string, v: string) => `${side} ${face} · u ${u} · v ${v}`,
   footOn: (other: string, footFace: string, foot: string) =>
     `foot on ${other} ${footFace}: ${foot}`,

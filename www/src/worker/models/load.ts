@@ -16,7 +16,7 @@ import {
 } from "../protocol.ts";
 import { reader } from "./cadFiles.ts";
 import { Drafts } from "./drafts.ts";
-import { isMesh, noted } from "./meshes.ts";
+import { isMesh, noted, notedCloud } from "./meshes.ts";
 import { outline } from "./outline.ts";
 
 /** Loaded models and what is drawn of them. */
@@ -75,6 +75,7 @@ export async function load(
 async function displayOf(source: Source, model: NurbsModel): Promise<DisplayModel> {
   const tessellation = await model.tessellate();
   const bounds = boundsOf(tessellation.positions);
+  if (isMesh(model) && tessellation.indices.length === 0) notedCloud(model);
   return {
     source,
     faceCount: model.faceCount,

@@ -2,6 +2,7 @@
 import type { NurbsModel } from "nurbs-hausdorff/worker";
 
 const meshes = new WeakSet<NurbsModel>();
+const clouds = new WeakSet<NurbsModel>();
 
 /** Notes that a model was read as a mesh, and returns it. */
 export function noted(model: NurbsModel): NurbsModel {
@@ -9,4 +10,10 @@ export function noted(model: NurbsModel): NurbsModel {
   return model;
 }
 
+/** Notes that a mesh has no triangles: a scan. */
+export function notedCloud(model: NurbsModel): void {
+  clouds.add(model);
+}
+
 export const isMesh = (model: NurbsModel): boolean => meshes.has(model);
+export const isCloud = (model: NurbsModel): boolean => clouds.has(model);
