@@ -1,12 +1,13 @@
 // node benches/page/large/large.mjs [points | assembly | A B]: opens two files at once on the built page (`npx vite
 // build www`) in headless Chromium: two meshes of a million triangles each, two scans of a million points each, an
-// assembly of 200 parts and its revision in which a part moved, or files. Prints the seconds until the first faces are drawn, both models, the interval and all
-// colours; the resident memory of the page's processes; the longest tasks of the main thread meanwhile, in
-// milliseconds of its own CPU; and the milliseconds that a click on the models takes until its point is found, once
-// the trees are built.
+// assembly of 200 parts and its revision in which a part moved, or files. Prints the seconds until the first faces are
+// drawn, both models, the interval and all colours; the resident memory of the page's processes; the longest tasks of
+// the main thread meanwhile, and while a section is moved, in milliseconds of its own CPU; and the milliseconds that a
+// click on the models takes until its point is found, once the trees are built.
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { basename, extname, join } from "node:path";
+import { drawn } from "../../../tests/page/support/drawn.mjs";
 import { open } from "../../../tests/page/support/open.mjs";
 import { watch } from "../marks.mjs";
 import { resident } from "../resident.mjs";
@@ -28,6 +29,10 @@ const TIMEOUT = 600_000;
 /** Milliseconds in which the trees are built. */
 const TREES = 10_000;
 const PICKS = 5;
+/** Tasks that are printed. */
+const LONGEST = 5;
+/** Where sections are, as parts of the models. */
+const SECTIONS = [0.3, 0.4, 0.5, 0.6];
 
 const folder = await mkdtemp(join(tmpdir(), "large-"));
 const files = await filesOf(process.argv.slice(2));
@@ -93,7 +98,15 @@ try {
   const times = await page.evaluate(clicks, PICKS);
   console.log(`clicks: ${times.map((time) => time.toFixed(1)).join(", ")} ms`);
   console.log(`points found: ${await page.locator(".pin").count()} of ${PICKS}`);
-  console.log(`longest tasks: ${tasks.slice(0, 5).map((time) => time.toFixed(0)).join(", ")} ms of CPU`);
+  const longest = (times) => times.slice(0, LONGEST).map((time) => time.toFixed(0)).join(", ");
+  console.log(`longest tasks: ${longest(tasks)} ms of CPU`);
+  const moved = await trace(page);
+  await page.selectOption("#section-axis", "0");
+  for (const at of SECTIONS) {
+    await page.locator("#section-at").fill(`${at}`);
+    await drawn(page);
+  }
+  console.log(`while a section is moved: ${longest(mainThreadTasks(await moved()))} ms of CPU`);
   await opened.screenshot("large");
 } finally {
   await opened.close();

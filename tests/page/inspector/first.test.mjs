@@ -169,7 +169,19 @@ test("a face has a limit of its own, in verdict, comparison, list and address", 
 test("a section is capped, and its deviations are drawn along it", async () => {
   await page.selectOption("#section-axis", "1");
   await page.locator("#cut svg").waitFor();
-  assert.ok((await page.locator("#cut polygon").count()) > 100);
+  // Deviations are red and blue beside the contours.
+  const painted = await page.locator("#cut canvas").evaluate((canvas) => {
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    const counts = { red: 0, blue: 0 };
+    for (let at = 0; at < data.length; at += 4) {
+      if (data[at + 3] < 255) continue;
+      if (data[at] > 1.6 * data[at + 2]) counts.red += 1;
+      if (data[at + 2] > 1.6 * data[at]) counts.blue += 1;
+    }
+    return counts;
+  });
+  assert.ok(painted.red > 100 && painted.blue > 100, JSON.stringify(painted));
+  assert.match(await page.locator("#cut-plot").getAttribute("aria-label"), /80\.350+ × 70\.0+ mm/);
   // It is below the controls of the section.
   await page.waitForFunction(
     () =>
@@ -178,12 +190,17 @@ test("a section is capped, and its deviations are drawn along it", async () => {
   );
   // The base reaches from 0 to 80 mm in A, and to 0.35 more in B.
   const plot = await page.locator("#cut svg").boundingBox();
-  const ends = await page.locator("#cut line").evaluateAll((lines) => {
-    const all = lines.map((line) => line.getBoundingClientRect());
+  // The upright 25 mm above the base's bottom, and the end of the base, from the middle of B, where the scene begins.
+  const ends = await page.locator("#cut svg").evaluate((drawing) => {
+    const matrix = drawing.getScreenCTM();
+    const [right, bottom] = [80.35 / 2, 70 / 2];
     return [
-      all.reduce((one, other) => (other.left < one.left ? other : one)),
-      all.reduce((one, other) => (other.right > one.right ? other : one)),
-    ].map(({ left, right, bottom }, index) => [index === 0 ? left : right, bottom]);
+      [-right, bottom - 25],
+      [right, bottom],
+    ].map(([x, y]) => {
+      const point = new DOMPoint(x, y).matrixTransform(matrix);
+      return [point.x, point.y];
+    });
   });
   const measured = page.locator("#cut-measured");
   await page.mouse.move(plot.x + plot.width / 2, plot.y + plot.height - 2);
@@ -196,7 +213,7 @@ test("a section is capped, and its deviations are drawn along it", async () => {
   // The ends of both are a pixel apart: which of them was picked is said.
   const text = await measured.textContent();
   const [, apart, from, across] = /≈ ([\d.]+) mm from ([AB]) to [AB] \(x −([\d.]+),/.exec(text);
-  assert.equal(await page.locator("#cut .marks circle").count(), 2);
+  assert.equal(await page.locator("#cut svg circle").count(), 2);
   const reach = from === "A" ? 80 : 80.35;
   assert.ok(Math.abs(Number(across) - reach) < 1e-3, text);
   assert.ok(Number(apart) >= Number(across), text);

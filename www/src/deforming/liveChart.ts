@@ -1,6 +1,7 @@
 // A chart of the last seconds, drawn while results arrive.
-import uPlot from "uplot";
+import type uPlot from "uplot";
 import { pageColor } from "../common/pageColor.ts";
+import { axisOf, plotIn } from "../common/plots/plot.ts";
 
 const HEIGHT = 190;
 /** The seconds that are shown. */
@@ -13,25 +14,39 @@ export interface Line {
 }
 
 export class LiveChart {
-  readonly #parent: HTMLElement;
   readonly #lines: readonly Line[];
-  readonly #logarithmic: boolean;
   #rows: number[][] = [];
-  #plot: uPlot;
+  readonly #plot: uPlot;
   #drawing = false;
 
   constructor(parent: HTMLElement, lines: readonly Line[], { logarithmic = false } = {}) {
-    this.#parent = parent;
     this.#lines = lines;
-    this.#logarithmic = logarithmic;
-    this.#plot = this.#build();
-    new ResizeObserver(() => {
-      this.#plot.setSize({ width: parent.clientWidth, height: HEIGHT });
-    }).observe(parent);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-      this.#plot.destroy();
-      this.#plot = this.#build();
-    });
+    const seconds: uPlot.Axis.Values = (_, splits) => splits.map((second) => `${second} s`);
+    this.#plot = plotIn(
+      parent,
+      {
+        cursor: { show: false },
+        scales: {
+          x: {
+            time: false,
+            range: (_, __, high) => [Math.max(0, high - WINDOW), Math.max(WINDOW, high)],
+          },
+          y: logarithmic ? { distr: 3 } : {},
+        },
+        axes: [axisOf({ values: seconds }), axisOf({})],
+        series: [
+          {},
+          ...lines.map(({ label, color }) => ({
+            label,
+            stroke: () => pageColor(color),
+            width: 2,
+            points: { show: false },
+          })),
+        ],
+      },
+      this.#data(),
+      () => HEIGHT,
+    );
   }
 
   /** Adds the lines' values at a time in seconds, later than the last. */
@@ -55,34 +70,5 @@ export class LiveChart {
   #data(): uPlot.AlignedData {
     const column = (index: number) => this.#rows.map((row) => row[index] ?? 0);
     return [column(0), ...this.#lines.map((_, index) => column(index + 1))];
-  }
-
-  #build(): uPlot {
-    const [ink, grid] = [pageColor("ink"), { stroke: pageColor("line"), width: 1 }];
-    const axis: uPlot.Axis = { stroke: ink, grid, ticks: grid };
-    const options: uPlot.Options = {
-      width: this.#parent.clientWidth,
-      height: HEIGHT,
-      legend: { show: false },
-      cursor: { show: false },
-      scales: {
-        x: {
-          time: false,
-          range: (_, __, high) => [Math.max(0, high - WINDOW), Math.max(WINDOW, high)],
-        },
-        y: this.#logarithmic ? { distr: 3 } : {},
-      },
-      axes: [{ ...axis, values: (_, splits) => splits.map((second) => `${second} s`) }, axis],
-      series: [
-        {},
-        ...this.#lines.map(({ label, color }) => ({
-          label,
-          stroke: pageColor(color),
-          width: 2,
-          points: { show: false },
-        })),
-      ],
-    };
-    return new uPlot(options, this.#data(), this.#parent);
   }
 }

@@ -1,9 +1,9 @@
 // The page of a deforming surface: measures it frame after frame, and draws what is measured.
-import { texts } from "../texts/index.ts";
-import "uplot/dist/uPlot.min.css";
+
 import { Hausdorff } from "nurbs-hausdorff/worker";
 import { element } from "../common/elements.ts";
 import { intervalText } from "../common/text/numbers.ts";
+import { texts } from "../texts/index.ts";
 import { codeOf, messageOf } from "../worker/failure.ts";
 import { type Frame, Frames } from "./frames.ts";
 import { LiveChart } from "./liveChart.ts";

@@ -1,9 +1,9 @@
 // The page of experiments: runs the sweep that the form describes, and draws it.
-import { texts } from "../texts/index.ts";
-import "uplot/dist/uPlot.min.css";
+
 import { element } from "../common/elements.ts";
 import { engineText } from "../common/engineText.ts";
-import { axisNumber } from "./charts/axisNumber.ts";
+import { axisNumber } from "../common/plots/axisNumber.ts";
+import { texts } from "../texts/index.ts";
 import { Plots } from "./charts/plots.ts";
 import * as form from "./form.ts";
 import * as methodList from "./methodList.ts";

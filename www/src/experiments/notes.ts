@@ -1,6 +1,7 @@
 // Notes on a curve that the plots do not show.
+
+import { axisNumber } from "../common/plots/axisNumber.ts";
 import { texts } from "../texts/index.ts";
-import { axisNumber } from "./charts/axisNumber.ts";
 import type { Curve, SweepPoint } from "./sweep/sweepPoint.ts";
 
 /** The largest number of positions that are listed one by one. */

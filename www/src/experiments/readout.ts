@@ -1,7 +1,7 @@
 // The results of all methods at one position.
 import { element } from "../common/elements.ts";
+import { axisNumber } from "../common/plots/axisNumber.ts";
 import { duration } from "../common/text/numbers.ts";
-import { axisNumber } from "./charts/axisNumber.ts";
 import type { Curve, SweepPoint } from "./sweep/sweepPoint.ts";
 
 const section = element("readout");

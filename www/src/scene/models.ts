@@ -323,13 +323,17 @@ export class Models {
 
   /** A point that is relative to a model's tessellation, in scene coordinates. */
   place(side: Side, [x, y, z]: Point): Vector3 {
-    return new Vector3(x, y, z).applyMatrix4(this.#meshes[side]?.group.matrix ?? new Matrix4());
+    return new Vector3(x, y, z).applyMatrix4(this.matrixOf(side));
+  }
+
+  /** Where a model's tessellation is in the scene. */
+  matrixOf(side: Side): Matrix4 {
+    return this.#meshes[side]?.group.matrix ?? new Matrix4();
   }
 
   /** A direction of a model in the scene. */
   turn(side: Side, [x, y, z]: Point): Vector3 {
-    const matrix = this.#meshes[side]?.group.matrix ?? new Matrix4();
-    return new Vector3(x, y, z).transformDirection(matrix);
+    return new Vector3(x, y, z).transformDirection(this.matrixOf(side));
   }
 
   /** The models drawn. */

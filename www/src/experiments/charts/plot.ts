@@ -1,19 +1,14 @@
 // One panel, drawn on a canvas and updated as results arrive.
 
-import uPlot from "uplot";
+import type uPlot from "uplot";
+import { axisOf, type PlotOptions, plotIn } from "../../common/plots/plot.ts";
 import { texts } from "../../texts/index.ts";
 import type { Curve } from "../sweep/sweepPoint.ts";
-import { axisNumber } from "./axisNumber.ts";
 import { markFailures } from "./failureMarks.ts";
 import type { Panel, Series } from "./panels.ts";
 
-/** The colours of a plot, as CSS values. */
-export interface Colors {
-  ink: string;
-  grid: string;
-  /** The colour of a method. */
-  method(name: string): string;
-}
+/** The colour of a method, as a CSS value. */
+export type ColorOf = (method: string) => string;
 
 /** Sizes in pixels. */
 const HEIGHT = 290;
@@ -29,10 +24,8 @@ export class Plot {
   readonly #panel: Panel;
   readonly #positions: readonly number[];
   readonly #curves: readonly Curve[];
-  readonly #parent: HTMLElement;
-  readonly #colors: Colors;
+  readonly #colorOf: ColorOf;
   readonly #plot: uPlot;
-  readonly #resized: ResizeObserver;
 
   /** Calls `onCursor` with the index of the position under the pointer. */
   constructor(
@@ -40,19 +33,14 @@ export class Plot {
     panel: Panel,
     positions: readonly number[],
     curves: readonly Curve[],
-    colors: Colors,
+    colorOf: ColorOf,
     onCursor: (index: number) => void,
   ) {
     this.#panel = panel;
     this.#positions = positions;
     this.#curves = curves;
-    this.#parent = parent;
-    this.#colors = colors;
-    this.#plot = new uPlot(this.#options(onCursor), this.#data(), parent);
-    this.#resized = new ResizeObserver(() => {
-      this.#plot.setSize({ width: parent.clientWidth, height: HEIGHT });
-    });
-    this.#resized.observe(parent);
+    this.#colorOf = colorOf;
+    this.#plot = plotIn(parent, this.#options(onCursor), this.#data(), () => HEIGHT);
   }
 
   /** Draws the results that have arrived. */
@@ -61,7 +49,6 @@ export class Plot {
   }
 
   dispose(): void {
-    this.#resized.disconnect();
     this.#plot.destroy();
   }
 
@@ -74,23 +61,12 @@ export class Plot {
     return [[...this.#positions], ...values];
   }
 
-  #options(onCursor: (index: number) => void): uPlot.Options {
-    const grid = { stroke: this.#colors.grid, width: 1 };
+  #options(onCursor: (index: number) => void): PlotOptions {
     const decades: uPlot.Axis.Filter = (_, splits) =>
       this.#panel.logarithmic ? splits.map(wholeDecade) : splits;
-    const coarse = { ...grid, filter: decades };
-    const axis: uPlot.Axis = {
-      stroke: this.#colors.ink,
-      grid,
-      ticks: grid,
-      values: (_, splits) => splits.map(axisNumber),
-      labelSize: 20,
-      labelFont: "12px system-ui, sans-serif",
-    };
+    const axis = axisOf({ labelSize: 20, labelFont: "12px system-ui, sans-serif" });
+    const coarse = { ...axis.grid, filter: decades };
     return {
-      width: this.#parent.clientWidth,
-      height: HEIGHT,
-      legend: { show: false },
       cursor: { sync: { key: "position" }, drag: { x: false, y: false }, y: false },
       scales: {
         x: { time: false, range: (_, low, high) => withMargin(low, high) },
@@ -104,7 +80,7 @@ export class Plot {
       hooks: {
         setCursor: [({ cursor: { idx } }) => idx != null && onCursor(idx)],
         draw: this.#panel.marksFailures
-          ? [(plot) => markFailures(plot, this.#curves, this.#colors.method)]
+          ? [(plot) => markFailures(plot, this.#curves, this.#colorOf)]
           : [],
       },
     };
@@ -113,10 +89,10 @@ export class Plot {
   #style({ name, method, dashed }: Series): uPlot.Series {
     return {
       label: name,
-      stroke: this.#colors.method(method),
+      stroke: this.#colorOf(method),
       width: dashed ? 1 : 2,
       ...(dashed ? { dash: DASHES } : {}),
-      points: { show: true, size: dashed ? BOUND_POINT : POINT, fill: this.#colors.method(method) },
+      points: { show: true, size: dashed ? BOUND_POINT : POINT, fill: this.#colorOf(method) },
     };
   }
 }

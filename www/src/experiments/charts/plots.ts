@@ -1,22 +1,21 @@
 // All panels, with common colours and a common cursor.
 import { element } from "../../common/elements.ts";
-import { pageColor } from "../../common/pageColor.ts";
 import type { Curve } from "../sweep/sweepPoint.ts";
 import { panels } from "./panels.ts";
-import { type Colors, Plot } from "./plot.ts";
+import { type ColorOf, Plot } from "./plot.ts";
 
 /** Whether the time axis is logarithmic. */
 const logarithmicTime = element("logarithmic-time", HTMLInputElement);
 
 export class Plots {
-  readonly #methodColor: (method: string) => string;
+  readonly #methodColor: ColorOf;
   readonly #onCursor: (index: number) => void;
   #plots: Plot[] = [];
   #positions: readonly number[] = [];
   #curves: readonly Curve[] = [];
 
   /** Calls `onCursor` with the index of the position under the pointer. */
-  constructor(methodColor: (method: string) => string, onCursor: (index: number) => void) {
+  constructor(methodColor: ColorOf, onCursor: (index: number) => void) {
     this.#methodColor = methodColor;
     this.#onCursor = onCursor;
     logarithmicTime.addEventListener("change", () => this.#build());
@@ -37,7 +36,6 @@ export class Plots {
 
   #build(): void {
     for (const plot of this.#plots) plot.dispose();
-    const colors = pageColors(this.#methodColor);
     this.#plots = panels.map((panel) => {
       const logarithmic = panel.id === "time" ? logarithmicTime.checked : panel.logarithmic;
       return new Plot(
@@ -45,13 +43,9 @@ export class Plots {
         { ...panel, logarithmic },
         this.#positions,
         this.#curves,
-        colors,
+        this.#methodColor,
         this.#onCursor,
       );
     });
   }
-}
-
-function pageColors(method: Colors["method"]): Colors {
-  return { ink: pageColor("ink"), grid: pageColor("line"), method };
 }

@@ -1,12 +1,13 @@
 // Measuring on the plot of a section: the deviation under the pointer, and the distance of two
 // points of the contours. Contours are those of the drawn triangles, so that numbers are estimates.
 
+import { draw } from "../../common/drawing.ts";
 import { element } from "../../common/elements.ts";
 import { distanceText, signedText } from "../../common/text/numbers.ts";
 import { commonUnit } from "../../files/units.ts";
 import { texts } from "../../texts/index.ts";
 import type { Side } from "../../worker/protocol.ts";
-import type { Piece, Vertex } from "./plot.ts";
+import type { Piece, Vertex } from "./contours.ts";
 
 /** Pixels within which a point is taken, and those within which it is a corner. */
 const REACH = 24;
@@ -17,7 +18,6 @@ const SAME = 1e-5;
 const CORNER_SINE = Math.sin((20 * Math.PI) / 180);
 /** The radius of a mark, in pixels. */
 const RADIUS = 4;
-const SVG = "http://www.w3.org/2000/svg";
 
 const output = element("cut-measured");
 
@@ -38,44 +38,60 @@ interface Plotted {
 }
 
 let picked: Picked[] = [];
+/** Ends what listens to the drawing for the section before. */
+let listening = new AbortController();
 
 /** Forgets the points that were picked, since the section is another one. */
 export function forgetMeasured(): void {
   picked = [];
 }
 
-/** Lets points of the pieces be picked on their drawing. */
-export function measureOn(drawing: SVGSVGElement, pieces: Piece[], plotted: Plotted): void {
-  const marks = document.createElementNS(SVG, "g");
-  marks.classList.add("marks");
-  drawing.append(marks);
-  const corners = cornersOf(pieces, plotted.size);
+/** Lets points of the pieces be picked on a drawing in their coordinates, with y downwards. */
+export function measureOn(
+  drawing: SVGSVGElement,
+  pieces: readonly Piece[],
+  plotted: Plotted,
+): void {
+  listening.abort();
+  listening = new AbortController();
+  const { signal } = listening;
+  let corners: readonly Picked[] | undefined;
   const show = (hovered?: Picked) => {
     output.textContent = textOf(hovered, plotted);
     const scale = pixelsOf(drawing);
     const points = hovered === undefined || picked.length === 2 ? picked : [...picked, hovered];
-    marks.replaceChildren(...marksOf(points, scale));
+    drawing.replaceChildren(...marksOf(points, scale));
   };
   const at = ({ clientX, clientY }: PointerEvent) => {
     const matrix = drawing.getScreenCTM();
     if (matrix === null) return undefined;
     const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(matrix.inverse());
+    corners ??= cornersOf(pieces, plotted.size);
     return nearest(pieces, corners, { x, y: -y }, matrix.a);
   };
-  drawing.addEventListener("pointermove", (event) => show(at(event)));
-  drawing.addEventListener("pointerleave", () => show());
-  drawing.addEventListener("click", (event) => {
-    const point = at(event as PointerEvent);
-    if (point === undefined) picked = [];
-    else picked = picked.length === 1 ? [...picked, point] : [point];
-    show();
-  });
-  // Once it is in the page, and has a size.
+  drawing.addEventListener("pointermove", (event) => show(at(event)), { signal });
+  drawing.addEventListener("pointerleave", () => show(), { signal });
+  drawing.addEventListener(
+    "click",
+    (event) => {
+      const point = at(event as PointerEvent);
+      if (point === undefined) picked = [];
+      else picked = picked.length === 1 ? [...picked, point] : [point];
+      show();
+    },
+    { signal },
+  );
+  // Once the plot has its size.
   queueMicrotask(() => show());
 }
 
 /** The point of the pieces that is nearest to a place; a corner where one is near. */
-function nearest(pieces: Piece[], corners: Picked[], { x, y }: Point, scale: number) {
+function nearest(
+  pieces: readonly Piece[],
+  corners: readonly Picked[],
+  { x, y }: Point,
+  scale: number,
+) {
   const away = (one: Point) => Math.hypot(one.x - x, one.y - y) * scale;
   const near = corners.filter((corner) => away(corner) < SNAP);
   if (near.length > 0) return near.reduce((one, two) => (away(two) < away(one) ? two : one));
@@ -95,7 +111,7 @@ function nearest(pieces: Piece[], corners: Picked[], { x, y }: Point, scale: num
 }
 
 /** The corners of the contours: ends in which pieces of different directions meet. O(n). */
-function cornersOf(pieces: Piece[], size: number): Picked[] {
+function cornersOf(pieces: readonly Piece[], size: number): Picked[] {
   const found = new Map<string, { corner: Picked; angle: number; isCorner: boolean }>();
   for (const { side, from, to } of pieces) {
     const angle = Math.atan2(to.y - from.y, to.x - from.x);
@@ -135,16 +151,9 @@ function textOf(hovered: Picked | undefined, { names: [across, up], size }: Plot
 const pixelsOf = (drawing: SVGSVGElement): number => drawing.getScreenCTM()?.a || 1;
 
 function marksOf(points: Picked[], scale: number): SVGElement[] {
-  const dots = points.map(({ x, y }) => {
-    const dot = document.createElementNS(SVG, "circle");
-    for (const [name, value] of Object.entries({ cx: x, cy: -y, r: RADIUS / scale })) {
-      dot.setAttribute(name, `${value}`);
-    }
-    return dot;
-  });
+  const dots = points.map(({ x, y }) => draw("circle", { cx: x, cy: -y, r: RADIUS / scale }));
   const [first, second] = points;
   if (first === undefined || second === undefined) return dots;
-  const line = document.createElementNS(SVG, "path");
-  line.setAttribute("d", `M${first.x},${-first.y}L${second.x},${-second.y}`);
-  return [line, ...dots];
+  const line = `M${first.x},${-first.y}L${second.x},${-second.y}`;
+  return [draw("path", { d: line }), ...dots];
 }

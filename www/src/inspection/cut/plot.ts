@@ -1,152 +1,199 @@
-// The deviation along a section: the cut of the painted models in its plane, and from it the
-// deviations, enlarged.
+// The deviation along a section: its contours, and from them the deviations, enlarged, on axes with the
+// coordinates of the models in the unit shown.
 
 import { Vector3 } from "three";
+import type uPlot from "uplot";
+import { draw } from "../../common/drawing.ts";
 import { element } from "../../common/elements.ts";
+import { pageColor } from "../../common/pageColor.ts";
+import { axisOf, plotIn } from "../../common/plots/plot.ts";
+import { distanceText, shownLength } from "../../common/text/numbers.ts";
 import type { ColorScale } from "../../scene/colors/scale.ts";
 import type { Cut } from "../../scene/section.ts";
 import { texts } from "../../texts/index.ts";
 import type { MapDisplay } from "../../worker/map/display.ts";
-import { SIDES, type Side, type Sides } from "../../worker/protocol.ts";
-import { type AxisTexts, drawAxes } from "./axes.ts";
+import type { Sides } from "../../worker/protocol.ts";
+import type { Piece, Vertex } from "./contours.ts";
+import { type Frame, fitted, frameOf } from "./frame.ts";
 import { forgetMeasured, measureOn } from "./measure.ts";
 
 const figure = element("cut");
+const parent = element("cut-plot");
 const factorInput = element("cut-scale", HTMLInputElement);
-const SVG = "http://www.w3.org/2000/svg";
 /** The part of the drawing's size that the largest deviation has at the scale 1. */
 const UNIT = 0.05;
+/** CSS pixels that the numbers take to the left of the plot and below it, and the room above and to the right. */
+const AXES = { left: 44, below: 24 };
+const PADDING = 8;
+/** CSS pixels between ticks at least. */
+const APART = { across: 52, up: 28 };
+/** The width of a contour, in CSS pixels. */
+const LINE = 1.2;
 
-/** What is cut. */
-export interface CutModels {
-  maps: Sides<MapDisplay>;
-  scale: ColorScale;
-  largest: number;
+/** Contours are no function of a coordinate: uPlot scales and draws axes only. */
+const NO_DATA: uPlot.AlignedData = [
+  [0, 1],
+  [null, null],
+];
+
+/** A section with its contours. */
+export interface ShownCut {
   cut: Cut;
-  /** A vertex of a map in scene coordinates. */
-  place: (side: Side, vertex: number) => Vector3;
+  maps: Sides<MapDisplay>;
+  pieces: readonly Piece[];
+  scale: ColorScale;
+  /** The largest deviation, which determines how far deviations are enlarged. */
+  largest: number;
   /** The scene's origin in the coordinates of the models. */
   center: Vector3;
   /** The unit in which lengths are shown, if it is known. */
   unit: string | undefined;
 }
 
-/** A piece of a cut in the coordinates of its plane. */
-export interface Piece {
-  side: Side;
-  from: Vertex;
-  to: Vertex;
+/** What is plotted: a section, the box of its contours, and how far deviations are enlarged. */
+interface Plotted extends ShownCut {
+  box: Frame;
+  size: number;
+  margin: number;
+  factor: number;
 }
 
-export interface Vertex {
-  x: number;
-  y: number;
-  deviation: number;
-}
-
-let current: CutModels | undefined;
+let current: ShownCut | undefined;
+let plotted: Plotted | undefined;
+let plot: uPlot | undefined;
 factorInput.addEventListener("input", () => showCut(current));
 
-/** Shows a cut; without one, none. */
-export function showCut(cut: CutModels | undefined): void {
-  if (cut === undefined || !isSamePlane(cut, current)) forgetMeasured();
-  current = cut;
-  const pieces = cut === undefined ? [] : SIDES.flatMap((side) => piecesOf(cut, side));
-  figure.hidden = pieces.length === 0;
-  if (cut === undefined || pieces.length === 0) return;
-  const all = pieces.flatMap(({ from, to }) => [from, to]);
-  const range = (of: (vertex: Vertex) => number): [number, number] =>
-    all.reduce(
-      ([low, high], vertex) => [Math.min(low, of(vertex)), Math.max(high, of(vertex))],
-      [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY],
-    );
-  const [[left, right], [bottom, top]] = [range(({ x }) => x), range(({ y }) => y)];
-  const size = Math.max(right - left, top - bottom) || 1;
-  const factor = (UNIT * size * 2 ** factorInput.valueAsNumber) / (cut.largest || 1);
+/** Shows a section; without one, or where it meets nothing, none. */
+export function showCut(shown: ShownCut | undefined): void {
+  if (shown === undefined || !isSamePlace(shown, current)) forgetMeasured();
+  current = shown;
+  plotted = shown && plottedOf(shown);
+  figure.hidden = plotted === undefined;
+  if (plotted === undefined) return;
+  const { size, factor, pieces, cut } = plotted;
   element("cut-factor").textContent = `× ${Number(factor.toPrecision(2))}`;
-  const drawing = document.createElementNS(SVG, "svg");
-  const margin = UNIT * size * 2 ** factorInput.valueAsNumber;
-  drawing.setAttribute("role", "img");
-  drawing.setAttribute("aria-label", texts.places.theSectionWithItsDeviations);
-  measureOn(drawing, pieces, { names: cut.cut.names, size });
-  // Outwards is to the left along a piece, unless the plot shows the plane from behind.
-  const facing = new Vector3().crossVectors(cut.cut.right, cut.cut.up);
-  const side = Math.sign(facing.dot(cut.cut.plane.normal));
-  for (const piece of pieces) drawing.prepend(...drawn(piece, side * factor, cut.scale));
-  element("cut-plot").replaceChildren(drawing);
-  const frame = {
-    ...{ left: left - margin, right: right + margin },
-    ...{ bottom: bottom - margin, top: top + margin },
-  };
-  drawAxes(drawing, frame, axisTexts(cut), [drawing.clientWidth, drawing.clientHeight]);
+  parent.setAttribute("aria-label", labelOf(plotted));
+  plot ??= makePlot();
+  plot.setData(NO_DATA);
+  measureOn(overlayOf(plot), pieces, { names: cut.names, size });
 }
 
-/** The names of the axes with their unit, and where the models' own coordinates begin. */
-function axisTexts({ cut: { names, right, up }, center, unit }: CutModels): AxisTexts {
-  const named = (name: string) => (unit === undefined ? name : `${name}, ${unit}`);
-  return {
-    names: [named(names[0]), named(names[1])],
-    origin: [center.dot(right), center.dot(up)],
-  };
-}
-
-/** Whether two cuts are of the same place, so that what was measured on one is on the other. */
-const isSamePlane = (one: CutModels, other: CutModels | undefined): boolean =>
+/** Whether two sections are of the same place, so that what was measured on one is on the other. */
+const isSamePlace = (one: ShownCut, other: ShownCut | undefined): boolean =>
   other !== undefined && one.maps === other.maps && one.cut.plane.equals(other.cut.plane);
 
-/** The pieces in which a plane meets the triangles of a map. */
-function piecesOf({ maps, cut, place }: CutModels, side: Side): Piece[] {
-  const map = maps[side];
-  if (map === undefined) return [];
-  const { indices, signed, distances } = map;
-  const { plane, right, up } = cut;
-  const heights = Float64Array.from(distances, (_, vertex) =>
-    plane.distanceToPoint(place(side, vertex)),
-  );
-  const crossing = (one: number, other: number): Vertex => {
-    const [from, to] = [heights[one] ?? 0, heights[other] ?? 0];
-    const part = from / (from - to || 1);
-    const point = place(side, one).lerp(place(side, other), part);
-    const value = (vertex: number) => {
-      const known = signed[vertex] ?? Number.NaN;
-      return Number.isNaN(known) ? (distances[vertex] ?? 0) : known;
-    };
-    return {
-      ...{ x: point.dot(right), y: point.dot(up) },
-      deviation: value(one) + part * (value(other) - value(one)),
-    };
-  };
-  const pieces: Piece[] = [];
-  for (let first = 0; first < indices.length; first += 3) {
-    const [a = 0, b = 0, c = 0] = indices.subarray(first, first + 3);
-    const edges = [
-      [a, b],
-      [b, c],
-      [c, a],
-    ] as const;
-    const isBelow = (vertex: number) => (heights[vertex] ?? 0) < 0;
-    // Anticlockwise, a triangle is entered where it rises through the plane.
-    const rising = edges.find(([from, to]) => isBelow(from) && !isBelow(to));
-    const falling = edges.find(([from, to]) => !isBelow(from) && isBelow(to));
-    if (rising !== undefined && falling !== undefined) {
-      pieces.push({ side, from: crossing(...rising), to: crossing(...falling) });
-    }
-  }
-  return pieces;
+function plottedOf(shown: ShownCut): Plotted | undefined {
+  const box = frameOf(shown.pieces.flatMap(({ from, to }) => [from, to]));
+  if (box === undefined) return undefined;
+  const size = Math.max(box.right - box.left, box.top - box.bottom) || 1;
+  const margin = UNIT * size * 2 ** factorInput.valueAsNumber;
+  return { ...shown, box, size, margin, factor: margin / (shown.largest || 1) };
 }
 
-/** The piece itself, and the area between it and its deviations. */
-function drawn({ from, to }: Piece, factor: number, scale: ColorScale): SVGElement[] {
-  const [dx, dy] = [to.x - from.x, to.y - from.y];
-  const length = Math.hypot(dx, dy) || 1;
-  const off = ({ x, y, deviation }: Vertex) =>
-    `${x - (factor * deviation * dy) / length},${-(y + (factor * deviation * dx) / length)}`;
-  const area = document.createElementNS(SVG, "polygon");
-  area.setAttribute("points", `${from.x},${-from.y} ${to.x},${-to.y} ${off(to)} ${off(from)}`);
-  area.setAttribute("fill", scale.color((from.deviation + to.deviation) / 2).getStyle());
-  const line = document.createElementNS(SVG, "line");
-  for (const [name, value] of Object.entries({ x1: from.x, y1: -from.y, x2: to.x, y2: -to.y })) {
-    line.setAttribute(name, `${value}`);
+function labelOf({ box: { left, right, bottom, top }, size, unit = "" }: Plotted): string {
+  const [width, height] = [right - left, top - bottom].map((length) => distanceText(length, size));
+  return texts.places.theSectionWithItsDeviations(width, height, unit);
+}
+
+function makePlot(): uPlot {
+  const height = () => Number.parseFloat(getComputedStyle(parent).height) || 1;
+  const range = (of: (frame: Frame) => readonly [number, number], axis: 0 | 1) => (): Range => {
+    if (plotted === undefined) return [0, 1];
+    const { center, cut } = plotted;
+    const origin = center.dot(axis === 0 ? cut.right : cut.up);
+    const [low, high] = of(frameIn(plotted));
+    return [shownLength(low + origin), shownLength(high + origin)];
+  };
+  return plotIn(
+    parent,
+    {
+      cursor: { show: false },
+      padding: [PADDING, PADDING, 0, 0],
+      scales: {
+        x: { time: false, range: range(({ left, right }) => [left, right], 0) },
+        y: { range: range(({ bottom, top }) => [bottom, top], 1) },
+      },
+      axes: [
+        axisOf({ size: AXES.below, space: APART.across }),
+        axisOf({ size: AXES.left, space: APART.up, scale: "y" }),
+      ],
+      series: [{}, { scale: "y" }],
+      hooks: { draw: [drawContours], setSize: [(resized) => void overlayOf(resized)] },
+    },
+    NO_DATA,
+    height,
+  );
+}
+
+type Range = [number, number];
+
+/** What is seen of the plane. */
+const frameIn = ({ box, margin }: Plotted): Frame =>
+  fitted(box, margin, [
+    parent.clientWidth - AXES.left - PADDING,
+    parent.clientHeight - AXES.below - PADDING,
+  ]);
+
+/** A drawing over the plot in the coordinates of the plane, with y downwards. */
+function overlayOf({ over }: uPlot): SVGSVGElement {
+  const drawing = over.querySelector("svg") ?? over.appendChild(draw("svg", {}) as SVGSVGElement);
+  if (plotted === undefined) return drawing;
+  const { left, right, bottom, top } = frameIn(plotted);
+  drawing.setAttribute("viewBox", [left, -top, right - left, top - bottom].join(" "));
+  return drawing;
+}
+
+/** Draws the contours and the areas between them and their deviations, and names the directions. */
+function drawContours({ ctx, bbox }: uPlot): void {
+  if (plotted === undefined) return;
+  const { pieces, cut, factor, scale, unit } = plotted;
+  const { left, top, right } = frameIn(plotted);
+  const pixel = bbox.width / (right - left);
+  const at = ({ x, y }: { x: number; y: number }) =>
+    [bbox.left + (x - left) * pixel, bbox.top + (top - y) * pixel] as const;
+  // Outwards is to the left along a piece, unless the plot shows the plane from behind.
+  const facing = new Vector3().crossVectors(cut.right, cut.up);
+  const outwards = Math.sign(facing.dot(cut.plane.normal)) * factor;
+  ctx.save();
+  for (const { from, to } of pieces) {
+    const [dx, dy] = [to.x - from.x, to.y - from.y];
+    const length = Math.hypot(dx, dy) || 1;
+    const off = ({ x, y, deviation }: Vertex) => ({
+      x: x - (outwards * deviation * dy) / length,
+      y: y + (outwards * deviation * dx) / length,
+    });
+    ctx.fillStyle = scale.color((from.deviation + to.deviation) / 2).getStyle();
+    ctx.beginPath();
+    for (const corner of [from, to, off(to), off(from)]) ctx.lineTo(...at(corner));
+    ctx.fill();
   }
-  return [area, line];
+  ctx.beginPath();
+  for (const { from, to } of pieces) {
+    ctx.moveTo(...at(from));
+    ctx.lineTo(...at(to));
+  }
+  ctx.lineWidth = LINE * devicePixelRatio;
+  ctx.strokeStyle = pageColor("ink");
+  ctx.stroke();
+  nameDirections(ctx, bbox, cut.names, unit);
+  ctx.restore();
+}
+
+/** Writes the names of the directions at the ends of the axes. */
+function nameDirections(
+  ctx: CanvasRenderingContext2D,
+  { left, top, width, height }: uPlot.BBox,
+  names: readonly [string, string],
+  unit: string | undefined,
+): void {
+  const [across, up] = names.map((name) => (unit === undefined ? name : `${name}, ${unit}`));
+  const gap = PADDING * 0.5 * devicePixelRatio;
+  ctx.font = `italic ${ctx.font}`;
+  ctx.fillStyle = pageColor("soft");
+  ctx.textBaseline = "bottom";
+  ctx.textAlign = "right";
+  ctx.fillText(across ?? "", left + width, top + height - gap);
+  ctx.textBaseline = "top";
+  ctx.textAlign = "left";
+  ctx.fillText(up ?? "", left + gap, top);
 }

@@ -2,7 +2,9 @@
 import { element } from "../../common/elements.ts";
 import { commonUnit } from "../../files/units.ts";
 import type { Models } from "../../scene/models.ts";
+import { SIDES } from "../../worker/protocol.ts";
 import { painted } from "../deviationPanel.ts";
+import { contourOf } from "./contours.ts";
 import { showCut } from "./plot.ts";
 
 // The plot lies below what stands above the view, which takes more rows in a narrow window.
@@ -21,14 +23,13 @@ export function drawCut(models: Models): void {
     showCut(undefined);
     return;
   }
-  const { drawn: maps, scale, extent } = shown;
+  const { drawn, scale, extent } = shown;
+  const pieces = SIDES.flatMap((side) => {
+    const map = drawn[side];
+    return map === undefined ? [] : contourOf(map, models.matrixOf(side), cut, side);
+  });
   showCut({
-    ...{ maps, scale, cut, largest: extent.largest },
+    ...{ cut, maps: drawn, pieces, scale, largest: extent.largest },
     ...{ center: models.center, unit: commonUnit() },
-    place: (side, vertex) => {
-      const [x = 0, y = 0, z = 0] =
-        maps[side]?.positions.subarray(3 * vertex, 3 * vertex + 3) ?? [];
-      return models.place(side, [x, y, z]);
-    },
   });
 }

@@ -38,6 +38,8 @@ export const places = {
     `≈ ${out} % of the ${what} beyond (${size}), ${within} % within`,
   butTheFarthestPoint: (share: string) => `${share}, but the farthest point is`,
   sharesOfTheAreaBy: "Shares of the area by their deviation",
+  deviation: "Deviation",
+  shareOfTheArea: "share",
   allowedAt: (value: string) => `allowed ${value}`,
   leastAt: (value: string) => `least ${value}`,
   mostAt: (value: string) => `most ${value}`,
@@ -46,7 +48,8 @@ export const places = {
   from: (dx: string, sides: string, along: string) => `${dx} from ${sides} (${along})`,
   pointAtTheContourClick: "Point at the contour; click two points for their distance.",
   clickASecondPoint: (deviation: string) => `${deviation}; click a second point`,
-  theSectionWithItsDeviations: "The section with its deviations enlarged",
+  theSectionWithItsDeviations: (width = "", height = "", unit = "") =>
+    `The section, ${[width, "×", height, unit].join(" ").trim()}, with its deviations enlarged`,
   removeThePinnedPoint: "Remove the pinned point",
   at: (side: string, place: string) => `${side} ${place}`,
   onFace: (side: string, face: string, u: string, v: string) => `${side} ${face} · u ${u} · v ${v}`,
