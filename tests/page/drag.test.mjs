@@ -21,9 +21,11 @@ for (const method of ["certified", "iteration"]) {
   test(`a fast drag shows results of ${method} while moving, and nothing jumps`, async (context) => {
     const { page } = opened;
     // Each is waited for: the models before have other digits.
+    await opened.until("done", () => page.selectOption("#method", "hierarchy"));
     await opened.until("done", () => page.selectOption("#method", method));
     await page.locator("#samples").evaluate((samples) => {
       samples.value = "16";
+      samples.dispatchEvent(new Event("input", { bubbles: true }));
     });
     await opened.until("done", () =>
       page.selectOption("#preset", { label: "Torus and moved copy" }),

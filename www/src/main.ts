@@ -13,7 +13,7 @@ import { showBodies } from "./check/shown.ts";
 import { ClearancePanel } from "./clearance/clearancePanel.ts";
 import { element } from "./common/elements.ts";
 import { nextTask } from "./common/nextTask.ts";
-import * as position from "./controls/position.ts";
+import { setPosition } from "./controls/position.ts";
 import { Views } from "./export/views.ts";
 import { FacesPanel } from "./faces/facesPanel.ts";
 import { FaceTree } from "./faces/faceTree.ts";
@@ -40,14 +40,8 @@ await nextTask();
 // The view's code and its drawing are tasks of their own.
 const { View } = await import("./scene/view.ts");
 await nextTask();
-const view = await View.open(
-  canvas,
-  warnings.showNoWebGl,
-  warnings.showContext,
-  (move, rotation) => {
-    position.setPosition(move, degreesOf(rotation));
-    measurement.moved();
-  },
+const view = await View.open(canvas, warnings.showNoWebGl, warnings.showContext, (move, rotation) =>
+  setPosition(move, degreesOf(rotation)),
 );
 const faces = new FacesPanel({
   compare: (limit) => {

@@ -2,11 +2,11 @@
 import { connectRules } from "../check/ruleList.ts";
 import { element } from "../common/elements.ts";
 import { onFit } from "../controls/bestFit.ts";
-import * as display from "../controls/display.ts";
+import { onDisplay } from "../controls/display.ts";
 import { assemble, onExplode } from "../controls/explode.ts";
-import * as options from "../controls/options.ts";
-import * as position from "../controls/position.ts";
-import * as sections from "../controls/section.ts";
+import { onOptions } from "../controls/options.ts";
+import { onPosition } from "../controls/position.ts";
+import { onSection } from "../controls/section.ts";
 import { onSource } from "../controls/sources.ts";
 import { onExport } from "../export/exportPanel.ts";
 import { exportAs } from "../export/exports.ts";
@@ -53,8 +53,8 @@ function connectView(parts: Parts, measurement: Measurement): void {
     past.camera = place;
   });
   const show = () => measurement.show();
-  display.onDisplay((name) => view.look(name), show);
-  sections.onSection(
+  onDisplay((name) => view.look(name), show);
+  onSection(
     {
       models: view.models,
       seen: () => view.seen,
@@ -83,12 +83,12 @@ function connectMeasurement({ client, places }: Parts, measurement: Measurement)
     measurement.refine();
     measurement.boundFaces();
   });
-  options.onChange(() => {
+  onOptions(() => {
     resultPanel.hideError();
     measurement.forgetFiner();
     measurement.measure();
   });
-  position.onPosition(() => measurement.moved());
+  onPosition(() => measurement.moved());
   onFit(
     () => measurement.fit({}),
     () => client.cancelFit(),

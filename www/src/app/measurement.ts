@@ -5,11 +5,11 @@ import { checkRules } from "../check/rules.ts";
 import { showMeeting } from "../clearance/meeting.ts";
 import { element } from "../common/elements.ts";
 import { clearFit, isFitting, showFitting } from "../controls/bestFit.ts";
-import * as display from "../controls/display.ts";
+import { display } from "../controls/display.ts";
 import { exploded } from "../controls/explode.ts";
-import * as options from "../controls/options.ts";
-import * as position from "../controls/position.ts";
-import * as sections from "../controls/section.ts";
+import { distanceOptions, overlays, paint } from "../controls/options.ts";
+import { isInPlace, position } from "../controls/position.ts";
+import { section, showOffset } from "../controls/section.ts";
 import { visibilities } from "../controls/visibilities.ts";
 import { drawCut } from "../inspection/cut/view.ts";
 import * as deviation from "../inspection/deviationPanel.ts";
@@ -53,13 +53,14 @@ export class Measurement {
 
   pose(): Pose {
     const { middle } = this.#parts.view.models;
-    return new Pose(position.translation(), position.degrees(), middle);
+    const { move, angles } = position.value;
+    return new Pose(move, angles, middle);
   }
 
   /** The options of a measurement of the models as they are now. */
   get options(): PlainOptions {
     return {
-      ...options.distanceOptions(),
+      ...distanceOptions.value,
       ...(this.#finer !== undefined && { relativeTolerance: this.#finer }),
       transform: this.pose().transform,
       scaleUnits: true,
@@ -102,7 +103,7 @@ export class Measurement {
         scaleUnits: true,
         ...(rules && { rules }),
       };
-      const isMoved = of === "both" && !position.isInPlace();
+      const isMoved = of === "both" && !isInPlace.value;
       client.check(of, options, isMoved ? this.pose().transform : undefined);
     }
   }
@@ -149,7 +150,7 @@ export class Measurement {
     }
     this.show();
     resultPanel.showPending();
-    client.measure(this.options, options.paint());
+    client.measure(this.options, paint.value);
   }
 
   #showNone(state: "lone" | "paused"): void {
@@ -174,7 +175,7 @@ export class Measurement {
   refine(): void {
     const { result } = this.#parts.view;
     if (result?.method !== "certified" || !result.converged || !needsPrecision()) return;
-    const now = this.#finer ?? options.distanceOptions().relativeTolerance ?? FINEST;
+    const now = this.#finer ?? distanceOptions.value.relativeTolerance ?? FINEST;
     const reached = (result.upper - result.lower) / result.diagonal;
     // An interval that is narrow enough for the finest tolerance is the one that it would give.
     if (now <= FINEST || reached <= FINEST) return;
@@ -185,16 +186,13 @@ export class Measurement {
   /** Draws the models as the controls of the view say. */
   show(): void {
     const { view } = this.#parts;
-    view.show(this.pose(), options.overlays(), {
+    view.show(this.pose(), overlays.value, {
+      ...display.value,
       visibility: visibilities(view.models, view.result, deviation.paintedSides()),
-      orthographic: display.isOrthographic(),
-      section: sections.section(),
-      gizmo: display.gizmoMode(),
-      wipe: display.wipe(),
-      fileColors: display.hasFileColors(),
+      section: section.value,
       exploded: exploded.value,
     });
-    sections.showOffset(view.models);
+    showOffset(view.models);
     drawCut(view.models);
   }
 

@@ -4,9 +4,9 @@
 import { clearAnnotations } from "../annotations/annotations.ts";
 import { element } from "../common/elements.ts";
 import { clearFit } from "../controls/bestFit.ts";
-import * as display from "../controls/display.ts";
+import { offerFileColors } from "../controls/display.ts";
 import { needsBodies, setBodies } from "../controls/explode.ts";
-import * as position from "../controls/position.ts";
+import { setPlacement } from "../controls/position.ts";
 import { IN_PLACE, presets } from "../controls/presets.ts";
 import {
   asideSide,
@@ -143,9 +143,9 @@ export class Opening {
     showUnits(models);
     view.models.scale = unitScale();
     tree.show(view.models.drawn);
-    display.offerFileColors(view.models.hasFileColors);
+    offerFileColors(view.models.hasFileColors);
     faces.propose(view.models.diagonal);
-    position.setPlacement(placement, view.models.diagonal);
+    setPlacement(placement, view.models.diagonal);
     void this.#keep();
     clearOwnLimits();
     clearAnnotations();

@@ -2,8 +2,8 @@
 import { showMeeting } from "../clearance/meeting.ts";
 import { clearFit, isFitting, showFit } from "../controls/bestFit.ts";
 import { setBodies } from "../controls/explode.ts";
-import * as options from "../controls/options.ts";
-import * as position from "../controls/position.ts";
+import { distanceOptions } from "../controls/options.ts";
+import { setComputedPosition } from "../controls/position.ts";
 import { fillShapes, setLoading, showNames } from "../controls/sources.ts";
 import { download } from "../export/download.ts";
 import * as resultPanel from "../results/resultPanel.ts";
@@ -102,7 +102,7 @@ export class Replies {
     switch (reply.kind) {
       case "progress":
         resultPanel.showWorking(reply.fraction, reply.interval, view.models.diagonal, {
-          symmetric: options.distanceOptions().symmetric === true,
+          symmetric: distanceOptions.value.symmetric === true,
           stalled: reply.stalled,
         });
         break;
@@ -206,8 +206,7 @@ export class Replies {
     if (reply.state === "done") {
       const { move, rotation } = Pose.of(reply.fit.transform, models.middle);
       clearFit();
-      position.setComputedPosition(move, degreesOf(rotation));
-      this.#measurement.moved();
+      setComputedPosition(move, degreesOf(rotation));
     } else if (reply.state === "failed") resultPanel.showError(reply.code, reply.message);
     showFit(reply, models.diagonal);
   }

@@ -1,5 +1,7 @@
-// A number input: a slider together with a field for the exact value.
+// A number input: a slider together with a field for the exact value, which the state holds.
+import { effect, type ReadonlySignal, signal } from "@preact/signals-core";
 import { element } from "../common/elements.ts";
+import { type Field, field } from "../state/store.ts";
 
 /** Significant digits of a value set with the slider. */
 const DIGITS = 5;
@@ -10,50 +12,51 @@ const DIGITS = 5;
 const LARGEST = 1e12;
 
 export class NumberInput {
-  onChange: () => void = () => {};
+  readonly #field: Field;
+  readonly #value = signal(0);
+  readonly #unit = signal(1);
+
+  /** Connects the slider with this identifier to the field of this name. */
+  constructor(id: string, name: string) {
+    const slider = element(id, HTMLInputElement);
+    this.#field = field(name);
+    slider.addEventListener("input", () => this.set(slider.valueAsNumber * this.#unit.peek()));
+    effect(() => {
+      const text = this.#field.value;
+      const typed = Number(text);
+      // A number that is typed in part, such as a lone minus sign, is none.
+      if (text === "" || !Number.isFinite(typed)) return;
+      const largest = LARGEST * this.#unit.value;
+      if (Math.abs(typed) > largest) this.#field.set(`${Math.sign(typed) * largest}`);
+      else this.#value.value = typed;
+    });
+    effect(() => {
+      slider.value = `${this.#value.value / this.#unit.value}`;
+    });
+  }
+
+  /** The number, which may lie outside the slider's range; that before while none is typed. */
+  get value(): ReadonlySignal<number> {
+    return this.#value;
+  }
+
   /** The value that 1 on the slider stands for. */
-  unit = 1;
-  readonly #slider: HTMLInputElement;
-  readonly #exact: HTMLInputElement;
-
-  /** Connects the slider with this identifier to the field named by it and `-exact`. */
-  constructor(id: string) {
-    this.#slider = element(id, HTMLInputElement);
-    this.#exact = element(`${id}-exact`, HTMLInputElement);
-    this.#slider.addEventListener("input", () => {
-      this.#exact.value = short(this.#slider.valueAsNumber * this.unit);
-      this.onChange();
-    });
-    this.#exact.addEventListener("input", () => {
-      // A half-typed number, such as a lone minus sign, parses as NaN.
-      if (!Number.isFinite(this.#exact.valueAsNumber)) return;
-      const largest = LARGEST * this.unit;
-      if (Math.abs(this.value) > largest) {
-        this.#exact.value = `${Math.sign(this.value) * largest}`;
-      }
-      this.#slider.value = `${this.value / this.unit}`;
-      this.onChange();
-    });
+  set unit(unit: number) {
+    this.#unit.value = unit;
   }
 
-  /** The value of the field, which may lie outside the slider's range; 0 while it is not a number. */
-  get value(): number {
-    const value = this.#exact.valueAsNumber;
-    return Number.isFinite(value) ? value : 0;
+  get unit(): number {
+    return this.#unit.peek();
   }
 
-  set value(value: number) {
-    this.#show(value, short(value));
+  /** Sets a value, to a slider's digits. */
+  set(value: number): void {
+    this.#field.set(short(value));
   }
 
   /** Sets a computed value, rounded to this resolution: no less is 0. */
   setComputed(value: number, resolution: number): void {
-    this.#show(value, rounded(value, resolution));
-  }
-
-  #show(value: number, text: string): void {
-    this.#exact.value = text;
-    this.#slider.value = `${value / this.unit}`;
+    this.#field.set(rounded(value, resolution));
   }
 }
 

@@ -1,35 +1,35 @@
 // The options of a measurement that are set in the panel.
+import { computed, effect } from "@preact/signals-core";
 import type { IterationOptions } from "nurbs-hausdorff";
 import { element } from "../common/elements.ts";
 import type { Overlays } from "../scene/shown/display.ts";
+import { field, isOn, onChange } from "../state/store.ts";
 import { type PlainOptions, SIDES, type Side } from "../worker/protocol.ts";
 
 type Flatness = NonNullable<IterationOptions["flatness"]>;
 
-const input = (id: string) => element(id, HTMLInputElement);
-const select = (id: string) => element(id, HTMLSelectElement);
-
-const [samples, samplesText] = [input("samples"), element("samples-text")];
-const [method, tolerance, flatness] = [select("method"), select("tolerance"), select("flatness")];
-const [symmetric, triangles] = [input("symmetric"), input("triangles")];
-const [deviation, lines, painted] = [input("deviation"), input("lines"), select("paint")];
+const [method, tolerance, samples] = [field("method"), field("tolerance"), field("samples")];
+const [flatness, symmetric, painted] = [field("flatness"), field("symmetric"), field("paint")];
+const [deviation, lines, triangles] = [field("deviation"), field("lines"), field("triangles")];
 
 /** What is drawn in addition to the models. */
-export const overlays = (): Overlays => ({
-  deviation: deviation.checked,
-  lines: lines.checked,
-  triangles: triangles.checked,
-});
+export const overlays = computed(
+  (): Overlays => ({
+    deviation: isOn(deviation),
+    lines: isOn(lines),
+    triangles: isOn(triangles),
+  }),
+);
 
 /** The models whose deviations are mapped. */
-export function paint(): readonly Side[] {
-  if (!deviation.checked && !lines.checked) return [];
+export const paint = computed((): readonly Side[] => {
+  if (!isOn(deviation) && !isOn(lines)) return [];
   return painted.value === "both" ? SIDES : [painted.value as Side];
-}
+});
 
 /** The options of a measurement except the transform. */
-export function distanceOptions(): PlainOptions {
-  const common = { relativeTolerance: Number(tolerance.value), symmetric: symmetric.checked };
+export const distanceOptions = computed((): PlainOptions => {
+  const common = { relativeTolerance: Number(tolerance.value), symmetric: isOn(symmetric) };
   switch (method.value) {
     case "iteration":
       return {
@@ -42,28 +42,18 @@ export function distanceOptions(): PlainOptions {
     default:
       return { ...common, method: "certified" };
   }
-}
+});
 
-/** Calls back on every change of an option. */
-export function onChange(callback: () => void): void {
-  const changed = () => {
-    showApplicable();
-    callback();
-  };
-  for (const control of [
-    ...[samples, method, tolerance, flatness],
-    ...[symmetric, deviation, lines, triangles, painted],
-  ]) {
-    control.addEventListener("input", changed);
-  }
-  showApplicable();
+/** Calls back on every change of an option, and once where several change together. */
+export function onOptions(callback: () => void): void {
+  effect(showApplicable);
+  onChange(() => [distanceOptions.value, overlays.value, paint.value], callback);
 }
 
 /** Hides the options that do not apply to the chosen method. */
 function showApplicable(): void {
-  samplesText.textContent = `${samples.value}²`;
-  const applicable = [method.value];
+  element("samples-text").textContent = `${samples.value}²`;
   for (const row of document.querySelectorAll<HTMLElement>("[data-methods]")) {
-    row.hidden = !row.dataset.methods?.split(" ").some((name) => applicable.includes(name));
+    row.hidden = !row.dataset.methods?.split(" ").includes(method.value);
   }
 }

@@ -1,26 +1,19 @@
 // The controls of the section: along an axis or by any normal, its offset and tilt.
 
+import { batch, computed, effect } from "@preact/signals-core";
 import { Vector3 } from "three";
 import { element } from "../common/elements.ts";
 import { PickingTool, type Take } from "../inspection/pickingTool.ts";
 import type { Models } from "../scene/models.ts";
 import { extentOf, type Section } from "../scene/section.ts";
+import { type Field, field, isOn, onChange } from "../state/store.ts";
 import { texts } from "../texts/index.ts";
 
-const input = (id: string) => element(id, HTMLInputElement);
-
-const axis = element("section-axis", HTMLSelectElement);
-const [position, flipped, free] = [
-  input("section-at"),
-  input("section-flip"),
-  input("section-free"),
-];
-const tilts = [input("section-tilt"), input("section-turn")] as const;
-const offset = input("section-offset");
-const [asSeen, byFace] = [
-  element("section-view", HTMLButtonElement),
-  element("section-face", HTMLButtonElement),
-];
+const [axis, position] = [field("section"), field("section-at")];
+const [flipped, free] = [field("section-flip"), field("section-free")];
+const tilts = [field("section-tilt"), field("section-turn")] as const;
+/** The place of the plane, which is that of the slider in other words. */
+const offset = element("section-offset", HTMLInputElement);
 
 /** The value of the list for a section by any normal. */
 const FREE = "free";
@@ -52,11 +45,11 @@ export interface SectionListener {
 }
 
 /** The section plane; undefined without one. */
-export function section(): Section | undefined {
+export const section = computed((): Section | undefined => {
   const common = {
-    fraction: position.valueAsNumber,
+    fraction: Number(position.value),
     tilt: [tiltOf(tilts[0]), tiltOf(tilts[1])] as const,
-    flipped: flipped.checked,
+    flipped: isOn(flipped),
   };
   if (axis.value === "") return undefined;
   if (axis.value !== FREE) {
@@ -67,33 +60,27 @@ export function section(): Section | undefined {
   const facing = freeFacing();
   if (facing === undefined) return undefined;
   return { ...common, axis: undefined, normal: facing.normal, through: facing.point };
-}
+});
 
 /** Calls back on every change of the section. */
-export function onSection(listener: SectionListener, onChange: () => void): void {
-  const changed = () => {
-    element("section-controls").hidden = axis.value === "";
-    onChange();
-  };
-  axis.addEventListener("input", () => {
-    // One that is chosen anew is straight; a state sets its tilts after its axis.
-    for (const tilt of tilts) tilt.value = "0";
-    showCutFace(listener.seen());
-    if (axis.value === FREE && freeFacing() === undefined) setFree(listener, listener.seen());
-    else changed();
-  });
-  for (const control of [position, flipped, free, ...tilts]) {
-    control.addEventListener("input", changed);
-  }
+export function onSection(listener: SectionListener, callback: () => void): void {
+  // One that is chosen anew is straight; a state sets its tilts after its axis.
+  element("section-axis").addEventListener("input", () =>
+    batch(() => {
+      for (const tilt of tilts) tilt.set("0");
+      showCutFace(listener.seen());
+      if (axis.value === FREE && freeFacing() === undefined) setFree(listener, listener.seen());
+    }),
+  );
   offset.addEventListener("change", () => {
     const [low, high] = rangeOf(listener.models) ?? [0, 1];
     const fraction = (offset.valueAsNumber - low) / (high - low || 1);
-    if (Number.isFinite(fraction)) position.value = `${Math.max(0, Math.min(1, fraction))}`;
-    position.dispatchEvent(new Event("input", { bubbles: true }));
+    if (Number.isFinite(fraction)) position.set(within(fraction));
+    showOffset(listener.models);
   });
-  asSeen.addEventListener("click", () => setFree(listener, listener.seen()));
+  element("section-view").addEventListener("click", () => setFree(listener, listener.seen()));
   const byClick = new PickingTool({
-    button: byFace,
+    button: element("section-face", HTMLButtonElement),
     take: listener.take,
     click: (x, y) => {
       const facing = listener.facing(x, y);
@@ -103,22 +90,28 @@ export function onSection(listener: SectionListener, onChange: () => void): void
       setFree(listener, facing, BENEATH);
     },
   });
-  changed();
+  effect(() => {
+    element("section-controls").hidden = axis.value === "";
+  });
+  onChange(() => section.value, callback);
 }
+
+/** A part of the section's way, as the slider has it. */
+const within = (fraction: number): string => `${Math.max(0, Math.min(1, fraction))}`;
 
 /** Shows where the section is, in model units: along its axis, or from the point that it goes through. */
 export function showOffset(models: Models): void {
   const range = rangeOf(models);
   if (range === undefined) return;
   const length = range[1] - range[0];
-  const at = range[0] + position.valueAsNumber * length;
+  const at = range[0] + Number(position.value) * length;
   const digits = Math.max(0, Math.ceil(-Math.log10(OFFSET_STEP * length)));
   offset.value = `${Number(at.toFixed(Math.min(digits, MAX_DIGITS)))}`;
 }
 
 /** What a report says of the section; nothing without one. */
 export function sectionText({ cut, center }: Models): string | undefined {
-  const own = section();
+  const own = section.value;
   if (cut === undefined || own === undefined) return undefined;
   const number = (value: number) => `${Number(value.toPrecision(TEXT_DIGITS))}`;
   const list = (vector: Vector3) => `(${vector.toArray().map(number).join(", ")})`;
@@ -132,7 +125,7 @@ export function sectionText({ cut, center }: Models): string | undefined {
 
 /** The ends of the section's way, in what the field of its offset shows. */
 function rangeOf({ box, center }: Models): [number, number] | undefined {
-  const own = section();
+  const own = section.value;
   if (own === undefined || box.isEmpty()) return undefined;
   const [low, high] = extentOf(box, own.normal);
   const { axis: along, normal, through } = own;
@@ -145,26 +138,27 @@ function rangeOf({ box, center }: Models): [number, number] | undefined {
 function showCutFace(seen: Facing | undefined): void {
   const along = Number(axis.value);
   if (axis.value === "" || !Number.isInteger(along) || seen === undefined) return;
-  flipped.checked = seen.normal.getComponent(along) < 0;
+  flipped.set(seen.normal.getComponent(along) < 0 ? "on" : "");
 }
 
 /** Cuts by a plane of any normal, as far beneath a point as is said. */
 function setFree({ models }: SectionListener, facing: Facing | undefined, beneath = 0): void {
   if (facing === undefined) {
     // No face or view gives a plane: without a normal from before, the section ends.
-    if (axis.value === FREE && freeFacing() === undefined) axis.value = "";
-  } else {
-    const { point, normal } = facing;
-    const values = [...normal.toArray(), ...point.toArray()];
-    free.value = values.map((value) => `${Number(value.toPrecision(DIGITS))}`).join(",");
-    const [low, high] = extentOf(models.box, normal);
-    const fraction = (normal.dot(point) - low) / (high - low || 1) - beneath;
-    position.value = `${Math.max(0, Math.min(1, fraction))}`;
-    for (const tilt of tilts) tilt.value = "0";
-    flipped.checked = false;
-    axis.value = FREE;
+    if (axis.value === FREE && freeFacing() === undefined) axis.set("");
+    return;
   }
-  axis.dispatchEvent(new Event("input", { bubbles: true }));
+  const { point, normal } = facing;
+  const values = [...normal.toArray(), ...point.toArray()];
+  const [low, high] = extentOf(models.box, normal);
+  const fraction = (normal.dot(point) - low) / (high - low || 1) - beneath;
+  batch(() => {
+    free.set(values.map((value) => `${Number(value.toPrecision(DIGITS))}`).join(","));
+    axis.set(FREE);
+    for (const tilt of tilts) tilt.set("0");
+    position.set(within(fraction));
+    flipped.set("");
+  });
 }
 
 /** The normal and the point of a free section; undefined for a text of an address that states none. */
@@ -177,8 +171,7 @@ function freeFacing(): Facing | undefined {
 }
 
 /** A tilt in degrees; 0 for a field without a number. */
-function tiltOf({ valueAsNumber }: HTMLInputElement): number {
-  return Number.isFinite(valueAsNumber)
-    ? Math.max(-MAX_TILT, Math.min(MAX_TILT, valueAsNumber))
-    : 0;
+function tiltOf({ value }: Pick<Field, "value">): number {
+  const degrees = Number(value);
+  return Number.isFinite(degrees) ? Math.max(-MAX_TILT, Math.min(MAX_TILT, degrees)) : 0;
 }

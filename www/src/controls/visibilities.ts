@@ -4,8 +4,8 @@ import { farthestSide } from "../common/direction.ts";
 import type { Visibility } from "../scene/mesh.ts";
 import type { Models } from "../scene/models.ts";
 import type { Side } from "../worker/protocol.ts";
-import * as display from "./display.ts";
-import * as options from "./options.ts";
+import { display } from "./display.ts";
+import { overlays, paint } from "./options.ts";
 
 /** The distance, in diagonals, up to which models cover each other. */
 const NEARLY = 0.05;
@@ -20,9 +20,10 @@ export function visibilities(
   result: DistanceResult | undefined,
   shown: readonly Side[] | undefined,
 ): Record<Side, Visibility> {
-  const { lines, deviation: colours } = options.overlays();
-  const painted = colours ? (shown ?? options.paint()) : (["a"] as const);
-  const wiped = display.wipe() !== undefined;
+  const { lines, deviation: colours } = overlays.value;
+  const painted = colours ? (shown ?? paint.value) : (["a"] as const);
+  const { wipe, visibility } = display.value;
+  const wiped = wipe !== undefined;
   const near = result === undefined || result.computed < NEARLY * result.diagonal;
   const covers = painted.length > 1 && near && !wiped;
   const farthest = result === undefined ? "a" : farthestSide(result);
@@ -31,10 +32,10 @@ export function visibilities(
   const auto = (side: Side): Visibility =>
     side === outer || !front.includes(side) ? "glass" : "solid";
   // Lines inside a model are seen through it.
-  const isBeside = display.wipe()?.isBeside ?? false;
+  const isBeside = wipe?.isBeside ?? false;
   const of = (side: Side): Visibility => {
     // Side by side, neither hides the other.
-    const shown = display.visibility(side) ?? (isBeside ? "solid" : auto(side));
+    const shown = visibility[side] ?? (isBeside ? "solid" : auto(side));
     return lines && shown === "solid" ? "glass" : shown;
   };
   return { a: of("a"), b: of("b") };

@@ -1,4 +1,5 @@
 // The values of all controls that have a name, as the text of the page's address.
+import { batch } from "@preact/signals-core";
 import { type Control, controls, currentValue, put } from "./store.ts";
 
 /** Returns the values that differ from the page's own, as parameters of an address. */
@@ -11,14 +12,16 @@ export function formState(): string {
   return parameters.toString();
 }
 
-/** Sets all controls but those excluded; each that changes raises its events. */
+/** Sets all controls but those excluded; each that changes raises its events, and what follows from all is done once. */
 export function applyFormState(text: string, excluded: readonly string[] = []): void {
   const parameters = new URLSearchParams(text);
-  for (const control of controls()) {
-    if (excluded.includes(control.name)) continue;
-    const value = parameters.get(control.name) ?? defaultOf(control);
-    if (value !== currentValue(control) && takes(control, value)) put(control, value);
-  }
+  batch(() => {
+    for (const control of controls()) {
+      if (excluded.includes(control.name)) continue;
+      const value = parameters.get(control.name) ?? defaultOf(control);
+      if (value !== currentValue(control) && takes(control, value)) put(control, value);
+    }
+  });
 }
 
 /** Whether a control can have a value: an address may hold anything. */

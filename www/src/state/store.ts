@@ -78,6 +78,9 @@ export function field(name: string): Field {
   };
 }
 
+/** Whether a check box is checked. */
+export const isOn = (box: Pick<Field, "value">): boolean => box.value === "on";
+
 /** Sets a control, and says so as the browser does when the user sets it. */
 export function put(control: Control, value: string): void {
   if (isCheckBox(control)) control.checked = value === "on";
