@@ -128,7 +128,7 @@ const parts: Parts = {
     measureList,
   },
   ...{ clearance, facts, overlap, check },
-  places: new PlaceView(view, probing, tree),
+  places: new PlaceView(view, probing, tree, () => clearance.active),
   views: new Views(view, canvas, () => labels.drawn),
   past: new History((state) => opening.restore(state)),
 };

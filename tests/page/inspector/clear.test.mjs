@@ -57,6 +57,17 @@ for (const [screen, size] of Object.entries(SCREENS)) {
   });
 }
 
+test("side by side nothing lies over either model", async () => {
+  for (const [screen, size] of Object.entries(SCREENS)) {
+    await page.setViewportSize(size);
+    for (const id of ["#wipe", "#beside"]) await page.locator(id).setChecked(true, { force: true });
+    await page.selectOption("#direction", "oblique");
+    await keepsClear(`${screen}, side by side`, "#legend");
+    if (screen === "desktop") await opened.screenshot("clear-beside");
+    await page.locator("#wipe").setChecked(false, { force: true });
+  }
+});
+
 test("labels of the arrow are within the view, wherever its ends are", async () => {
   await page.setViewportSize(SCREENS.desktop);
   const rows = page.locator("#place-list button");

@@ -54,7 +54,10 @@ test("a file that cannot be read leaves the models, what is allowed and the verd
   assert.equal(await text("#badge"), "FAIL");
 });
 
-test("the map holds the certified maximum of both models", async () => {
+test("the map holds the certified maximum of both models, and no number below its rounding", async () => {
+  // Most of both brackets' faces agree to rounding.
+  const statistics = await opened.texts("#statistics");
+  assert.deepEqual([statistics["A: median"], statistics["B: median"]], ["≈ 0.000", "≈ 0.000"]);
   const [download] = await Promise.all([
     page.waitForEvent("download"),
     page.locator("#export-csv").click(),
@@ -321,6 +324,7 @@ test("clearance mode lists the faces that meet, and ends", async () => {
   await page.locator('#clearance[data-state="done"]').waitFor();
   assert.match(await text("#clearance-text"), /Touching|Clash/);
   assert.ok((await page.locator("#gap-list button").count()) > 0);
+  assert.match(await text("#no-places"), /clearance is measured instead/);
   await page.locator("#move-x-exact").fill("100");
   await page.locator("#clearance-text", { hasText: "Apart by 20" }).waitFor();
   // No distance is shown of where A was before, and none is waited for with models that are new.

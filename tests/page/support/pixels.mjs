@@ -3,7 +3,7 @@ import { drawn } from "./drawn.mjs";
 
 /** What lies over the view and has colours of its own, and the ring of the focus. */
 const OVER =
-  "#label, .end, #tip, #context, #legend, #axes, #cut, #foot, #pins, #hover { visibility: hidden } #canvas { outline: none !important }";
+  "#label, .end, #tip, #wipe-line, #context, #legend, #axes, #cut, #foot, #pins, #hover { visibility: hidden } #canvas { outline: none !important }";
 
 /** The number of pixels of the view for which `holds`, an expression of r, g and b, is true. */
 export async function countPixels(page, holds) {

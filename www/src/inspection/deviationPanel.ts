@@ -2,6 +2,7 @@
 // what is allowed.
 
 import type { DiffResult, DistanceResult } from "nurbs-hausdorff";
+import { AGREEING } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
 import { distanceText, shownLength } from "../common/text/numbers.ts";
 import { commonUnit } from "../files/units.ts";
@@ -21,9 +22,6 @@ import { SIDES, type Side, type Sides } from "../worker/protocol.ts";
 import { areaBeyond, totalArea } from "./cumulative.ts";
 import { showDistribution } from "./distributionPlot.ts";
 import { hideLegend, type Legend, showLegend } from "./legend.ts";
-
-/** The deviation that the map resolves, in diagonals: its vertices are in float32. */
-const POINT_ACCURACY = 5e-7;
 
 const section = element("estimates");
 const map = element("scale-map", HTMLSelectElement);
@@ -152,7 +150,7 @@ function setFocus(range: typeof focus): void {
 function floorOf(result: DistanceResult): number {
   const rounding = result.method === "certified" ? result.minTolerance : 0;
   const width = result.forward === undefined ? result.upper - result.lower : 0;
-  return Math.max(width, rounding, POINT_ACCURACY * result.diagonal);
+  return Math.max(width, rounding, AGREEING * result.diagonal);
 }
 
 /** Whether distances are shown: the user wants them, or what is drawn has no signs. */

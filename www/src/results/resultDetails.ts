@@ -1,6 +1,7 @@
 // The details of a result, as terms and texts.
 
 import type { DistanceResult, Signs } from "nurbs-hausdorff";
+import { AGREEING } from "../common/direction.ts";
 import {
   certifiedText,
   distanceText,
@@ -98,12 +99,18 @@ export function statisticsOf(
   diagonal: number,
 ): Detail[] {
   const [side, other] = of === "a" ? ["A", "B"] : ["B", "A"];
-  const text = (value: number) => `≈ ${distanceText(value, diagonal)}`;
+  // What is less than the map's rounding is none that it measured.
+  const known = (value: number) => (Math.abs(value) > AGREEING * diagonal ? value : 0);
+  const text = (value: number) => `≈ ${distanceText(known(value), diagonal)}`;
+  const signedMean = known(estimates.signedMean);
   const bySign: Detail[] =
     signs === undefined
       ? [[texts.results.signs(side), texts.results.noneHasNoInside(other)]]
       : [
-          [texts.results.signedMean(side), `≈ ${signedText(estimates.signedMean, diagonal)}`],
+          [
+            texts.results.signedMean(side),
+            signedMean === 0 ? text(0) : `≈ ${signedText(signedMean, diagonal)}`,
+          ],
           [
             texts.results.negative(side),
             signs === "solid"

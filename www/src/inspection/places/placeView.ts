@@ -1,8 +1,11 @@
 // The worst places of the maps shown: their list, the view of one, and the faces that are beyond.
 import { AGREEING } from "../../common/direction.ts";
+import { element } from "../../common/elements.ts";
+import { paint } from "../../controls/options.ts";
 import type { FaceTree } from "../../faces/faceTree.ts";
 import { addMeasured, allowed, allowedOf } from "../../results/verdict.ts";
 import type { View } from "../../scene/view.ts";
+import { texts } from "../../texts/index.ts";
 import type { Side } from "../../worker/protocol.ts";
 import { painted } from "../deviationPanel.ts";
 import type { Probing } from "../pins/probing.ts";
@@ -14,14 +17,19 @@ const RANKED_DIGITS = 6;
 
 const ranked = ({ distance }: Place): number => Number(distance.toPrecision(RANKED_DIGITS));
 
+const empty = element("no-places");
+
 export class PlaceView {
   readonly #view: View;
   readonly #probing: Probing;
   readonly #tree: FaceTree;
   readonly #list: PlaceList;
+  readonly #isPaused: () => boolean;
 
-  constructor(view: View, probing: Probing, tree: FaceTree) {
+  /** `isPaused` says whether something else is measured instead of the deviation. */
+  constructor(view: View, probing: Probing, tree: FaceTree, isPaused: () => boolean) {
     this.#view = view;
+    this.#isPaused = isPaused;
     this.#probing = probing;
     this.#tree = tree;
     this.#list = new PlaceList((place) => this.#look(place));
@@ -38,6 +46,7 @@ export class PlaceView {
   /** Shows the list for what is allowed now. */
   show(): void {
     const { all } = this;
+    empty.textContent = this.#whyNone;
     const isAllowed = allowed() !== undefined;
     const beyond = (place: Place) => {
       const limits = allowedOf(place.side, place.face);
@@ -55,6 +64,13 @@ export class PlaceView {
           .map((place) => [place.face, sizeText(place, diagonal)]),
       );
     this.#tree.mark({ a: changed("a"), b: changed("b") }, { a: sizes("a"), b: sizes("b") });
+  }
+
+  /** What to do where no place is listed. */
+  get #whyNone(): string {
+    if (!this.#view.models.complete) return texts.places.openTwoFiles;
+    if (this.#isPaused()) return texts.places.clearanceIsMeasuredInstead;
+    return paint.value.length === 0 ? texts.places.turnOnTheColours : texts.places.beingMeasured;
   }
 
   /** Adds the faces that the distance is about to the verdict. */
@@ -86,12 +102,12 @@ export class PlaceView {
     const [u, v, w] = ([0, 1, 2] as const).map((axis) => at(map.normals, axis));
     this.#probing.ask(place.side, [x, y, z], ({ point, foot, face, footFace }) => {
       const other = place.side === "a" ? "B" : "A";
-      const texts = {
+      const said = {
         length: sizeText(place, shown.result.diagonal),
         from: `${place.side.toUpperCase()}: ${face}`,
         to: `${other}: ${footFace}`,
       };
-      this.#view.approach(point, foot, texts, models.turn(place.side, [u ?? 0, v ?? 0, w ?? 0]));
+      this.#view.approach(point, foot, said, models.turn(place.side, [u ?? 0, v ?? 0, w ?? 0]));
     });
   }
 }

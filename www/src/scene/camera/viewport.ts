@@ -18,11 +18,12 @@ import { nextTask } from "../../common/nextTask.ts";
 import { POINT_SIZE } from "../material.ts";
 import { fitDistance } from "./fit.ts";
 import { followFlat } from "./flat.ts";
-import { isSame, NOWHERE, nearest, type Part, partOf } from "./free.ts";
+import { isSame, NOWHERE, type Part, partOf } from "./free.ts";
 import { light } from "./light.ts";
+import { settle } from "./settle.ts";
 import { STANDARD_VIEWS } from "./standardViews.ts";
 import { Way } from "./way.ts";
-import { BESIDE, renderWiped, showInHalf, type Wipe } from "./wipe.ts";
+import { BESIDE, renderWiped, type Wipe } from "./wipe.ts";
 
 const FIELD_OF_VIEW = 32;
 /** The tangent of half the field of view. */
@@ -302,15 +303,8 @@ export class Viewport {
    * width and height as parts of the view's; returns that distance.
    */
   #settle(distanceIn: (free: [width: number, height: number]) => number): number {
-    const [width, height] = this.#size;
-    const { part, distance } = nearest(this.#size, this.over, distanceIn);
-    const { left, right, top, bottom } = part;
-    const [across, down] = [(width - left - right) / 2, (height - top - bottom) / 2];
-    for (const camera of [this.#perspective, this.#orthographic]) {
-      if (!this.#isBeside) camera.setViewOffset(width, height, across, down, width, height);
-      else showInHalf(camera, this.#size);
-    }
-    return distance;
+    const shown = { size: this.#size, over: this.over, isBeside: this.#isBeside };
+    return settle([this.#perspective, this.#orthographic], shown, distanceIn);
   }
 
   /** Shows a sphere at once, from a side from which a surface with this normal is seen. */

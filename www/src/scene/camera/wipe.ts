@@ -1,5 +1,6 @@
 // A view of which a part shows one model and the rest the other one: over each other, or side by side.
 import type { OrthographicCamera, PerspectiveCamera, Scene, WebGLRenderer } from "three";
+import type { Part } from "./free.ts";
 
 /** The size of a view beside another one: what filled the whole fills nearly a half. */
 export const BESIDE = 0.52;
@@ -37,12 +38,19 @@ export function renderWiped(
   renderer.setScissorTest(false);
 }
 
-/** Has a camera show the middle of a smaller view of the same shape in a half of the view. */
+/** Has a camera show a smaller view of the same shape in a half of the view, with its middle at a place of the half. */
 export function showInHalf(
   camera: PerspectiveCamera | OrthographicCamera,
   [width, height]: Size,
+  [across, down]: readonly [number, number],
 ): void {
   const [wide, high] = [BESIDE * width, BESIDE * height];
-  const [x, y] = [wide / 2 - width / 4, (high - height) / 2];
-  camera.setViewOffset(wide, high, x, y, width / 2, height);
+  camera.setViewOffset(wide, high, wide / 2 - across, high / 2 - down, width / 2, height);
+}
+
+/** Where a part of the view is in its half; one in both halves takes the whole width of each. */
+export function inHalf(part: Part, middle: number): Part {
+  if (part.right <= middle) return part;
+  if (part.left < middle) return { ...part, left: 0, right: middle };
+  return { ...part, left: part.left - middle, right: part.right - middle };
 }

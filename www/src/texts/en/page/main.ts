@@ -185,7 +185,6 @@ export const main = {
   worstPlaces: "Worst places",
   ofEachFace: "of each face",
   worstPlacesLargestFirst: "Worst places, largest first",
-  nothingIsMeasuredYetOpen: "Nothing is measured yet: open two files.",
   clickAModelToPin: "Click a model to pin the deviation there.",
   coloursAndDisplay: "Colours and display",
   blueWhiteRed: "blue, white, red",
