@@ -10,7 +10,10 @@ const PAGES = ["index.html", "experiments.html", "deforming.html"];
 
 /** What has words and is read by no one: by file, and what it is. */
 const CODE = [
-  [/^scene\/(cap|material)\.ts$/, /opaque_fragment|float |across < |vec3\(|^ gl_|^, 1\.0|^, pow/],
+  [
+    /^scene\/(cap|material)\.ts$/,
+    /opaque_fragment|float |across < |vec3\(|^ gl_|^, 1\.0|^, pow|projectionMatrix/,
+  ],
   [/^export\/report\/style\.ts$/, /./],
   [/^export\/report\/report\.ts$/, /^<!doctype html>\n$/],
   [/^examples\/(bracket|faces)\.ts$/, /./],
@@ -19,9 +22,9 @@ const CODE = [
   [/./, /^\((prefers|min-width)|^\[|^input\[|px system-ui|^http:\/\/www\.w3\.org/],
   [/./, /^\.{1,2}\/|^three\/addons|^@bitbybit-dev|^rhino3dm\/|^[\w-]*\.(csv|json|html)$/],
   [/^(state\/workplace|files\/kept)\.ts$/, /^(nurbs-hausdorff|file) $/],
-  [/^scene\/picking\/tree\.ts$/, /^tree of triangles$/],
-  // Classes of elements, and errors of the page's own code.
-  [/./, /^(pick-mark|hatch) $|^annotation editor$/],
+  [/^scene\/picking\/tree\.ts$/, /^tree of a model$/],
+  // Classes of elements, a style of letters, and errors of the page's own code.
+  [/./, /^(pick-mark|hatch|italic) $|^annotation editor$/],
   [/./, /^the page has no |^there is no (pair|method) $/],
   // Events that say that something is dragged.
   [/^common\/drop\.ts$/, /^Files$/],
