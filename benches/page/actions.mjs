@@ -1,12 +1,23 @@
 // The actions of a random user.
 import { modelFile, planes, row, sphereParts } from "../../tests/page/support/models.mjs";
 
+/** A wave of points, of 20 along a side. */
+const SCAN = Array.from({ length: 400 }, (_, index) => {
+  const [x, y] = [Math.floor(index / 20), index % 20];
+  return `${x / 10} ${y / 10} ${Math.sin(x / 5) / 2}`;
+});
+
 const FILES = [
   modelFile("plane.json", planes(0)),
   modelFile("planes.json", planes(0.5, 2)),
   modelFile("row.json", row(0, 0.1, 0.3)),
   modelFile("part.json", sphereParts.a),
   modelFile("concentric.json", sphereParts.b),
+  { name: "scan.xyz", mimeType: "text/plain", buffer: Buffer.from(SCAN.join("\n")) },
+  {
+    ...{ name: "mesh.obj", mimeType: "text/plain" },
+    buffer: Buffer.from("v 0 0 0\nv 2 0 0\nv 0 2 0.5\nv 2 2 0\nf 1 2 3\nf 2 4 3\n"),
+  },
   { name: "bad.step", mimeType: "text/plain", buffer: Buffer.from("ISO-10303-21;\n#1=") },
   { name: "empty.json", mimeType: "text/plain", buffer: Buffer.from("") },
 ];

@@ -198,6 +198,7 @@ test("a cancelled iteration leaves no numbers", async () => {
   assert.match(await page.locator("#distance").textContent(), /^(0|≤ \d\.\de-\d+)$/);
   await page.locator("#samples").evaluate((samples) => {
     samples.value = "160";
+    samples.dispatchEvent(new Event("input", { bubbles: true }));
   });
   await opened.until("working", () => page.selectOption("#method", "iteration"));
   await opened.until("cancelled", () => page.locator("#cancel").click());

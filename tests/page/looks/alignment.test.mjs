@@ -34,7 +34,7 @@ after(() => opened.close());
 
 const asked = () => page.locator("#picks-text").textContent();
 
-/** Clicks in the half of a model, from its middle, in pixels. */
+/** Clicks in the half of a model, from its middle, in pixels: models are below it where the picks are asked for. */
 async function click(side, across, down) {
   const { x, y, width, height } = await page.locator("#canvas").boundingBox();
   await drawn(page);
@@ -50,9 +50,9 @@ test("three faces of A are laid on those of B, and A lies on B", async () => {
   await click("b", 0, -40);
   assert.match(await asked(), /^Click a face of A\./);
   for (const [across, down] of [
-    [0, -30],
-    [-40, 40],
-    [90, 40],
+    [-10, 16],
+    [-84, 76],
+    [91, 106],
   ]) {
     await click("a", across, down);
     assert.match(await asked(), /^Click the face of B/);
@@ -78,8 +78,8 @@ test("three faces of A are laid on those of B, and A lies on B", async () => {
 test("fewer points than determine a motion are refused, and the last pick is undone", async () => {
   await page.locator("#align-picks").click();
   await page.selectOption("#picks-kind", "points");
-  await click("a", 0, -40);
-  await click("b", 0, -40);
+  await click("a", -10, 16);
+  await click("b", -10, 16);
   assert.match(await asked(), /2 more pairs are needed/);
   assert.ok(await page.locator("#picks-lay").isDisabled());
   await page.locator("#picks-undo").click();
