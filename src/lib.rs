@@ -99,6 +99,7 @@ mod certified;
 mod clearance;
 mod closest;
 mod deviation;
+mod embedded;
 mod engine;
 mod error;
 mod facets;
@@ -184,15 +185,16 @@ pub use engine::{
     CertifiedOptions, CertifiedStatistics, CheckOptions, CheckResult, CheckRules, CheckedBody,
     ClearanceOptions, ClearanceResult, ClearanceWithGaps, ClosestPointOptions, ClosestPoints, Computation,
     Counts, Details, DeviationField, DeviationMap, DeviationMapOptions, DeviationMaps, DiffOptions,
-    DiffResult, Difference, DistanceOptions, DistanceResult, EdgeLengths, EdgesAt, Engine, FaceChange,
-    FaceCounterpart, FaceCounts, FaceDifference, FaceGap, FaceInfo, FaceState, FieldOptions, FitNorm,
-    FitPose, FitStart, FreeEdge, GapOptions, GapsResult, Grid, GridOptions, HausdorffScore, HierarchyOptions,
-    IterationOptions, LeftOut, Measure, Method, MethodName, ModelInfo, NamedModel, NamedOptions, NamesOfPair,
-    Overlap, OverlapOptions, OverlapResult, OverlapUnknown, OverlapVolumes, PairState, PartDifference,
-    PartFaces, PartMotion, PartState, Percentile, Placement, Precision, PreparedModel, RequiredDistance,
-    Requirement, Rule, Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, SelfOverlap, Shell,
-    SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics, StatisticsOptions, SurfaceScore,
-    UnkeptRule, VolumesUnknown, Witness, Zone, ZoneOptions, checked_bodies,
+    DiffResult, Difference, DistanceOptions, DistanceResult, EdgeLengths, EdgesAt, EmbeddedDoubt,
+    EmbeddedUnknown, Embedding, Engine, FaceChange, FaceCounterpart, FaceCounts, FaceDifference, FaceGap,
+    FaceInfo, FaceState, FieldOptions, FitNorm, FitPose, FitStart, FreeEdge, GapOptions, GapsResult, Grid,
+    GridOptions, HausdorffScore, HierarchyOptions, IterationOptions, LeftOut, Measure, Method, MethodName,
+    ModelInfo, NamedModel, NamedOptions, NamesOfPair, Overlap, OverlapOptions, OverlapResult, OverlapUnknown,
+    OverlapVolumes, PairState, PartDifference, PartFaces, PartMotion, PartState, Percentile, Placement,
+    Precision, PreparedModel, RequiredDistance, Requirement, Rule, Score, ScoreAlignment, ScoreNumber,
+    ScoreOptions, ScoredModel, SelfOverlap, Shell, SignedDistanceOptions, SignedDistances, Signs, Solid,
+    Statistics, StatisticsOptions, SurfaceScore, UnkeptRule, VolumesUnknown, Witness, Zone, ZoneOptions,
+    checked_bodies,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

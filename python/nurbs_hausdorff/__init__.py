@@ -19,7 +19,14 @@ from ._calls.measure import (
 from ._calls.score import score
 from ._errors import NurbsHausdorffError
 from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell, Solid
-from ._results.bodies.check import BodyPair, CheckedBody, CheckResult, SelfOverlap, UnkeptRule
+from ._results.bodies.check import (
+    BodyPair,
+    CheckedBody,
+    CheckResult,
+    EmbeddedUnknown,
+    SelfOverlap,
+    UnkeptRule,
+)
 from ._results.bodies.clearance import ClearanceResult, FaceGap, GapsResult, Overlap
 from ._results.bodies.facts import Body, FaceForm, Facts
 from ._results.bodies.overlap import OverlapResult, OverlapVolumes
@@ -47,8 +54,8 @@ __version__ = _version("nurbs-hausdorff")
 __all__ = [
     "AtThreshold", "BestFit", "Beyond", "Body", "BodyPair", "CertifiedStatistics", "CheckResult",
     "CheckedBody", "ClearanceResult", "ClosestPoints", "DeviationMap", "DeviationMaps",
-    "DiffResult", "Difference", "DistanceResult", "EdgeLengths", "FaceCounterpart", "FaceCounts",
-    "FaceDifference", "FaceForm", "FaceGap", "Facts", "Field", "FieldPart", "FitPose", "FreeEdge",
+    "DiffResult", "Difference", "DistanceResult", "EdgeLengths", "EmbeddedUnknown", "FaceCounterpart",
+    "FaceCounts", "FaceDifference", "FaceForm", "FaceGap", "Facts", "Field", "FieldPart", "FitPose", "FreeEdge",
     "GapsResult", "HausdorffScore", "Interval", "LeftOut", "Mesh", "MeshReport", "Model",
     "NurbsHausdorffError", "Overlap", "OverlapResult", "OverlapVolumes", "PartDifference",
     "PartFaces", "PartMotion", "Placement", "ReadReport", "Remark", "Requirement", "Score",

@@ -87,6 +87,31 @@ impl Bvh {
         self.order[node.first_leaf as usize]
     }
 
+    /// Calls a function with each pair of primitives whose boxes meet, once. O(pairs of nodes whose boxes meet).
+    pub(crate) fn for_each_pair(&self, mut each: impl FnMut(u32, u32)) {
+        let nodes = self.nodes();
+        let children = |index: usize| [index + 1, nodes[index].right_child as usize];
+        let mut stack = if nodes.is_empty() { Vec::new() } else { vec![[0, 0]] };
+        while let Some([a, b]) = stack.pop() {
+            if a == b {
+                if !nodes[a].is_leaf() {
+                    let [left, right] = children(a);
+                    stack.extend([[left, left], [left, right], [right, right]]);
+                }
+                continue;
+            }
+            let [one, other] = [&nodes[a], &nodes[b]];
+            if !one.aabb.meets(&other.aabb) {
+                continue;
+            }
+            match [one.is_leaf(), other.is_leaf()] {
+                [true, true] => each(self.primitive(one), self.primitive(other)),
+                [false, _] => stack.extend(children(a).map(|child| [child, b])),
+                [true, false] => stack.extend(children(b).map(|child| [a, child])),
+            }
+        }
+    }
+
     /// Returns the leaves whose boxes have a squared distance of at most
     /// `radius_squared` from `point`. O(nodes visited).
     #[must_use]

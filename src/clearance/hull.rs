@@ -12,11 +12,11 @@ const RELATIVE_GAP: f64 = 1e-7;
 
 /// A lower bound on the distance of two hulls, with the two points that the search ended at.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct HullDistance {
+pub(crate) struct HullDistance {
     /// The lower bound, 0 where the hulls may meet.
-    pub(super) lower: f64,
+    pub(crate) lower: f64,
     /// The direction that gives the bound, from B to A, of any length.
-    pub(super) direction: DVec3,
+    pub(crate) direction: DVec3,
     /// A pair of points near each other: indices into both sets, with weights of sum 1.
     pub(super) pairs: [([usize; 2], f64); 4],
 }
@@ -28,7 +28,7 @@ pub(super) struct HullDistance {
 /// at least `min n·a - max n·b` apart; the largest found is returned. The directions are those of
 /// E. G. Gilbert, D. W. Johnson and S. S. Keerthi, *A fast procedure for computing the distance
 /// between complex objects in three-dimensional space*, 1988. O(points) a step.
-pub(super) fn hull_distance(a: &[DVec3], b: &[DVec3], start: DVec3, enough: f64, gap: f64) -> HullDistance {
+pub(crate) fn hull_distance(a: &[DVec3], b: &[DVec3], start: DVec3, enough: f64, gap: f64) -> HullDistance {
     let mut found = HullDistance { lower: 0.0, direction: start, pairs: [([0, 0], 0.0); 4] };
     let mut corners: Vec<([usize; 2], DVec3)> = Vec::with_capacity(4);
     let mut toward = start;

@@ -14,4 +14,6 @@ mod search;
 mod simplex;
 
 pub(crate) use body::Body;
+pub(crate) use hull::hull_distance;
+pub(crate) use piece::bend;
 pub(crate) use search::{Goal, Nearest, Search};

@@ -54,7 +54,7 @@ pub use diff::{
     PartFaces, PartMotion, PartState,
 };
 pub use dispatch::Engine;
-pub use embedding::SelfOverlap;
+pub use embedding::{EmbeddedDoubt, EmbeddedUnknown, Embedding, SelfOverlap};
 pub use field::{DeviationField, FaceDeviations, FieldOptions, Statistics};
 pub use info::{BodyInfo, Counts, FaceInfo, ModelInfo};
 pub use options::{

@@ -17,8 +17,10 @@ mod winding;
 
 pub(crate) use curve::Curve;
 pub(crate) use enclosing::{Enclosing, Relation};
-pub(crate) use joining::{Arc, Boundary, EdgePlace, Edges, Joined, JoinedArc, SurfaceOrigin, joined_arcs};
+pub(crate) use joining::{
+    Arc, Boundary, Clusters, EdgePlace, Edges, Joined, JoinedArc, SurfaceOrigin, joined_arcs,
+};
 pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;
-pub(crate) use strips::Ruled;
+pub(crate) use strips::{Ruled, edge_width};
 pub(crate) use winding::longer_axis_of_controls;

@@ -172,6 +172,12 @@ fn aligned([a, mut b]: [Curve; 2]) -> [Curve; 2] {
     [a, b]
 }
 
+/// Returns an upper bound on the distance of two curves' points that correspond in some way from both starts to both
+/// ends, but for rounding (lemma S5 of docs/solids.md).
+pub(crate) fn edge_width(curves: [Curve; 2]) -> f64 {
+    width(&aligned(curves))
+}
+
 /// Returns the two halves of a strip.
 fn halves(curves: &[Curve; 2]) -> [[Curve; 2]; 2] {
     let [[a_low, a_high], [b_low, b_high]] = [&curves[0], &curves[1]].map(|curve| curve.split(0.5));

@@ -18,7 +18,10 @@ use self::rules::Bound;
 use super::bodies::unique_name;
 use super::overlap::Patience;
 use super::section::Section;
-use super::{BodyKind, Computation, Engine, OverlapOptions, PreparedModel, Seconds, SelfOverlap, Stop};
+use super::{
+    BodyKind, Computation, EmbeddedUnknown, Embedding, Engine, OverlapOptions, PreparedModel, Seconds,
+    SelfOverlap, Stop,
+};
 use crate::bvh::Aabb;
 use crate::error::{Error, Result};
 use crate::facts::Orientation;
@@ -72,7 +75,14 @@ pub struct CheckedBody {
     /// Whether it closes and its volume is certainly less than that of a layer of the tolerance over half its area,
     /// so that it has no inside to speak of.
     pub degenerate: bool,
-    /// A place at which its boundary meets itself; none where none is found.
+    /// Whether its boundary certainly meets itself nowhere, up to its gaps, or certainly does; none where neither is known.
+    pub embedded: Option<bool>,
+    /// Of a body that is embedded, the length of the way along its boundary between points of it that are as near to each
+    /// other as its gaps, at most.
+    pub embedded_within: Option<f64>,
+    /// Why it is not known whether it is embedded.
+    pub embedded_unknown: Option<EmbeddedUnknown>,
+    /// A place at which its boundary meets itself; none unless it certainly does.
     pub self_overlap: Option<SelfOverlap>,
     /// The names of the bodies that certainly have its shape in its place, within the tolerance.
     pub duplicates: Vec<String>,
@@ -143,11 +153,13 @@ impl Checked {
         self.volume.zip(layer).is_some_and(|(volume, layer)| volume.upper < layer)
     }
 
-    /// Returns a place at which the body meets itself, with the faces as they are in its model; none after the time.
-    fn self_overlap(&self, limits: &Limits) -> Option<SelfOverlap> {
-        let mut found = if limits.is_over() { None } else { self.model.self_overlap() }?;
-        found.faces.iter_mut().for_each(|face| *face = self.faces[*face]);
-        Some(found)
+    /// Returns whether the body is embedded, with the faces as they are in its model.
+    fn embedding(&self, limits: &Limits) -> Embedding {
+        let mut found = self.model.embedding(&|| limits.is_over());
+        let overlap = found.self_overlap.iter_mut().flat_map(|found| &mut found.faces);
+        let unknown = found.embedded_unknown.iter_mut().flat_map(|found| &mut found.faces);
+        overlap.chain(unknown).for_each(|face| *face = self.faces[*face]);
+        found
     }
 }
 
@@ -181,9 +193,13 @@ impl Engine {
         let (mut bodies, checked) = all_bodies(models, options)?;
         let aabb = checked.iter().fold(Aabb::EMPTY, |aabb, body| aabb.union(body.aabb));
         let limits = options.limits(aabb.diagonal(), started);
-        let overlaps = map(checked.len(), |index| checked[index].self_overlap(&limits));
-        for ((body, of), self_overlap) in bodies.iter_mut().zip(&checked).zip(overlaps) {
+        let embeddings = map(checked.len(), |index| checked[index].embedding(&limits));
+        for ((body, of), found) in bodies.iter_mut().zip(&checked).zip(embeddings) {
             body.degenerate = of.is_degenerate(limits.tolerance);
+            let Embedding { embedded, embedded_within, embedded_unknown, self_overlap } = found;
+            body.embedded = embedded;
+            body.embedded_within = embedded_within;
+            body.embedded_unknown = embedded_unknown;
             body.self_overlap = self_overlap;
         }
         let rules = options.rules.bound(&bodies)?;
@@ -340,6 +356,9 @@ fn all_bodies(models: &[NamedModel<'_>], options: &CheckOptions) -> Result<(Vec<
                 closed: body.closed,
                 orientation: body.orientation,
                 degenerate: false,
+                embedded: None,
+                embedded_within: None,
+                embedded_unknown: None,
                 self_overlap: None,
                 duplicates: Vec::new(),
             });

@@ -34,7 +34,7 @@ pub(super) fn crossings(triangles: &[SheetTriangle], tolerance: f64) -> Vec<Cros
         Some(Sheet { triangle: &triangles[index], normal: normals[index]? })
     };
     let mut found = Vec::new();
-    for_each_pair(&Bvh::new(&boxes), |a, b| {
+    Bvh::new(&boxes).for_each_pair(|a, b| {
         let Some(sheets) = sheet(a).zip(sheet(b)) else { return };
         found.extend(crossing(sheets, MIN_DEPTH * tolerance));
     });
@@ -48,31 +48,6 @@ pub(super) fn crossings(triangles: &[SheetTriangle], tolerance: f64) -> Vec<Cros
     });
     found.truncate(MAX_PLACES);
     found
-}
-
-/// Calls a function with each pair of primitives whose boxes meet, once.
-fn for_each_pair(tree: &Bvh, mut each: impl FnMut(u32, u32)) {
-    let nodes = tree.nodes();
-    let children = |index: usize| [index + 1, nodes[index].right_child as usize];
-    let mut stack = if nodes.is_empty() { Vec::new() } else { vec![[0, 0]] };
-    while let Some([a, b]) = stack.pop() {
-        if a == b {
-            if !nodes[a].is_leaf() {
-                let [left, right] = children(a);
-                stack.extend([[left, left], [left, right], [right, right]]);
-            }
-            continue;
-        }
-        let [one, other] = [&nodes[a], &nodes[b]];
-        if !one.aabb.meets(&other.aabb) {
-            continue;
-        }
-        match [one.is_leaf(), other.is_leaf()] {
-            [true, true] => each(tree.primitive(one), tree.primitive(other)),
-            [false, _] => stack.extend(children(a).map(|child| [child, b])),
-            [true, false] => stack.extend(children(b).map(|child| [a, child])),
-        }
-    }
 }
 
 /// A triangle with its normal.

@@ -1,7 +1,10 @@
 //! Whether the boundary of a body meets itself.
 
 mod crossings;
+mod proof;
 mod sheets;
+
+pub use proof::{EmbeddedDoubt, EmbeddedUnknown, Embedding};
 
 use self::crossings::{Crossing, crossings};
 use self::sheets::{SheetTriangle, sheets};

@@ -5,13 +5,13 @@ use std::collections::HashMap;
 
 /// Points in groups: those of a chain whose links are at most a given length.
 #[derive(Debug)]
-pub(super) struct Clusters {
+pub(crate) struct Clusters {
     parents: Vec<u32>,
 }
 
 impl Clusters {
     /// Makes `count` groups of one element each.
-    pub(super) fn separate(count: usize) -> Self {
+    pub(crate) fn separate(count: usize) -> Self {
         Self { parents: (0..count as u32).collect() }
     }
 
@@ -36,7 +36,7 @@ impl Clusters {
     }
 
     /// Returns the number of a point's group, the same for all its points.
-    pub(super) fn of(&mut self, index: u32) -> u32 {
+    pub(crate) fn of(&mut self, index: u32) -> u32 {
         let mut root = index;
         while self.parents[root as usize] != root {
             let parent = self.parents[root as usize];
@@ -47,7 +47,7 @@ impl Clusters {
     }
 
     /// Makes one group of two.
-    pub(super) fn join(&mut self, a: u32, b: u32) {
+    pub(crate) fn join(&mut self, a: u32, b: u32) {
         let [a, b] = [self.of(a), self.of(b)];
         self.parents[a.max(b) as usize] = a.min(b);
     }

@@ -12,5 +12,6 @@ mod part;
 
 pub(crate) use arcs::{Arc, JoinedArc, joined_arcs};
 pub(crate) use boundary::Boundary;
+pub(crate) use clusters::Clusters;
 pub(crate) use edges::{EdgePlace, Edges, SurfaceOrigin};
 pub(crate) use orientation::{Joined, ShellState};

@@ -5,15 +5,17 @@ use super::json::raw;
 use crate::failure::Failure;
 use crate::reports::{Answer, Outcome, Row, Rows, Verdict};
 use nurbs_hausdorff::{
-    BodyPair, CheckResult, CheckedBody, Orientation, PairState, Rule, SelfOverlap, UnkeptRule, one_line,
+    BodyPair, CheckResult, CheckedBody, EmbeddedDoubt, EmbeddedUnknown, Orientation, PairState, Rule,
+    SelfOverlap, UnkeptRule, one_line,
 };
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// The largest number of pairs in the first line; below it, all are listed.
+/// The largest number of pairs in the first line, and of bodies that may be faulty; below it, all pairs are listed.
 const MAX_NAMED: usize = 3;
 
-/// Returns the verdict with the worst pairs, and a line for each pair, rule and faulty body.
+/// Returns the verdict with the worst pairs, and a line for each pair, rule and faulty body, and for some bodies that may
+/// be faulty.
 pub(crate) fn text(result: &CheckResult, verdict: Verdict) -> String {
     let mut out = format!("{}\n", first(result, verdict));
     // Writing to a string does not fail, here and below.
@@ -39,6 +41,19 @@ pub(crate) fn text(result: &CheckResult, verdict: Verdict) -> String {
         of(PairState::Touching),
         of(PairState::Near)
     );
+    let embedded = |known| result.bodies.iter().filter(|body| body.embedded == known).count();
+    let _ = writeln!(
+        out,
+        "bodies     {}: {} embedded, {} meet themselves, {} undecided",
+        result.bodies.len(),
+        embedded(Some(true)),
+        embedded(Some(false)),
+        embedded(None)
+    );
+    let doubts = result.bodies.iter().filter_map(|body| Some((body, body.embedded_unknown.as_ref()?)));
+    for (body, unknown) in doubts.take(MAX_NAMED) {
+        let _ = writeln!(out, "body       {}: {}", one_line(&body.name), doubt(unknown, result.diagonal));
+    }
     let _ =
         writeln!(out, "seconds    {:.3} prepare, {:.3} solve", result.seconds.prepare, result.seconds.solve);
     out
@@ -215,6 +230,25 @@ fn meets_itself(SelfOverlap { point, winding, faces, .. }: &SelfOverlap, diagona
         2.. => format!("meets itself: space counts {winding} times at {at}{faces}"),
         _ => format!("meets itself: walls have passed through each other at {at}{faces}"),
     }
+}
+
+/// Returns why it is not known whether a body is embedded, with the place.
+fn doubt(EmbeddedUnknown { why, faces, point, .. }: &EmbeddedUnknown, diagonal: f64) -> String {
+    let of = match &faces[..] {
+        [] => String::new(),
+        [face] => format!(" of face {face} with itself"),
+        faces => {
+            format!(" of faces {}", faces.iter().map(usize::to_string).collect::<Vec<_>>().join(" and "))
+        }
+    };
+    let at = point.map(|point| format!(" at {}", coordinates(point, diagonal))).unwrap_or_default();
+    let what = match why {
+        EmbeddedDoubt::Contact => format!("a contact{of}{at} that may be a crossing"),
+        EmbeddedDoubt::Budget => format!("the budget ended{at}"),
+        EmbeddedDoubt::Gaps => "it is a mesh with gaps".to_owned(),
+        _ => "it has too many triangles".to_owned(),
+    };
+    format!("may meet itself: {what}")
 }
 
 /// What is wrong with a body by itself.

@@ -1,5 +1,5 @@
 //! The check of solids: facts, forms of faces, sides, signed distances on grids, statistics and volumes in common, each by a
-//! second way, and that none is said to meet itself.
+//! second way, and that none is said to meet itself, nor to be embedded if it does.
 
 mod draw;
 mod embedding;
@@ -36,7 +36,7 @@ pub(crate) fn check_solid(seed: u64, shapes: &Shapes) -> Outcome {
     let (grid, undecided) = grids::violations(rng, &prepared, &model);
     violations.extend(grid);
     violations.extend(sides::violations(rng, &prepared, &model));
-    violations.extend(embedding::violations(&prepared));
+    violations.extend(embedding::violations(&mut Rng::with_seed(seed), &prepared));
     let mut outcome = Outcome::default();
     if seed.is_multiple_of(PAIR_EVERY)
         && let Some((_, other)) = shapes.draw(rng)

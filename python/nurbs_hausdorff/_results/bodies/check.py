@@ -36,6 +36,27 @@ class SelfOverlap:
 
 
 @dataclass(frozen=True)
+class EmbeddedUnknown:
+    """What is not decided of a body's boundary.
+
+    Attributes
+    ----------
+    why : {"contact", "budget", "gaps", "too-large"}
+        Faces touch, cross, or come as near to each other as the gaps beside all edges and corners
+        that they share; too many pairs of pieces, or too late; a mesh has gaps; a mesh has more
+        than 250,000 triangles.
+    faces : tuple of int
+        Two faces, or one, of a pair that was not decided, in the body's model; none of a mesh.
+    point : tuple of float or None
+        A point about where it is, if it is at one.
+    """
+
+    why: Literal["contact", "budget", "gaps", "too-large"]
+    faces: tuple[int, ...]
+    point: Point | None
+
+
+@dataclass(frozen=True)
 class CheckedBody:
     """A body by itself.
 
@@ -53,8 +74,16 @@ class CheckedBody:
     degenerate : bool
         Whether it closes and certainly has no inside to speak of: less volume than a layer of the
         tolerance over half its area.
+    embedded : bool or None
+        Whether its boundary certainly meets itself nowhere, up to its gaps, or certainly does; none
+        where neither is known.
+    embedded_within : float or None
+        Of a body that is embedded, the length of the way along its boundary between points of it
+        that are as near to each other as its gaps, at most.
+    embedded_unknown : EmbeddedUnknown or None
+        Why it is not known whether it is embedded.
     self_overlap : SelfOverlap or None
-        A place at which its boundary meets itself; none where none is found, which is no proof.
+        A place at which its boundary meets itself; none unless it certainly does.
     duplicates : tuple of str
         Names of the bodies that certainly have its shape in its place, within the tolerance.
     """
@@ -65,6 +94,9 @@ class CheckedBody:
     closed: bool
     orientation: Orientation | None
     degenerate: bool
+    embedded: bool | None
+    embedded_within: float | None
+    embedded_unknown: EmbeddedUnknown | None
     self_overlap: SelfOverlap | None
     duplicates: tuple[str, ...]
 
@@ -197,8 +229,17 @@ def _checked_body(data: dict[str, Any]) -> CheckedBody:
     found = data["self_overlap"]
     if found is not None:
         found = SelfOverlap(**{**found, "point": tuple(found["point"]), "faces": tuple(found["faces"])})
+    unknown = data["embedded_unknown"]
+    if unknown is not None:
+        point = unknown["point"] and tuple(unknown["point"])
+        unknown = EmbeddedUnknown(unknown["why"], tuple(unknown["faces"]), point)
     return CheckedBody(
-        **{**data, "self_overlap": found, "duplicates": tuple(data["duplicates"])}
+        **{
+            **data,
+            "embedded_unknown": unknown,
+            "self_overlap": found,
+            "duplicates": tuple(data["duplicates"]),
+        }
     )
 
 

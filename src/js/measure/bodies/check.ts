@@ -86,10 +86,33 @@ export interface CheckedBody {
   orientation: Orientation | null;
   /** Whether it closes and certainly has no inside to speak of. */
   degenerate: boolean;
-  /** A place at which its boundary meets itself; null where none is found, which is no proof. */
+  /** Whether its boundary certainly meets itself nowhere, up to its gaps, or certainly does; null where neither is known. */
+  embedded: boolean | null;
+  /**
+   * Of a body that is embedded, the length of the way along its boundary between points of it that are as near to each
+   * other as its gaps, at most.
+   */
+  embeddedWithin: number | null;
+  /** Why it is not known whether it is embedded. */
+  embeddedUnknown: EmbeddedUnknown | null;
+  /** A place at which its boundary meets itself; null unless it certainly does. */
   selfOverlap: SelfOverlap | null;
   /** The names of the bodies that certainly have its shape in its place, within the tolerance. */
   duplicates: string[];
+}
+
+/** What is not decided of a body's boundary. */
+export interface EmbeddedUnknown {
+  /**
+   * `contact`: faces touch, cross, or come as near to each other as the gaps beside all edges and corners that they
+   * share; `budget`: too many pairs of pieces, or too late; `gaps`: a mesh has gaps; `too-large`: a mesh has more than
+   * 250,000 triangles.
+   */
+  why: "contact" | "budget" | "gaps" | "too-large";
+  /** The indices of two faces, or of one, of a pair that was not decided, in the body's model; none of a mesh. */
+  faces: number[];
+  /** A point about where it is, if it is at one. */
+  point: Vector3 | null;
 }
 
 /**

@@ -1,0 +1,269 @@
+//! Pairs of pieces, divided until each is decided.
+
+use super::complex::{Complex, SharedEdge, Touch};
+use super::directions::{Direction, EdgeCone, common_side};
+use super::piece::{Piece, Side};
+use super::{Doubt, Limits, Verdict};
+use crate::axis::Axis;
+use crate::bezier::PatchSet;
+use crate::bvh::{Aabb, Bvh};
+use crate::clearance::hull_distance;
+use crate::rounding::{VANISHING_LENGTH, gamma, upper_max};
+
+/// The largest number of divisions of a patch.
+const MAX_LEVEL: u32 = 40;
+
+/// The pairs of pieces that are looked at for each patch and pair of patches that are near each other; most take one.
+const PAIRS_EACH: usize = 256;
+
+/// The pairs between two looks at the time.
+const PAIRS_AT_ONCE: usize = 1024;
+
+/// The roundings of the distance of two hulls (lemma C2 of docs/clearance.md).
+const HULL_ROUNDINGS: f64 = 64.0;
+
+/// What is to be decided.
+#[derive(Debug, Clone, Copy)]
+enum Task {
+    /// That a piece does not meet itself.
+    One(u32),
+    /// That two pieces meet nowhere but beside what they share.
+    Two([u32; 2]),
+}
+
+/// The search over all pairs of pieces of a body.
+pub(super) struct Search<'a> {
+    patches: &'a PatchSet,
+    complex: &'a Complex,
+    limits: &'a Limits<'a>,
+    pieces: Vec<Piece>,
+    /// The distance that computed hulls are to have.
+    apart: f64,
+    /// The number that the verdict states.
+    within: f64,
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(patches: &'a PatchSet, complex: &'a Complex, limits: &'a Limits<'a>) -> Self {
+        let whole = |index: usize| Piece::new(&patches.patch(index), index as u32, UNIT, 0);
+        let pieces: Vec<Piece> = (0..patches.len()).map(whole).collect();
+        let aabb = pieces.iter().fold(Aabb::EMPTY, |aabb, piece| aabb.union(piece.aabb));
+        let rounding = gamma(HULL_ROUNDINGS) * aabb.farthest_from_origin() + VANISHING_LENGTH;
+        Self { patches, complex, limits, pieces, apart: limits.nearness + rounding, within: 0.0 }
+    }
+
+    /// Decides all pairs, or returns the first that is not decided.
+    pub(super) fn run(mut self) -> Verdict {
+        let boxes: Vec<Aabb> = self.pieces.iter().map(|piece| piece.aabb.grown(self.apart)).collect();
+        let mut tasks: Vec<Task> = (0..boxes.len() as u32).map(Task::One).collect();
+        Bvh::new(&boxes).for_each_pair(|a, b| tasks.push(Task::Two([a, b])));
+        let budget = PAIRS_EACH * tasks.len();
+        let mut count = 0;
+        while let Some(task) = tasks.pop() {
+            count += 1;
+            let is_late = count % PAIRS_AT_ONCE == 0 && (self.limits.is_late)();
+            if count > budget || is_late {
+                return self.undecided(task, Doubt::Budget);
+            }
+            if self.is_decided(task) {
+                continue;
+            }
+            if self.is_small(task) {
+                return self.undecided(task, Doubt::Contact);
+            }
+            self.divide(task, &mut tasks);
+        }
+        Verdict::Embedded { within: self.within }
+    }
+
+    fn piece(&self, index: u32) -> &Piece {
+        &self.pieces[index as usize]
+    }
+
+    /// Returns the verdict without an answer for two pieces.
+    fn undecided(&self, task: Task, doubt: Doubt) -> Verdict {
+        let pieces = task.pieces().map(|index| self.piece(index));
+        let [a, b] = pieces.map(|piece| piece.aabb);
+        // Where the boxes come near each other.
+        let common = Aabb { min: a.min.max(b.min), max: a.max.min(b.max) };
+        Verdict::Undecided { doubt, parts: pieces.map(|piece| piece.patch), point: common.center() }
+    }
+
+    /// Returns whether what is to be decided is about smaller than what is known of points.
+    fn is_small(&self, task: Task) -> bool {
+        let pieces = task.pieces().map(|index| self.piece(index));
+        pieces.iter().all(|piece| piece.level >= MAX_LEVEL || piece.aabb.diagonal() <= self.apart)
+    }
+
+    /// Divides a piece, or the one of two that gains more by it.
+    fn divide(&mut self, task: Task, tasks: &mut Vec<Task>) {
+        match task {
+            Task::One(index) => {
+                let [low, high] = self.halves(index);
+                tasks.extend([Task::One(low), Task::One(high), Task::Two([low, high])]);
+            }
+            Task::Two([a, b]) => {
+                let [of_a, of_b] = [a, b].map(|index| {
+                    let piece = self.piece(index);
+                    if piece.level < MAX_LEVEL { piece.size } else { 0.0 }
+                });
+                let (divided, other) = if of_a >= of_b { (a, b) } else { (b, a) };
+                tasks.extend(self.halves(divided).map(|half| Task::Two([half, other])));
+            }
+        }
+    }
+
+    /// Returns the two parts of a piece.
+    fn halves(&mut self, index: u32) -> [u32; 2] {
+        if let Some(halves) = self.piece(index).halves {
+            return halves;
+        }
+        let piece = self.piece(index);
+        let (patch, level) = (piece.patch, piece.level + 1);
+        let places = self.complex.places(patch).iter().filter_map(|place| place.point());
+        let (axis, at) = piece.division(places);
+        let [mut low, mut high] = [piece.range; 2];
+        (low[axis][1], high[axis][0]) = (at, at);
+        let of_patch = self.patches.patch(patch as usize);
+        let first = self.pieces.len() as u32;
+        self.pieces.extend([low, high].map(|range| Piece::new(&of_patch, patch, range, level)));
+        let halves = [first, first + 1];
+        self.pieces[index as usize].halves = Some(halves);
+        halves
+    }
+
+    fn is_decided(&mut self, task: Task) -> bool {
+        let within = match task {
+            Task::One(index) => self.alone(self.piece(index)),
+            Task::Two(pieces) => self.apart(pieces.map(|index| self.piece(index))),
+        };
+        let Some(within) = within.filter(|&within| within <= self.limits.most) else { return false };
+        self.within = upper_max(self.within, within);
+        true
+    }
+
+    /// Returns an upper bound on the way between two points of a piece that are near each other (lemma S8, a).
+    fn alone(&self, piece: &Piece) -> Option<f64> {
+        let [along_u, along_v] = Axis::BOTH.map(|axis| piece.along(axis));
+        let of = |is_turned: bool| along_u.turned(false).chain(along_v.turned(is_turned)).collect::<Vec<_>>();
+        if along_u.list.is_empty() || along_v.list.is_empty() {
+            return None;
+        }
+        let (_, same) = common_side(&of(false))?;
+        let (_, opposite) = common_side(&of(true))?;
+        let margin = if same < opposite { same } else { opposite };
+        Some((self.limits.nearness + along_u.rest + along_v.rest) / margin)
+    }
+
+    /// Returns an upper bound on the way between points of two pieces that are near each other, 0 if there are none
+    /// (lemma S8, b to d).
+    fn apart(&self, [a, b]: [&Piece; 2]) -> Option<f64> {
+        if !a.aabb.grown(self.apart).meets(&b.aabb) {
+            return Some(0.0);
+        }
+        let mut touch = false;
+        if a.patch == b.patch {
+            for axis in Axis::BOTH {
+                for [low, high] in [[a, b], [b, a]] {
+                    let sides = [Side { axis, end: 1 }, Side { axis, end: 0 }];
+                    let other = axis.other();
+                    let do_meet = low.range[axis][1] == high.range[axis][0]
+                        && low.range[other][0] <= high.range[other][1]
+                        && high.range[other][0] <= low.range[other][1];
+                    if do_meet {
+                        touch = true;
+                        if let Some(within) = self.beside([low, high], sides, (0.0, false)) {
+                            return Some(within);
+                        }
+                    }
+                }
+            }
+        }
+        let (edges, is_reversed) = self.complex.edges([a.patch, b.patch]);
+        for edge in edges {
+            let orders = if a.patch == b.patch { &[[a, b], [b, a]][..] } else { &[[a, b]] };
+            for &order in orders {
+                let pieces = if is_reversed { [order[1], order[0]] } else { order };
+                if (0..2).all(|k| pieces[k].touches(edge.sides[k])) {
+                    touch = true;
+                    if let Some(within) = self.beside_edge(pieces, edge) {
+                        return Some(within);
+                    }
+                }
+            }
+        }
+        let places = [a, b].map(|piece| self.complex.places(piece.patch));
+        for one in places[0] {
+            for other in places[1].iter().filter(|other| other.corner == one.corner) {
+                let Some(touches) = one.touch(a).zip(other.touch(b)) else { continue };
+                touch = true;
+                let spread = self.complex.spread(one.corner);
+                if let Some(within) = self.about([a, b], touches.into(), spread) {
+                    return Some(within);
+                }
+            }
+        }
+        if touch {
+            return None;
+        }
+        let start = a.aabb.center() - b.aabb.center();
+        let found = hull_distance(&a.points, &b.points, start, 2.0 * self.apart, 0.0);
+        (found.lower > self.apart).then_some(0.0)
+    }
+
+    /// Returns what [`Self::beside`] does for two pieces at a joined edge.
+    fn beside_edge(&self, pieces: [&Piece; 2], edge: &SharedEdge) -> Option<f64> {
+        let widths = [0, 1].map(|first| edge.width(pieces, first));
+        widths.into_iter().flatten().find_map(|width| self.beside(pieces, edge.sides, width))
+    }
+
+    /// Returns an upper bound on the ways from points of two pieces that are near each other to the side that these share,
+    /// whose parts are this far from each other and run against each other or not (lemma S8, b).
+    fn beside(
+        &self,
+        [a, b]: [&Piece; 2],
+        sides: [Side; 2],
+        (width, is_reversed): (f64, bool),
+    ) -> Option<f64> {
+        let edges = [a.along_side(sides[0]), b.along_side(sides[1])];
+        let along: Vec<Direction> = edges[0].turned(false).chain(edges[1].turned(is_reversed)).collect();
+        let cone = EdgeCone::of(&along)?;
+        let turned = b.along(sides[1].axis).turned(sides[1].end == 0);
+        let directions: Vec<Direction> = a.inwards(sides[0]).chain(turned).collect();
+        let margin = cone.margin(&directions)?;
+        let rests = [a.along(sides[0].axis).rest, b.along(sides[1].axis).rest, edges[0].rest, edges[1].rest];
+        Some((self.limits.nearness + width + rests.iter().sum::<f64>()) / margin)
+    }
+
+    /// Returns an upper bound on the ways from points of two pieces that are near each other to the corner that these
+    /// share, whose points are this far from each other (lemma S8, c).
+    fn about(&self, pieces: [&Piece; 2], touches: [Touch; 2], spread: f64) -> Option<f64> {
+        let mut directions = Vec::new();
+        let mut rest = 0.0;
+        for (k, (piece, touch)) in pieces.into_iter().zip(touches).enumerate() {
+            let axes: &[(Axis, usize)] = match touch {
+                Touch::Corner([u, v]) => &[(Axis::U, u), (Axis::V, v)],
+                Touch::Side(Side { axis, end }) => &[(axis, end)],
+            };
+            for &(axis, end) in axes {
+                let along = piece.along(axis);
+                rest += along.rest;
+                directions.extend(along.turned((end == 1) != (k == 1)));
+            }
+        }
+        let (_, margin) = common_side(&directions)?;
+        Some((self.limits.nearness + spread + rest) / margin)
+    }
+}
+
+impl Task {
+    fn pieces(self) -> [u32; 2] {
+        match self {
+            Self::One(index) => [index; 2],
+            Self::Two(pieces) => pieces,
+        }
+    }
+}
+
+/// All parameters of a patch.
+const UNIT: crate::param_box::ParamBox = crate::param_box::ParamBox::UNIT;

@@ -1,0 +1,237 @@
+//! Bodies that are embedded, that meet themselves, and that touch themselves, by construction.
+
+#![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+
+use super::*;
+use crate::bezier::extract;
+use crate::model::{Model, RigidTransform, SurfaceArrays};
+use crate::shapes::{self, transformed};
+use crate::solid::{Edges, SurfaceOrigin, joined_arcs};
+use glam::DQuat;
+use std::f64::consts::TAU;
+
+/// How near points are near to each other, unless a test asks for more: that of a file without gaps.
+const NEARNESS: f64 = 1e-9;
+
+fn verdict_with(model: &Model, nearness: f64) -> Verdict {
+    let bezier = extract(model);
+    let edges = Edges::of_surfaces(&bezier, SurfaceOrigin::whole);
+    let aabb = model.bounding_box();
+    let joined = joined_arcs(edges, &|_| [DVec3::NAN; 3], &aabb, 0.5 * nearness);
+    let limits = Limits { nearness, most: 1e-3 * aabb.diagonal(), is_late: &|| false };
+    verdict_on_patches(&bezier, joined, &limits)
+}
+
+fn verdict(model: &Model) -> Verdict {
+    verdict_with(model, NEARNESS)
+}
+
+fn is_embedded(model: &Model) -> bool {
+    matches!(verdict(model), Verdict::Embedded { .. })
+}
+
+fn touches(model: &Model) -> bool {
+    matches!(verdict(model), Verdict::Undecided { doubt: Doubt::Contact, .. })
+}
+
+/// The surface over whole steps of knots: closed and smooth along an axis whose first controls come again at the end.
+fn spline(degree: [usize; 2], net: &[Vec<DVec3>]) -> SurfaceArrays {
+    let counts = [net.len(), net[0].len()];
+    let knots = [0, 1].map(|axis| (0..=counts[axis] + degree[axis]).map(|k| k as f64).collect());
+    let control_points = net.iter().flatten().map(|point| point.extend(1.0).to_array()).collect();
+    SurfaceArrays { degree, knots, counts, control_points }
+}
+
+fn of(surfaces: Vec<SurfaceArrays>) -> Model {
+    Model::from_arrays(None, surfaces).unwrap()
+}
+
+/// A smooth tube about a closed curve in 48 parts, of which the section is smooth too, 0.8 wide and 1 high: its highest
+/// and lowest lines have the heights of the curve and 1 more where that is level.
+fn tube(curve: impl Fn(f64) -> DVec3) -> Model {
+    const PARTS: usize = 48;
+    let at = |part: usize| {
+        let t = TAU * (part % PARTS) as f64 / PARTS as f64;
+        let [point, next] = [t - 1e-6, t + 1e-6].map(&curve);
+        let across = 0.4 * (next - point).cross(DVec3::Z).normalize();
+        let point = curve(t);
+        let ring = [point + across, point - across, point - across + DVec3::Z, point + across + DVec3::Z];
+        (0..6).map(|k| ring[k % 4]).collect::<Vec<_>>()
+    };
+    of(vec![spline([2, 2], &(0..PARTS + 2).map(at).collect::<Vec<_>>())])
+}
+
+/// A figure of eight, of which one strand is above the other one where they cross, and level there.
+fn eight(rise: f64) -> impl Fn(f64) -> DVec3 {
+    move |t| {
+        let height = 0.5 * rise * (2.0 * t.cos()).clamp(-1.0, 1.0);
+        DVec3::new(4.0 * t.sin(), 3.0 * (2.0 * t).sin(), height)
+    }
+}
+
+/// The bilinear surfaces between four corners each.
+fn quads(corners: &[[[f64; 3]; 4]]) -> Model {
+    let surface = |&[a, b, c, d]: &[[f64; 3]; 4]| {
+        let row = |points: [[f64; 3]; 2]| points.map(DVec3::from_array).to_vec();
+        let mut surface = spline([1, 1], &[row([a, d]), row([b, c])]);
+        surface.knots = [0, 1].map(|_| vec![0.0, 0.0, 1.0, 1.0]);
+        surface
+    };
+    of(corners.iter().map(surface).collect())
+}
+
+/// The sides of a box.
+fn cuboid([x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> Vec<[[f64; 3]; 4]> {
+    vec![
+        [[x, y, z], [x, b, z], [a, b, z], [a, y, z]],
+        [[x, y, c], [a, y, c], [a, b, c], [x, b, c]],
+        [[x, y, z], [a, y, z], [a, y, c], [x, y, c]],
+        [[x, b, z], [x, b, c], [a, b, c], [a, b, z]],
+        [[x, y, z], [x, y, c], [x, b, c], [x, b, z]],
+        [[a, y, z], [a, b, z], [a, b, c], [a, y, c]],
+    ]
+}
+
+/// The model where it is, and turned and moved far away.
+fn placed(model: Model) -> [Model; 2] {
+    let axis = DVec3::new(1.0, 2.0, -0.5).normalize();
+    let motion =
+        RigidTransform::new(DQuat::from_axis_angle(axis, 1.1), DVec3::new(300.0, -70.0, 11.0)).unwrap();
+    let moved = transformed(&model, &motion).unwrap();
+    [model, moved]
+}
+
+#[test]
+fn shapes_are_embedded() {
+    let all = [
+        quads(&cuboid([0.0; 3], [1.0, 2.0, 3.0])),
+        shapes::sphere(DVec3::new(1.0, 2.0, 3.0), 2.0).unwrap(),
+        shapes::cylinder(1.0, 3.0).unwrap(),
+        shapes::cone(1.0, 3.0).unwrap(),
+        shapes::torus(3.0, 1.0).unwrap(),
+        shapes::torus(1.0, 0.99).unwrap(),
+        tube(|t| DVec3::new(4.0 * t.cos(), 3.0 * t.sin(), 0.0)),
+    ];
+    for (index, model) in all.into_iter().enumerate() {
+        for model in placed(model) {
+            assert!(is_embedded(&model), "{index}: {:?}", verdict(&model));
+        }
+    }
+}
+
+#[test]
+fn a_spindle_torus_is_not_embedded_and_neither_is_one_that_touches_itself() {
+    for minor in [1.0, 1.01, 1.5, 2.0] {
+        for model in placed(shapes::torus(1.0, minor).unwrap()) {
+            assert!(!is_embedded(&model), "{minor}");
+        }
+    }
+}
+
+/// The strands are 0.001 from each other where they pass, touch, and pass through each other.
+#[test]
+fn a_tube_that_passes_itself_is_embedded_until_it_touches() {
+    for rise in [1.5, 1.001] {
+        for model in placed(tube(eight(rise))) {
+            assert!(is_embedded(&model), "{rise}: {:?}", verdict(&model));
+        }
+    }
+    for rise in [1.0, 0.999, 0.5, 0.0] {
+        for model in placed(tube(eight(rise))) {
+            assert!(!is_embedded(&model), "{rise}");
+        }
+    }
+}
+
+/// What is nearer than the gaps is not told apart.
+#[test]
+fn a_tube_that_passes_itself_nearer_than_its_gaps_is_undecided() {
+    let model = tube(eight(1.001));
+    assert!(matches!(verdict_with(&model, 0.9e-3), Verdict::Embedded { .. }));
+    let Verdict::Undecided { doubt: Doubt::Contact, point, .. } = verdict_with(&model, 1.1e-3) else {
+        panic!("{:?}", verdict_with(&model, 1.1e-3));
+    };
+    assert!(point.truncate().length() < 0.8, "{point}");
+}
+
+/// A sheet and its fold at an angle: what is near each other is beside the fold, over the sine of half the angle.
+#[test]
+fn a_folded_sheet_is_embedded_up_to_its_fold() {
+    let folded = |degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let [y, z] = [cos, sin];
+        quads(&[
+            [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+            [[1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, y, z], [1.0, y, z]],
+        ])
+    };
+    for degrees in [1.0, 10.0, 90.0, 180.0] {
+        let Verdict::Embedded { within } = verdict(&folded(degrees)) else {
+            panic!("{degrees}: {:?}", verdict(&folded(degrees)))
+        };
+        let sine = (0.5 * degrees).to_radians().sin();
+        let least = NEARNESS / sine;
+        assert!(least <= within && within < 2.0 * least + 1e-8, "{degrees}: {within:e} for {least:e}");
+    }
+    assert!(touches(&folded(0.0)));
+}
+
+/// Sheets: one through another of the same body, one that ends on it, and one just before it.
+#[test]
+fn a_sheet_that_reaches_another_part_of_itself_is_not_embedded() {
+    let bent = |reach: f64| {
+        quads(&[
+            [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+            [[2.0, 0.0, 0.0], [2.0, 0.0, 1.0], [2.0, 1.0, 1.0], [2.0, 1.0, 0.0]],
+            [[2.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0], [2.0, 1.0, 1.0]],
+            [[1.0, 0.0, 1.0], [1.0, 0.0, reach], [1.0, 1.0, reach], [1.0, 1.0, 1.0]],
+        ])
+    };
+    assert!(is_embedded(&bent(1e-3)), "{:?}", verdict(&bent(1e-3)));
+    for reach in [0.0, -1e-3, -1.0] {
+        assert!(touches(&bent(reach)), "{reach}");
+    }
+}
+
+/// Two boxes: apart by little, with a face, an edge or a corner in the same place, and in each other.
+#[test]
+fn boxes_that_touch_are_not_embedded_together() {
+    let with = |low: [f64; 3]| {
+        let mut sides = cuboid([0.0; 3], [1.0; 3]);
+        sides.extend(cuboid(low, low.map(|coordinate| coordinate + 1.0)));
+        quads(&sides)
+    };
+    assert!(is_embedded(&with([1.001, 0.2, 0.3])));
+    for low in [[1.0, 0.2, 0.3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.2], [1.0, 1.0, 0.0], [1.0; 3], [0.5; 3]] {
+        assert!(!is_embedded(&with(low)), "{low:?}");
+    }
+}
+
+/// One patch alone: nearly with a cusp, with one, and crossing itself.
+#[test]
+fn a_patch_that_crosses_itself_is_not_embedded() {
+    let at = |x: f64, z: f64| [DVec3::new(x, 0.0, z), DVec3::new(x, 1.0, z)].to_vec();
+    // Both derivatives vanish in the middle of the cubic for a reach of 1; beyond it crosses itself.
+    let curve = |reach: f64| {
+        let mut surface = spline([3, 1], &[at(0.0, 0.0), at(reach, 1.0), at(1.0 - reach, 1.0), at(1.0, 0.0)]);
+        surface.knots = [vec![0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]];
+        of(vec![surface])
+    };
+    assert!(is_embedded(&curve(0.9)), "{:?}", verdict(&curve(0.9)));
+    for reach in [1.0, 1.1, 3.0] {
+        assert!(!is_embedded(&curve(reach)), "{reach}");
+    }
+}
+
+/// The faces of a box from other nets: one in two that meet in the middle of a neighbour's edge.
+#[test]
+fn edges_that_end_within_others_are_shared_in_parts() {
+    let mut sides = cuboid([0.0; 3], [1.0, 2.0, 3.0]);
+    let [a, b, c, d] = sides.remove(0);
+    let mix = |p: [f64; 3], q: [f64; 3], t: f64| [0, 1, 2].map(|k| (1.0 - t) * p[k] + t * q[k]);
+    let [e, f] = [mix(a, b, 0.3), mix(d, c, 0.6)];
+    sides.extend([[a, e, f, d], [e, b, c, f]]);
+    for model in placed(quads(&sides)) {
+        assert!(is_embedded(&model), "{:?}", verdict(&model));
+    }
+}
