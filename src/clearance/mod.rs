@@ -15,5 +15,4 @@ mod simplex;
 
 pub(crate) use body::Body;
 pub(crate) use hull::hull_distance;
-pub(crate) use piece::bend;
 pub(crate) use search::{Goal, Nearest, Search};

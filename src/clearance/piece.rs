@@ -151,7 +151,7 @@ impl Piece {
 
 /// Returns an estimate of how far the hull of a net reaches beyond its surface, and the axis to
 /// halve: the one of larger second differences, or of longer lines where the net only twists.
-pub(crate) fn bend([p, q]: [usize; 2], points: &[DVec3]) -> (f64, Axis) {
+fn bend([p, q]: [usize; 2], points: &[DVec3]) -> (f64, Axis) {
     let columns = q + 1;
     let at = |i: usize, j: usize| points[i * columns + j];
     let [mut along_u, mut along_v, mut twist, mut lengths] = [0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64];

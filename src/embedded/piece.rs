@@ -4,7 +4,6 @@ use super::directions::{Direction, Directions, Net};
 use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::bvh::Aabb;
-use crate::clearance::bend;
 use crate::param_box::ParamBox;
 use crate::rounding::upper_max;
 use glam::{DVec3, DVec4, Vec4Swizzles};
@@ -39,8 +38,8 @@ pub(super) struct Piece {
     along: [OnceCell<Directions>; 2],
 }
 
-/// The part of a piece's diagonal that counts as its size where it is plane.
-const FLAT_SIZE: f64 = 0.05;
+/// The turn that counts as much as all the length of a piece, which decides where it is plane.
+const LENGTH_SHARE: f64 = 0.1;
 
 impl Piece {
     /// Makes the piece of a patch over these parameters. O(p q (p + q)).
@@ -50,7 +49,10 @@ impl Piece {
             controls.iter().map(|control| patch.center + control.xyz() / control.w).collect();
         let radius = patch.local_points().map(DVec3::length).fold(0.0, upper_max);
         let aabb = points.iter().copied().fold(Aabb::EMPTY, Aabb::with);
-        let (bend, axis) = bend(patch.degree, &points);
+        let [turn_u, turn_v] = turns(patch.degree, &points);
+        let [long_u, long_v] = lengths(patch.degree, &points);
+        let lengths = [long_u, long_v].map(|length| LENGTH_SHARE * length / (long_u + long_v));
+        let size = (upper_max(turn_u, turn_v) + LENGTH_SHARE) * aabb.diagonal();
         Self {
             patch: index,
             range,
@@ -60,8 +62,8 @@ impl Piece {
             radius,
             points,
             aabb,
-            size: bend + FLAT_SIZE * aabb.diagonal(),
-            axis,
+            size,
+            axis: Axis::of_larger([turn_u + lengths[0], turn_v + lengths[1]]),
             level,
             halves: None,
             along: Default::default(),
@@ -125,4 +127,32 @@ impl Piece {
         let mut found = places.filter_map(|place| on_side(place).map(|axis| (axis, place[axis])));
         found.next().unwrap_or_else(|| (self.axis, self.range.middle()[self.axis]))
     }
+}
+
+/// Returns, for each axis, how much the legs of a net turn along its lines: those of these lines and those across them. An
+/// estimate of how far directions there are from each other.
+fn turns([p, q]: [usize; 2], points: &[DVec3]) -> [f64; 2] {
+    let columns = q + 1;
+    let unit = |from: usize, to: usize| (points[to] - points[from]).try_normalize();
+    let turn = |legs: Vec<DVec3>| legs.windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>();
+    let at = |i: usize, j: usize| i * columns + j;
+    let largest = |turns: Vec<f64>| turns.into_iter().fold(0.0, upper_max);
+    let of_lines = |count: usize, others: usize, place: &dyn Fn(usize, usize) -> usize| {
+        let along = (0..=others)
+            .map(|j| turn((0..count).filter_map(|i| unit(place(i, j), place(i + 1, j))).collect()));
+        let across = (0..others)
+            .map(|j| turn((0..=count).filter_map(|i| unit(place(i, j), place(i, j + 1))).collect()));
+        largest(along.collect()) + largest(across.collect())
+    };
+    [of_lines(p, q, &at), of_lines(q, p, &|j, i| at(i, j))]
+}
+
+/// Returns the mean length of the lines of a net along each axis, as the distance of their ends.
+fn lengths([p, q]: [usize; 2], points: &[DVec3]) -> [f64; 2] {
+    let columns = q + 1;
+    let at = |i: usize, j: usize| points[i * columns + j];
+    let along_u: f64 = (0..=q).map(|j| at(0, j).distance(at(p, j))).sum();
+    let along_v: f64 = (0..=p).map(|i| at(i, 0).distance(at(i, q))).sum();
+    // A point has no longer lines.
+    [along_u / (q + 1) as f64 + f64::MIN_POSITIVE, along_v / (p + 1) as f64]
 }

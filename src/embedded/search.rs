@@ -83,6 +83,42 @@ impl<'a> Search<'a> {
     /// Returns the verdict without an answer for two pieces.
     fn undecided(&self, task: Task, doubt: Doubt) -> Verdict {
         let pieces = task.pieces().map(|index| self.piece(index));
+        if std::env::var("EMB_DEBUG").is_ok() {
+            eprintln!("{doubt:?} {task:?} pieces {}", self.pieces.len());
+            for piece in pieces {
+                eprintln!(
+                    "  patch {} level {} range {:?} diag {:e} points {:?}",
+                    piece.patch,
+                    piece.level,
+                    piece.range,
+                    piece.aabb.diagonal(),
+                    piece.points
+                );
+                eprintln!("  places {:?}", self.complex.places(piece.patch));
+                for axis in Axis::BOTH {
+                    let d = piece.along(axis);
+                    eprintln!(
+                        "   along {axis}: {} rest {:e} {:?}",
+                        d.list.len(),
+                        d.rest,
+                        d.list.iter().map(|x| x.unit).collect::<Vec<_>>()
+                    );
+                }
+            }
+            let (e, r) = self.complex.edges(pieces.map(|p| p.patch));
+            for edge in e {
+                eprintln!("  edge {:?} arcs {} reversed {r}", edge.sides, edge.arcs.is_some());
+                if edge.arcs.is_some() {
+                    for first in 0..2 {
+                        eprintln!(
+                            "    width {:?} ranges {:?}",
+                            edge.width(if r { [pieces[1], pieces[0]] } else { pieces }, first),
+                            edge.arcs.as_ref().map(|a| [a[0].range, a[1].range])
+                        );
+                    }
+                }
+            }
+        }
         let [a, b] = pieces.map(|piece| piece.aabb);
         // Where the boxes come near each other.
         let common = Aabb { min: a.min.max(b.min), max: a.max.min(b.max) };

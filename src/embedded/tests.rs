@@ -5,7 +5,7 @@
 use super::*;
 use crate::bezier::extract;
 use crate::model::{Model, RigidTransform, SurfaceArrays};
-use crate::shapes::{self, transformed};
+use crate::shapes;
 use crate::solid::{Edges, SurfaceOrigin, joined_arcs};
 use glam::DQuat;
 use std::f64::consts::TAU;
@@ -97,8 +97,12 @@ fn placed(model: Model) -> [Model; 2] {
     let axis = DVec3::new(1.0, 2.0, -0.5).normalize();
     let motion =
         RigidTransform::new(DQuat::from_axis_angle(axis, 1.1), DVec3::new(300.0, -70.0, 11.0)).unwrap();
-    let moved = transformed(&model, &motion).unwrap();
-    [model, moved]
+    let mut surfaces: Vec<_> = model.surfaces().iter().map(|surface| surface.clone().into_arrays()).collect();
+    for point in surfaces.iter_mut().flat_map(|surface| &mut surface.control_points) {
+        let [x, y, z, weight] = *point;
+        *point = motion.apply(DVec3::new(x, y, z)).extend(weight).to_array();
+    }
+    [model, of(surfaces)]
 }
 
 #[test]

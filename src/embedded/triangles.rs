@@ -199,13 +199,13 @@ fn certain(value: f64, bound: f64) -> i32 {
 mod tests {
     use super::*;
 
-    type Edge = [i64; 3];
+    type Edge = [i128; 3];
 
     fn cross([a, b, c]: Edge, [d, e, f]: Edge) -> Edge {
         [b * f - c * e, c * d - a * f, a * e - b * d]
     }
 
-    fn dot(a: Edge, b: Edge) -> i64 {
+    fn dot(a: Edge, b: Edge) -> i128 {
         (0..3).map(|k| a[k] * b[k]).sum()
     }
 
@@ -235,10 +235,10 @@ mod tests {
         DVec3::from_array(edge.map(|coordinate| coordinate as f64))
     }
 
-    fn drawn(random: &mut fastrand::Rng, size: i64, is_plane: bool) -> [[Edge; 2]; 2] {
+    fn drawn(random: &mut fastrand::Rng, size: i128, is_plane: bool) -> [[Edge; 2]; 2] {
         [0; 2].map(|_| {
             [0; 2].map(|_| {
-                let [x, y, z] = [0; 3].map(|_| random.i64(-size..=size));
+                let [x, y, z] = [0; 3].map(|_| random.i128(-size..=size));
                 [x, y, if is_plane { 0 } else { z }]
             })
         })
