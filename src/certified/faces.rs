@@ -62,6 +62,16 @@ impl TrimmedFaces {
         Self { model: Arc::clone(&self.model), origins }
     }
 
+    /// Returns the Bézier patches of the surfaces of all trimmed faces, and for each piece the surface that it lies on, with
+    /// the map to its parameters; none for pieces of faces that are not trimmed. Extracted at first use.
+    pub(crate) fn sheets(&self) -> Option<(&BezierModel, Vec<Option<(usize, &ParameterMap)>>)> {
+        let LazyFaces { model, whole } = &*self.model;
+        let whole = whole.get_or_init(|| WholeFaces::new(model)).as_ref()?;
+        let pieces =
+            self.origins.iter().map(|(face, map)| whole.surfaces[*face].map(|surface| (surface, map)));
+        Some((&whole.bezier, pieces.collect()))
+    }
+
     /// Returns the face of a point of a piece, about that point; `None` if the face is not trimmed.
     pub(super) fn chart(&self, pieces: &Chart<'_>) -> Option<FaceChart<'_>> {
         let (face, map) = self.origins.get(pieces.surface())?;

@@ -50,11 +50,23 @@ pub(super) struct Complex {
     places: Vec<Vec<CornerPlace>>,
     /// The diagonal of a box about the points of each corner.
     spreads: Vec<f64>,
+    /// The edges of each patch that were joined to one of a trimmed face, by the surface of that.
+    edges_with: HashMap<(u32, usize), Vec<EdgeKey>>,
+    /// A place of a trimmed face at each corner that it has.
+    corners_of: HashMap<(u32, usize), (u32, Place)>,
 }
 
+/// An edge by its patches and its place among theirs.
+type EdgeKey = ([u32; 2], usize);
+
 impl Complex {
-    /// Makes the complex of patches whose surfaces are joined at these arcs. O(patches + arcs).
-    pub(super) fn new(model: &BezierModel, joined: Vec<JoinedArc>) -> Self {
+    /// Makes the complex of patches whose surfaces are joined at these arcs, of which some lie on the surfaces of trimmed
+    /// faces. O(patches + arcs).
+    pub(super) fn new(
+        model: &BezierModel,
+        joined: Vec<JoinedArc>,
+        sheet: impl Fn(u32) -> Option<usize>,
+    ) -> Self {
         let mut corners = Corners::new(model.patches.len());
         let mut edges: HashMap<[u32; 2], Vec<SharedEdge>> = HashMap::new();
         for grid in &model.grids {
@@ -81,7 +93,43 @@ impl Complex {
             edges.entry(patches).or_default().push(SharedEdge { sides, arcs: Some(arcs) });
         }
         let (places, spreads) = corners.into_places(model);
-        Self { edges, places, spreads }
+        let (mut edges_with, mut corners_of): (HashMap<_, Vec<EdgeKey>>, HashMap<_, _>) = Default::default();
+        for (&patches, list) in &edges {
+            let [a, b] = patches.map(&sheet);
+            for (index, _) in list.iter().enumerate().filter(|(_, edge)| edge.arcs.is_some()) {
+                for (patch, other) in [(patches[0], b), (patches[1], a)] {
+                    if let Some(other) = other {
+                        edges_with.entry((patch, other)).or_default().push((patches, index));
+                    }
+                }
+            }
+        }
+        for (patch, list) in places.iter().enumerate() {
+            let Some(sheet) = sheet(patch as u32) else { continue };
+            for place in list {
+                corners_of.insert((place.corner, sheet), (patch as u32, place.at));
+            }
+        }
+        Self { edges, places, spreads, edges_with, corners_of }
+    }
+
+    /// Returns the edges of a patch that were joined to one of a trimmed face, with the number of the patch's side in each
+    /// and the patch on the other side.
+    pub(super) fn edges_with(
+        &self,
+        patch: u32,
+        sheet: usize,
+    ) -> impl Iterator<Item = (&SharedEdge, usize, u32)> {
+        let keys = self.edges_with.get(&(patch, sheet)).into_iter().flatten();
+        keys.filter_map(move |&(patches, index)| {
+            let own = usize::from(patches[0] != patch);
+            Some((self.edges.get(&patches)?.get(index)?, own, patches[1 - own]))
+        })
+    }
+
+    /// Returns a place of a trimmed face at a corner, with its patch, if it has one.
+    pub(super) fn place_of(&self, corner: u32, sheet: usize) -> Option<(u32, Place)> {
+        self.corners_of.get(&(corner, sheet)).copied()
     }
 
     /// Returns the edges that two patches share, with whether the first of an edge's sides is the second patch's.
@@ -123,6 +171,13 @@ impl CornerPlace {
 }
 
 impl SharedEdge {
+    /// Returns the part of the other patch's side that corresponds to that of a piece, which has this one of both sides,
+    /// and an upper bound on the distance of points that correspond; none if the piece's side is not within its arc.
+    pub(super) fn image_of(&self, piece: &Piece, own: usize) -> Option<([f64; 2], f64)> {
+        let arcs = self.arcs.as_ref()?;
+        image(&arcs[own], piece.range[self.sides[own].axis.other()], &arcs[1 - own])
+    }
+
     /// Returns an upper bound on the distance of each point of one piece's side from a point of the other one's such that
     /// both and those of the edge between them follow each other, and whether the sides run against each other; none if
     /// the pieces have no parts of the edge that meet. `first` is the number of the piece whose side is within its arc.
@@ -302,7 +357,7 @@ impl Corners {
             let number = numbers.get(&(patch, on_side(side, 0.0).map(f64::to_bits)));
             let Some(corner) = number.map(|&number| classes.of(number)) else { continue };
             let of_patch = model.patches.patch(patch as usize);
-            let piece = Piece::new(&of_patch, patch, crate::param_box::ParamBox::UNIT, 0);
+            let piece = Piece::new(&of_patch, patch, crate::param_box::ParamBox::UNIT, 0, std::iter::empty());
             let points = piece.side_points(side);
             boxes[corner as usize] = points.into_iter().fold(boxes[corner as usize], Aabb::with);
             places[patch as usize].push(CornerPlace { corner, at: Place::Side(side) });

@@ -9,16 +9,19 @@ mod complex;
 mod directions;
 mod piece;
 mod search;
+mod sheets;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests;
 mod triangles;
 
 use self::complex::Complex;
 use self::search::Search;
+use self::sheets::SheetSearch;
 use crate::bezier::BezierModel;
 use crate::solid::JoinedArc;
 use glam::DVec3;
 
+pub(crate) use sheets::Sheets;
 pub(crate) use triangles::verdict_on_triangles;
 
 /// Whether a body is embedded.
@@ -66,8 +69,10 @@ pub(crate) struct Limits<'a> {
 pub(crate) fn verdict_on_patches(
     model: &BezierModel,
     joined: Vec<JoinedArc>,
+    sheets: Option<&Sheets<'_>>,
     limits: &Limits<'_>,
 ) -> Verdict {
-    let complex = Complex::new(model, joined);
-    Search::new(&model.patches, &complex, limits).run()
+    let sheets = sheets.map(|sheets| SheetSearch::new(sheets, &model.patches));
+    let complex = Complex::new(model, joined, |patch| sheets.as_ref()?.sheet(patch));
+    Search::new(&model.patches, &complex, sheets.as_ref(), limits).run()
 }

@@ -30,8 +30,10 @@ pub(super) struct Piece {
     pub(super) aabb: Aabb,
     /// How much is gained by dividing it.
     pub(super) size: f64,
-    /// The axis along which dividing it gains more.
-    axis: Axis,
+    /// The axis and the parameter at which it is divided.
+    pub(super) division: (Axis, f64),
+    /// Whether others have a corner there, strictly inside a side of this piece.
+    pub(super) has_place: bool,
     /// The number of divisions from the patch.
     pub(super) level: u32,
     pub(super) halves: Option<[u32; 2]>,
@@ -42,17 +44,27 @@ pub(super) struct Piece {
 const LENGTH_SHARE: f64 = 0.1;
 
 impl Piece {
-    /// Makes the piece of a patch over these parameters. O(p q (p + q)).
-    pub(super) fn new(patch: &Patch<'_>, index: u32, range: ParamBox, level: u32) -> Self {
+    /// Makes the piece of a patch over these parameters, which is divided at the first of these places that is strictly
+    /// inside one of its sides, or else in its middle. O(p q (p + q)).
+    pub(super) fn new(
+        patch: &Patch<'_>,
+        index: u32,
+        range: ParamBox,
+        level: u32,
+        places: impl Iterator<Item = [f64; 2]>,
+    ) -> Self {
         let controls = patch.restricted(range[Axis::U], range[Axis::V]);
         let points: Vec<DVec3> =
             controls.iter().map(|control| patch.center + control.xyz() / control.w).collect();
         let radius = patch.local_points().map(DVec3::length).fold(0.0, upper_max);
         let aabb = points.iter().copied().fold(Aabb::EMPTY, Aabb::with);
-        let [turn_u, turn_v] = turns(patch.degree, &points);
+        let [turn_u, turn_v] = turns(patch.degree, &points, MIN_LEG * radius);
         let [long_u, long_v] = lengths(patch.degree, &points);
         let lengths = [long_u, long_v].map(|length| LENGTH_SHARE * length / (long_u + long_v));
         let size = (upper_max(turn_u, turn_v) + LENGTH_SHARE) * aabb.diagonal();
+        let place = place_on_side(&range, places);
+        let axis = Axis::of_larger([turn_u + lengths[0], turn_v + lengths[1]]);
+        let division = place.unwrap_or((axis, range.middle()[axis]));
         Self {
             patch: index,
             range,
@@ -63,7 +75,8 @@ impl Piece {
             points,
             aabb,
             size,
-            axis: Axis::of_larger([turn_u + lengths[0], turn_v + lengths[1]]),
+            division,
+            has_place: place.is_some(),
             level,
             halves: None,
             along: Default::default(),
@@ -114,26 +127,30 @@ impl Piece {
         let [p, q] = self.degree;
         self.points[u * p * (q + 1) + v * q]
     }
+}
 
-    /// Returns the axis and the parameter at which the piece is divided: that of a corner of others on its sides, if it
-    /// has one of these places strictly inside a side, or else its middle.
-    pub(super) fn division(&self, places: impl Iterator<Item = [f64; 2]>) -> (Axis, f64) {
-        let on_side = |place: [f64; 2]| {
-            Axis::BOTH.into_iter().find(|&axis| {
-                let ([low, high], other) = (self.range[axis], axis.other());
-                low < place[axis] && place[axis] < high && self.range[other].contains(&place[other])
-            })
-        };
-        let mut found = places.filter_map(|place| on_side(place).map(|axis| (axis, place[axis])));
-        found.next().unwrap_or_else(|| (self.axis, self.range.middle()[self.axis]))
-    }
+/// The length of a leg, relative to the patch's radius, up to which it may be rounding, and tells no turn.
+const MIN_LEG: f64 = 1e-9;
+
+/// Returns the first place strictly inside a side of a rectangle, by the axis along that and the parameter.
+fn place_on_side(range: &ParamBox, mut places: impl Iterator<Item = [f64; 2]>) -> Option<(Axis, f64)> {
+    places.find_map(|place| {
+        let axis = Axis::BOTH.into_iter().find(|&axis| {
+            let ([low, high], other) = (range[axis], axis.other());
+            low < place[axis] && place[axis] < high && range[other].contains(&place[other])
+        })?;
+        Some((axis, place[axis]))
+    })
 }
 
 /// Returns, for each axis, how much the legs of a net turn along its lines: those of these lines and those across them. An
-/// estimate of how far directions there are from each other.
-fn turns([p, q]: [usize; 2], points: &[DVec3]) -> [f64; 2] {
+/// estimate of how far directions there are from each other. Shorter legs than the least one are left out.
+fn turns([p, q]: [usize; 2], points: &[DVec3], least: f64) -> [f64; 2] {
     let columns = q + 1;
-    let unit = |from: usize, to: usize| (points[to] - points[from]).try_normalize();
+    let unit = |from: usize, to: usize| {
+        let leg = points[to] - points[from];
+        (leg.length() > least).then(|| leg.normalize())
+    };
     let turn = |legs: Vec<DVec3>| legs.windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>();
     let at = |i: usize, j: usize| i * columns + j;
     let largest = |turns: Vec<f64>| turns.into_iter().fold(0.0, upper_max);

@@ -1,17 +1,24 @@
 //! Pairs of pieces, divided until each is decided.
 
-use super::complex::{Complex, SharedEdge, Touch};
+use super::complex::{Complex, Place, SharedEdge, Touch};
 use super::directions::{Direction, EdgeCone, common_side};
 use super::piece::{Piece, Side};
+use super::sheets::{SheetSearch, union};
 use super::{Doubt, Limits, Verdict};
 use crate::axis::Axis;
 use crate::bezier::PatchSet;
 use crate::bvh::{Aabb, Bvh};
 use crate::clearance::hull_distance;
+use crate::param_box::ParamBox;
 use crate::rounding::{VANISHING_LENGTH, gamma, upper_max};
 
 /// The largest number of divisions of a patch.
 const MAX_LEVEL: u32 = 40;
+
+/// The ways between points that are near each other, relative to what is near, up to which pieces are not divided for shorter
+/// ones, and the divisions after which they are not.
+const GOOD_STRETCH: f64 = 64.0;
+const PATIENCE: u32 = 10;
 
 /// The pairs of pieces that are looked at for each patch and pair of patches that are near each other; most take one.
 const PAIRS_EACH: usize = 256;
@@ -35,6 +42,7 @@ enum Task {
 pub(super) struct Search<'a> {
     patches: &'a PatchSet,
     complex: &'a Complex,
+    sheets: Option<&'a SheetSearch<'a>>,
     limits: &'a Limits<'a>,
     pieces: Vec<Piece>,
     /// The distance that computed hulls are to have.
@@ -44,12 +52,17 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(patches: &'a PatchSet, complex: &'a Complex, limits: &'a Limits<'a>) -> Self {
-        let whole = |index: usize| Piece::new(&patches.patch(index), index as u32, UNIT, 0);
+    pub(super) fn new(
+        patches: &'a PatchSet,
+        complex: &'a Complex,
+        sheets: Option<&'a SheetSearch<'a>>,
+        limits: &'a Limits<'a>,
+    ) -> Self {
+        let whole = |index: usize| new_piece(complex, patches, index as u32, UNIT, 0);
         let pieces: Vec<Piece> = (0..patches.len()).map(whole).collect();
         let aabb = pieces.iter().fold(Aabb::EMPTY, |aabb, piece| aabb.union(piece.aabb));
         let rounding = gamma(HULL_ROUNDINGS) * aabb.farthest_from_origin() + VANISHING_LENGTH;
-        Self { patches, complex, limits, pieces, apart: limits.nearness + rounding, within: 0.0 }
+        Self { patches, complex, sheets, limits, pieces, apart: limits.nearness + rounding, within: 0.0 }
     }
 
     /// Decides all pairs, or returns the first that is not decided.
@@ -139,9 +152,10 @@ impl<'a> Search<'a> {
                 tasks.extend([Task::One(low), Task::One(high), Task::Two([low, high])]);
             }
             Task::Two([a, b]) => {
+                // A piece with a corner of others on a side is no neighbour of theirs before.
                 let [of_a, of_b] = [a, b].map(|index| {
                     let piece = self.piece(index);
-                    if piece.level < MAX_LEVEL { piece.size } else { 0.0 }
+                    (piece.has_place, if piece.level < MAX_LEVEL { piece.size } else { 0.0 })
                 });
                 let (divided, other) = if of_a >= of_b { (a, b) } else { (b, a) };
                 tasks.extend(self.halves(divided).map(|half| Task::Two([half, other])));
@@ -156,13 +170,12 @@ impl<'a> Search<'a> {
         }
         let piece = self.piece(index);
         let (patch, level) = (piece.patch, piece.level + 1);
-        let places = self.complex.places(patch).iter().filter_map(|place| place.point());
-        let (axis, at) = piece.division(places);
+        let (axis, at) = piece.division;
         let [mut low, mut high] = [piece.range; 2];
         (low[axis][1], high[axis][0]) = (at, at);
-        let of_patch = self.patches.patch(patch as usize);
         let first = self.pieces.len() as u32;
-        self.pieces.extend([low, high].map(|range| Piece::new(&of_patch, patch, range, level)));
+        let new = |range: ParamBox| new_piece(self.complex, self.patches, patch, range, level);
+        self.pieces.extend([low, high].map(new));
         let halves = [first, first + 1];
         self.pieces[index as usize].halves = Some(halves);
         halves
@@ -170,12 +183,64 @@ impl<'a> Search<'a> {
 
     fn is_decided(&mut self, task: Task) -> bool {
         let within = match task {
-            Task::One(index) => self.alone(self.piece(index)),
+            Task::One(index) => {
+                let piece = self.piece(index);
+                self.on_one_sheet([piece; 2]).or_else(|| self.alone(piece))
+            }
             Task::Two(pieces) => self.apart(pieces.map(|index| self.piece(index))),
         };
-        let Some(within) = within.filter(|&within| within <= self.limits.most) else { return false };
+        let is_early = task.pieces().into_iter().any(|index| self.piece(index).level < PATIENCE);
+        let most = if is_early { GOOD_STRETCH * self.apart } else { self.limits.most };
+        let Some(within) = within.filter(|&within| within <= most) else { return false };
         self.within = upper_max(self.within, within);
         true
+    }
+
+    /// Returns an upper bound on the way, on the surface of their face, between points of two pieces that are near each other
+    /// (lemma S8, a), if both are of one trimmed face.
+    fn on_one_sheet(&self, pieces: [&Piece; 2]) -> Option<f64> {
+        let sheets = self.sheets?;
+        let [one, other] = pieces.map(|piece| sheets.sheet(piece.patch));
+        let sheet = one.filter(|_| one == other)?;
+        let (margin, rest) = sheets.together(sheet, pieces)?;
+        Some((self.limits.nearness + 2.0 * sheets.off() + rest) / margin)
+    }
+
+    /// Returns an upper bound on the ways from points of two pieces that are near each other to an edge or a corner, if the
+    /// first one is of a trimmed face, and the second one leaves the surface of that there (lemma S8, e).
+    fn off_sheet(&self, on: &Piece, off: &Piece) -> Option<f64> {
+        let sheets = self.sheets?;
+        let sheet = sheets.sheet(on.patch)?;
+        let image = sheets.image(on.patch, &on.range)?;
+        let within = |range: &ParamBox, directions: &[Direction], (steps, rest): (f64, f64)| {
+            let (margin, of_sheet) = sheets.directions(sheet, &union(&image, range))?.leaving(directions)?;
+            Some((self.limits.nearness + 2.0 * sheets.off() + steps + rest + of_sheet) / margin)
+        };
+        for (edge, own, other) in self.complex.edges_with(off.patch, sheet) {
+            let side = edge.sides[own];
+            if !off.touches(side) {
+                continue;
+            }
+            let Some((part, width)) = edge.image_of(off, own) else { continue };
+            let Some(range) = sheets.image_of_side(other, edge.sides[1 - own], part) else { continue };
+            let directions: Vec<Direction> = off.inwards(side).collect();
+            if let Some(within) = within(&range, &directions, (width, off.along(side.axis).rest)) {
+                return Some(within);
+            }
+        }
+        for place in self.complex.places(off.patch) {
+            let Some(touch) = place.touch(off) else { continue };
+            let Some((patch, Place::Point([u, v]))) = self.complex.place_of(place.corner, sheet) else {
+                continue;
+            };
+            let Some(range) = sheets.image(patch, &ParamBox::new([u; 2], [v; 2])) else { continue };
+            let (directions, rest) = from_corner(off, touch);
+            let spread = self.complex.spread(place.corner);
+            if let Some(within) = within(&range, &directions, (spread, rest)) {
+                return Some(within);
+            }
+        }
+        None
     }
 
     /// Returns an upper bound on the way between two points of a piece that are near each other (lemma S8, a).
@@ -196,6 +261,9 @@ impl<'a> Search<'a> {
     fn apart(&self, [a, b]: [&Piece; 2]) -> Option<f64> {
         if !a.aabb.grown(self.apart).meets(&b.aabb) {
             return Some(0.0);
+        }
+        if let Some(within) = self.on_one_sheet([a, b]) {
+            return Some(within);
         }
         let mut touch = false;
         if a.patch == b.patch {
@@ -239,6 +307,9 @@ impl<'a> Search<'a> {
                 }
             }
         }
+        if let Some(within) = self.off_sheet(a, b).or_else(|| self.off_sheet(b, a)) {
+            return Some(within);
+        }
         if touch {
             return None;
         }
@@ -274,22 +345,31 @@ impl<'a> Search<'a> {
     /// Returns an upper bound on the ways from points of two pieces that are near each other to the corner that these
     /// share, whose points are this far from each other (lemma S8, c).
     fn about(&self, pieces: [&Piece; 2], touches: [Touch; 2], spread: f64) -> Option<f64> {
-        let mut directions = Vec::new();
-        let mut rest = 0.0;
-        for (k, (piece, touch)) in pieces.into_iter().zip(touches).enumerate() {
-            let axes: &[(Axis, usize)] = match touch {
-                Touch::Corner([u, v]) => &[(Axis::U, u), (Axis::V, v)],
-                Touch::Side(Side { axis, end }) => &[(axis, end)],
-            };
-            for &(axis, end) in axes {
-                let along = piece.along(axis);
-                rest += along.rest;
-                directions.extend(along.turned((end == 1) != (k == 1)));
-            }
-        }
+        let [(mut directions, rest), (others, other)] = [0, 1].map(|k| from_corner(pieces[k], touches[k]));
+        directions
+            .extend(others.into_iter().map(|Direction { unit, error }| Direction { unit: -unit, error }));
+        let rest = rest + other;
         let (_, margin) = common_side(&directions)?;
         Some((self.limits.nearness + spread + rest) / margin)
     }
+}
+
+/// Returns the directions from a corner of a piece, or from a side that is a point, into it, and their rest.
+fn from_corner(piece: &Piece, touch: Touch) -> (Vec<Direction>, f64) {
+    let mut found = (Vec::new(), 0.0);
+    let mut add = |axis: Axis, end: usize| {
+        let along = piece.along(axis);
+        found.0.extend(along.turned(end == 1));
+        found.1 += along.rest;
+    };
+    match touch {
+        Touch::Corner([u, v]) => {
+            add(Axis::U, u);
+            add(Axis::V, v);
+        }
+        Touch::Side(Side { axis, end }) => add(axis, end),
+    }
+    found
 }
 
 impl Task {
@@ -301,5 +381,10 @@ impl Task {
     }
 }
 
+fn new_piece(complex: &Complex, patches: &PatchSet, patch: u32, range: ParamBox, level: u32) -> Piece {
+    let places = complex.places(patch).iter().filter_map(|place| place.point());
+    Piece::new(&patches.patch(patch as usize), patch, range, level, places)
+}
+
 /// All parameters of a patch.
-const UNIT: crate::param_box::ParamBox = crate::param_box::ParamBox::UNIT;
+const UNIT: ParamBox = ParamBox::UNIT;

@@ -19,7 +19,7 @@ fn verdict_with(model: &Model, nearness: f64) -> Verdict {
     let aabb = model.bounding_box();
     let joined = joined_arcs(edges, &|_| [DVec3::NAN; 3], &aabb, 0.5 * nearness);
     let limits = Limits { nearness, most: 1e-3 * aabb.diagonal(), is_late: &|| false };
-    verdict_on_patches(&bezier, joined, &limits)
+    verdict_on_patches(&bezier, joined, None, &limits)
 }
 
 fn verdict(model: &Model) -> Verdict {

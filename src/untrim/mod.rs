@@ -78,6 +78,12 @@ impl Ruled {
     }
 }
 
+/// The shortest part of a side, in its own parameter, whose controls are computed.
+const MIN_PART: f64 = 1e-9;
+
+/// The rounding of control points of the sides, in the domain mapped to [0, 1]²: some tens of operations.
+const IMAGE_ROUNDING: f64 = 1e-13;
+
 impl ParameterMap {
     /// Returns the face's (u, v) for the piece's parameters. The surface there is within
     /// [`Untrimmed::deviation`] of the piece's point. O(degree²).
@@ -88,6 +94,25 @@ impl ParameterMap {
         let [s, t] = exchange(piece_parameters);
         let point = (1.0 - s) * ruled.left.point(t) + s * ruled.right.point(t);
         exchange(ruled.domain.at(point.clamp(DVec2::ZERO, DVec2::ONE).to_array()))
+    }
+
+    /// Returns a rectangle that contains the face's (u, v) for all parameters of the piece in a rectangle: those of the
+    /// control points of both curves, at either end of the lines between them. O(degree²).
+    pub(crate) fn image(&self, parameters: &ParamBox) -> ParamBox {
+        let Self::Ruled(ruled) = self else { return *parameters };
+        let [across, along] = if ruled.transposed { [1, 0] } else { [0, 1] };
+        let [from, to] = parameters[along];
+        // A part of no length has no controls of its own.
+        let from = if to - from < MIN_PART { from.min(1.0 - MIN_PART) } else { from };
+        let to = if to - from < MIN_PART { from + MIN_PART } else { to };
+        let sides = [&ruled.left, &ruled.right].map(|side| side.restricted(from, to).hull());
+        let ends = parameters[across]
+            .map(|s| [0, 1].map(|end: usize| (1.0 - s) * sides[0][end] + s * sides[1][end]));
+        let low = (ends[0][0].min(ends[1][0]) - IMAGE_ROUNDING).clamp(DVec2::ZERO, DVec2::ONE);
+        let high = (ends[0][1].max(ends[1][1]) + IMAGE_ROUNDING).clamp(DVec2::ZERO, DVec2::ONE);
+        let [low, high] = [low, high].map(|end| ruled.domain.at(end.to_array()));
+        let [first, second] = [0, 1].map(|axis| [low[axis].next_down(), high[axis].next_up()]);
+        if ruled.transposed { ParamBox::new(second, first) } else { ParamBox::new(first, second) }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Whether a body is certainly embedded, or certainly not.
 
 use super::SelfOverlap;
-use crate::embedded::{Doubt, Limits, Verdict, verdict_on_patches, verdict_on_triangles};
+use crate::embedded::{Doubt, Limits, Sheets, Verdict, verdict_on_patches, verdict_on_triangles};
 use crate::engine::PreparedModel;
 use crate::facets::{Facet, PreparedFacets};
 use crate::solid::{Edges, joined_arcs};
@@ -104,8 +104,13 @@ impl PreparedModel {
         let edges = Edges::of_surfaces(bezier, |surface| self.pieces().origin(surface));
         // Surfaces have no corners of triangles.
         let joined = joined_arcs(edges, &|_| [DVec3::NAN; 3], &self.control_box(), self.gap());
-        let nearness = 2.0 * (self.gap() + bezier.point_error.after(DIVISIONS));
-        Ok(verdict_on_patches(bezier, joined, &Limits { nearness, most, is_late }))
+        let error = bezier.point_error.after(DIVISIONS);
+        let nearness = 2.0 * (self.gap() + error);
+        let sheets = self.sheets().map(|(model, of_pieces)| {
+            let off = error + model.point_error.after(DIVISIONS);
+            Sheets { model, of_pieces, off }
+        });
+        Ok(verdict_on_patches(bezier, joined, sheets.as_ref(), &Limits { nearness, most, is_late }))
     }
 
     fn unknown(&self, doubt: Doubt, parts: [u32; 2], point: DVec3) -> EmbeddedUnknown {

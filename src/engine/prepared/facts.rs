@@ -12,6 +12,7 @@ use crate::solid::{Boundary, Edges, Joined};
 use crate::symmetry::Revolution;
 use crate::threads::computed;
 use crate::threads::parallel::map;
+use crate::untrim::ParameterMap;
 
 impl PreparedModel {
     /// Returns the model's name, if it has one.
@@ -163,6 +164,13 @@ impl PreparedModel {
     #[must_use]
     pub fn face_color(&self, face: usize) -> Option<[f64; 3]> {
         self.pieces.face_color(face)
+    }
+
+    /// Returns the surfaces of trimmed faces, and the one of each piece: see [`TrimmedFaces::sheets`].
+    ///
+    /// [`TrimmedFaces::sheets`]: crate::certified::TrimmedFaces::sheets
+    pub(in crate::engine) fn sheets(&self) -> Option<(&BezierModel, Vec<Option<(usize, &ParameterMap)>>)> {
+        self.trimmed_faces.as_ref()?.sheets()
     }
 
     /// Returns the pieces of the faces.
