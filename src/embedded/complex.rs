@@ -4,8 +4,8 @@ use super::piece::{Piece, Side};
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, PatchGrid};
 use crate::bvh::Aabb;
+use crate::rounding::{upper_max, upper_min};
 use crate::solid::{Arc, Clusters, Curve, EdgePlace, JoinedArc, edge_width};
-use glam::DVec3;
 use std::collections::HashMap;
 
 /// A side that two patches have in common, or two sides of one patch.
@@ -173,9 +173,16 @@ impl CornerPlace {
 impl SharedEdge {
     /// Returns the part of the other patch's side that corresponds to that of a piece, which has this one of both sides,
     /// and an upper bound on the distance of points that correspond; none if the piece's side is not within its arc.
-    pub(super) fn image_of(&self, piece: &Piece, own: usize) -> Option<([f64; 2], f64)> {
+    pub(super) fn image_of(&self, piece: &Piece, own: usize, narrow: f64) -> Option<([f64; 2], f64)> {
         let arcs = self.arcs.as_ref()?;
-        image(&arcs[own], piece.range[self.sides[own].axis.other()], &arcs[1 - own])
+        image(&arcs[own], piece.range[self.sides[own].axis.other()], &arcs[1 - own], narrow)
+    }
+
+    /// Returns whether the side of a piece, which has this one of both sides, is within its arc.
+    pub(super) fn has_side(&self, piece: &Piece, own: usize) -> bool {
+        let Some(arcs) = &self.arcs else { return true };
+        let [[low, high], [from, to]] = [piece.range[self.sides[own].axis.other()], arcs[own].range];
+        if from < to { from <= low && high <= to } else { to <= low && high <= from }
     }
 
     /// Returns an upper bound on the distance of each point of one piece's side from a point of the other one's such that
@@ -183,7 +190,7 @@ impl SharedEdge {
     /// the pieces have no parts of the edge that meet. `first` is the number of the piece whose side is within its arc.
     ///
     /// Where the parts of the edge only end at the same point, that is the distance of both ends.
-    pub(super) fn width(&self, pieces: [&Piece; 2], first: usize) -> Option<(f64, bool)> {
+    pub(super) fn width(&self, pieces: [&Piece; 2], first: usize, narrow: f64) -> Option<(f64, bool)> {
         let interval = |k: usize| pieces[k].range[self.sides[k].axis.other()];
         let Some(arcs) = &self.arcs else {
             let [a, b] = [interval(0), interval(1)];
@@ -192,7 +199,7 @@ impl SharedEdge {
         let second = 1 - first;
         let [inner, outer] = [&arcs[first], &arcs[second]];
         let is_reversed = (inner.range[0] > inner.range[1]) != (outer.range[0] > outer.range[1]);
-        let (image, width) = image(inner, interval(first), outer)?;
+        let (image, width) = image(inner, interval(first), outer, narrow)?;
         let own = interval(second);
         if own[0] <= image[1] && image[0] <= own[1] {
             return Some((width, is_reversed));
@@ -216,8 +223,9 @@ impl SharedEdge {
 const MAX_APART: f64 = 1e-3;
 
 /// Returns the part of an arc's side that corresponds to a part of its partner's, and an upper bound on the distance of
-/// points that correspond (lemma S5 of docs/solids.md); none if that part is not within the partner.
-fn image(inner: &Arc, interval: [f64; 2], outer: &Arc) -> Option<([f64; 2], f64)> {
+/// points that correspond (lemma S5 of docs/solids.md), of which less than `narrow` is not looked for; none if that part
+/// is not within the partner.
+fn image(inner: &Arc, interval: [f64; 2], outer: &Arc, narrow: f64) -> Option<([f64; 2], f64)> {
     let [from, to] = inner.range;
     let local = |t: f64| (t - from) / (to - from);
     let mut ends = interval.map(local);
@@ -228,20 +236,43 @@ fn image(inner: &Arc, interval: [f64; 2], outer: &Arc) -> Option<([f64; 2], f64)
     if !(0.0 <= low && low < high && high <= 1.0) {
         return None;
     }
-    let part = inner.curve.part([low, high]);
-    let image_of = |t: f64, end: DVec3| if t == 0.0 || t == 1.0 { t } else { outer.curve.closest(end).0 };
-    let [start, end] = part.ends();
-    let found = [image_of(low, start), image_of(high, end)];
-    if found[0].partial_cmp(&found[1]) != Some(std::cmp::Ordering::Less) {
-        return None;
-    }
-    let width = edge_width([outer.curve.part(found), part]);
+    let image_of =
+        |t: f64| if t == 0.0 || t == 1.0 { t } else { outer.curve.closest(inner.curve.point(t)).0 };
+    let found = [low, high].map(image_of);
+    let width = width_of([&inner.curve, &outer.curve], [[low, high], found], (narrow, MAX_WIDTH_DIVISIONS))?;
     let [from, to] = outer.range;
     let mut image = found.map(|t| if t == 1.0 { to } else { from + t * (to - from) });
     if from > to {
         image.reverse();
     }
     Some((image, width))
+}
+
+/// The largest number of times that a part is divided for a smaller bound of the width, of which each leaves an eighth.
+const MAX_WIDTH_DIVISIONS: u32 = 4;
+
+/// Returns an upper bound on the distance of points that correspond on parts of two curves, divided at points of the second
+/// one that are closest to the middles of the first; none if these do not follow each other.
+fn width_of(
+    curves: [&Curve; 2],
+    [one, other]: [[f64; 2]; 2],
+    (narrow, divisions): (f64, u32),
+) -> Option<f64> {
+    if other[0].partial_cmp(&other[1]) != Some(std::cmp::Ordering::Less) {
+        return None;
+    }
+    let width = edge_width([curves[1].part(other), curves[0].part(one)]);
+    if width <= narrow || divisions == 0 {
+        return Some(width);
+    }
+    let middle = 0.5 * (one[0] + one[1]);
+    let image = curves[1].closest(curves[0].point(middle)).0;
+    let halves = [[[one[0], middle], [other[0], image]], [[middle, one[1]], [image, other[1]]]];
+    let widths = halves.map(|half| width_of(curves, half, (narrow, divisions - 1)));
+    match widths {
+        [Some(low), Some(high)] => Some(upper_min(width, upper_max(low, high))),
+        _ => Some(width),
+    }
 }
 
 fn side(place: EdgePlace) -> Side {

@@ -3,7 +3,7 @@
 use super::complex::{Complex, Place, SharedEdge, Touch};
 use super::directions::{Direction, EdgeCone, common_side};
 use super::piece::{Piece, Side};
-use super::sheets::{SheetSearch, union};
+use super::sheets::{Plane, SheetSearch, union};
 use super::{Doubt, Limits, Verdict};
 use crate::axis::Axis;
 use crate::bezier::PatchSet;
@@ -11,6 +11,8 @@ use crate::bvh::{Aabb, Bvh};
 use crate::clearance::hull_distance;
 use crate::param_box::ParamBox;
 use crate::rounding::{VANISHING_LENGTH, gamma, upper_max};
+use glam::DVec3;
+use std::cell::OnceCell;
 
 /// The largest number of divisions of a patch.
 const MAX_LEVEL: u32 = 40;
@@ -96,42 +98,6 @@ impl<'a> Search<'a> {
     /// Returns the verdict without an answer for two pieces.
     fn undecided(&self, task: Task, doubt: Doubt) -> Verdict {
         let pieces = task.pieces().map(|index| self.piece(index));
-        if std::env::var("EMB_DEBUG").is_ok() {
-            eprintln!("{doubt:?} {task:?} pieces {}", self.pieces.len());
-            for piece in pieces {
-                eprintln!(
-                    "  patch {} level {} range {:?} diag {:e} points {:?}",
-                    piece.patch,
-                    piece.level,
-                    piece.range,
-                    piece.aabb.diagonal(),
-                    piece.points
-                );
-                eprintln!("  places {:?}", self.complex.places(piece.patch));
-                for axis in Axis::BOTH {
-                    let d = piece.along(axis);
-                    eprintln!(
-                        "   along {axis}: {} rest {:e} {:?}",
-                        d.list.len(),
-                        d.rest,
-                        d.list.iter().map(|x| x.unit).collect::<Vec<_>>()
-                    );
-                }
-            }
-            let (e, r) = self.complex.edges(pieces.map(|p| p.patch));
-            for edge in e {
-                eprintln!("  edge {:?} arcs {} reversed {r}", edge.sides, edge.arcs.is_some());
-                if edge.arcs.is_some() {
-                    for first in 0..2 {
-                        eprintln!(
-                            "    width {:?} ranges {:?}",
-                            edge.width(if r { [pieces[1], pieces[0]] } else { pieces }, first),
-                            edge.arcs.as_ref().map(|a| [a[0].range, a[1].range])
-                        );
-                    }
-                }
-            }
-        }
         let [a, b] = pieces.map(|piece| piece.aabb);
         // Where the boxes come near each other.
         let common = Aabb { min: a.min.max(b.min), max: a.max.min(b.max) };
@@ -182,16 +148,17 @@ impl<'a> Search<'a> {
     }
 
     fn is_decided(&mut self, task: Task) -> bool {
+        let is_early = task.pieces().into_iter().any(|index| self.piece(index).level < PATIENCE);
+        let most = if is_early { GOOD_STRETCH * self.apart } else { self.limits.most };
         let within = match task {
             Task::One(index) => {
                 let piece = self.piece(index);
-                self.on_one_sheet([piece; 2]).or_else(|| self.alone(piece))
+                let on_sheet = self.on_one_sheet([piece; 2]).filter(|&within| within <= most);
+                on_sheet.or_else(|| self.alone(piece).filter(|&within| within <= most))
             }
-            Task::Two(pieces) => self.apart(pieces.map(|index| self.piece(index))),
+            Task::Two(pieces) => self.apart(pieces.map(|index| self.piece(index)), most),
         };
-        let is_early = task.pieces().into_iter().any(|index| self.piece(index).level < PATIENCE);
-        let most = if is_early { GOOD_STRETCH * self.apart } else { self.limits.most };
-        let Some(within) = within.filter(|&within| within <= most) else { return false };
+        let Some(within) = within else { return false };
         self.within = upper_max(self.within, within);
         true
     }
@@ -208,24 +175,35 @@ impl<'a> Search<'a> {
 
     /// Returns an upper bound on the ways from points of two pieces that are near each other to an edge or a corner, if the
     /// first one is of a trimmed face, and the second one leaves the surface of that there (lemma S8, e).
-    fn off_sheet(&self, on: &Piece, off: &Piece) -> Option<f64> {
+    fn off_sheet(&self, on: &Piece, off: &Piece, most: f64) -> Option<f64> {
         let sheets = self.sheets?;
         let sheet = sheets.sheet(on.patch)?;
-        let image = sheets.image(on.patch, &on.range)?;
+        let plane = sheets.plane(sheet);
+        let near = self.limits.nearness + 2.0 * sheets.off();
+        let image = OnceCell::new();
         let within = |range: &ParamBox, directions: &[Direction], (steps, rest): (f64, f64)| {
+            let image = (*image.get_or_init(|| sheets.image(on.patch, &on.range)))?;
             let (margin, of_sheet) = sheets.directions(sheet, &union(&image, range))?.leaving(directions)?;
-            Some((self.limits.nearness + 2.0 * sheets.off() + steps + rest + of_sheet) / margin)
+            Some((near + steps + rest + of_sheet) / margin)
+        };
+        let from_plane = |plane: Plane, points: &[DVec3], directions: &[Direction], rest: f64| {
+            Some((near + plane.off() + plane.distance(points) + rest) / plane.leaving(directions)?)
         };
         for (edge, own, other) in self.complex.edges_with(off.patch, sheet) {
             let side = edge.sides[own];
-            if !off.touches(side) {
+            if !off.touches(side) || !edge.has_side(off, own) {
                 continue;
             }
-            let Some((part, width)) = edge.image_of(off, own) else { continue };
-            let Some(range) = sheets.image_of_side(other, edge.sides[1 - own], part) else { continue };
-            let directions: Vec<Direction> = off.inwards(side).collect();
-            if let Some(within) = within(&range, &directions, (width, off.along(side.axis).rest)) {
-                return Some(within);
+            let (directions, rest) = (off.inwards(side).collect::<Vec<_>>(), off.along(side.axis).rest);
+            let found = match plane {
+                Some(plane) => from_plane(plane, &off.side_points(side), &directions, rest),
+                None => edge.image_of(off, own, self.apart).and_then(|(part, width)| {
+                    let range = sheets.image_of_side(other, edge.sides[1 - own], part)?;
+                    within(&range, &directions, (width, rest))
+                }),
+            };
+            if found.is_some_and(|within| within <= most) {
+                return found;
             }
         }
         for place in self.complex.places(off.patch) {
@@ -233,11 +211,16 @@ impl<'a> Search<'a> {
             let Some((patch, Place::Point([u, v]))) = self.complex.place_of(place.corner, sheet) else {
                 continue;
             };
-            let Some(range) = sheets.image(patch, &ParamBox::new([u; 2], [v; 2])) else { continue };
             let (directions, rest) = from_corner(off, touch);
             let spread = self.complex.spread(place.corner);
-            if let Some(within) = within(&range, &directions, (spread, rest)) {
-                return Some(within);
+            let found = match plane {
+                Some(plane) => from_plane(plane, &corner_points(off, touch), &directions, rest + spread),
+                None => sheets
+                    .image(patch, &ParamBox::new([u; 2], [v; 2]))
+                    .and_then(|range| within(&range, &directions, (spread, rest))),
+            };
+            if found.is_some_and(|within| within <= most) {
+                return found;
             }
         }
         None
@@ -256,71 +239,76 @@ impl<'a> Search<'a> {
         Some((self.limits.nearness + along_u.rest + along_v.rest) / margin)
     }
 
-    /// Returns an upper bound on the way between points of two pieces that are near each other, 0 if there are none
-    /// (lemma S8, b to d).
-    fn apart(&self, [a, b]: [&Piece; 2]) -> Option<f64> {
+    /// Returns an upper bound on the way between points of two pieces that are near each other, 0 if there are none, if one
+    /// of at most `most` is found (lemma S8).
+    fn apart(&self, [a, b]: [&Piece; 2], most: f64) -> Option<f64> {
+        let is_enough = |within: &f64| *within <= most;
         if !a.aabb.grown(self.apart).meets(&b.aabb) {
             return Some(0.0);
         }
-        if let Some(within) = self.on_one_sheet([a, b]) {
+        let on_sheets = || {
+            self.on_one_sheet([a, b])
+                .filter(is_enough)
+                .or_else(|| self.off_sheet(a, b, most))
+                .or_else(|| self.off_sheet(b, a, most))
+        };
+        if let Some(within) = on_sheets() {
             return Some(within);
         }
-        let mut touch = false;
-        if a.patch == b.patch {
-            for axis in Axis::BOTH {
-                for [low, high] in [[a, b], [b, a]] {
-                    let sides = [Side { axis, end: 1 }, Side { axis, end: 0 }];
-                    let other = axis.other();
-                    let do_meet = low.range[axis][1] == high.range[axis][0]
-                        && low.range[other][0] <= high.range[other][1]
-                        && high.range[other][0] <= low.range[other][1];
-                    if do_meet {
-                        touch = true;
-                        if let Some(within) = self.beside([low, high], sides, (0.0, false)) {
-                            return Some(within);
-                        }
-                    }
-                }
-            }
+        let halves = self.sides_of_halves([a, b]);
+        let joined = self.joined_sides([a, b]);
+        let corners = self.corners([a, b]);
+        if halves.is_empty() && joined.is_empty() && corners.is_empty() {
+            let start = a.aabb.center() - b.aabb.center();
+            let found = hull_distance(&a.points, &b.points, start, 2.0 * self.apart, 0.0);
+            return (found.lower > self.apart).then_some(0.0);
         }
+        let beside_halves =
+            halves.into_iter().filter_map(|(pieces, sides)| self.beside(pieces, sides, (0.0, false)));
+        let beside_edges = joined.into_iter().filter_map(|(pieces, edge)| self.beside_edge(pieces, edge));
+        let about_corners =
+            corners.into_iter().filter_map(|(touches, spread)| self.about([a, b], touches, spread));
+        beside_halves.chain(beside_edges).chain(about_corners).find(is_enough)
+    }
+
+    /// Returns the sides along which two pieces of one patch meet, with the pieces in the order of these.
+    fn sides_of_halves<'p>(&self, [a, b]: [&'p Piece; 2]) -> Vec<([&'p Piece; 2], [Side; 2])> {
+        if a.patch != b.patch {
+            return Vec::new();
+        }
+        let orders = [[a, b], [b, a]];
+        let all = Axis::BOTH.into_iter().flat_map(|axis| orders.map(|order| (axis, order)));
+        let meeting = all.filter(|&(axis, [low, high])| {
+            let [one, other] = [low, high].map(|piece| piece.range[axis.other()]);
+            low.range[axis][1] == high.range[axis][0] && one[0] <= other[1] && other[0] <= one[1]
+        });
+        meeting.map(|(axis, order)| (order, [Side { axis, end: 1 }, Side { axis, end: 0 }])).collect()
+    }
+
+    /// Returns the edges of patches that two pieces have sides of, with the pieces in the order of these sides.
+    fn joined_sides<'p>(&self, [a, b]: [&'p Piece; 2]) -> Vec<([&'p Piece; 2], &SharedEdge)> {
         let (edges, is_reversed) = self.complex.edges([a.patch, b.patch]);
-        for edge in edges {
-            let orders = if a.patch == b.patch { &[[a, b], [b, a]][..] } else { &[[a, b]] };
-            for &order in orders {
-                let pieces = if is_reversed { [order[1], order[0]] } else { order };
-                if (0..2).all(|k| pieces[k].touches(edge.sides[k])) {
-                    touch = true;
-                    if let Some(within) = self.beside_edge(pieces, edge) {
-                        return Some(within);
-                    }
-                }
-            }
-        }
+        let orders = if is_reversed { [[b, a], [a, b]] } else { [[a, b], [b, a]] };
+        let count = if a.patch == b.patch { 2 } else { 1 };
+        let all = edges.iter().flat_map(|edge| orders[..count].iter().map(move |&order| (order, edge)));
+        all.filter(|(pieces, edge)| (0..2).all(|k| pieces[k].touches(edge.sides[k]))).collect()
+    }
+
+    /// Returns the corners that two pieces share, with how they have them, and the spread of each.
+    fn corners(&self, [a, b]: [&Piece; 2]) -> Vec<([Touch; 2], f64)> {
         let places = [a, b].map(|piece| self.complex.places(piece.patch));
-        for one in places[0] {
-            for other in places[1].iter().filter(|other| other.corner == one.corner) {
-                let Some(touches) = one.touch(a).zip(other.touch(b)) else { continue };
-                touch = true;
-                let spread = self.complex.spread(one.corner);
-                if let Some(within) = self.about([a, b], touches.into(), spread) {
-                    return Some(within);
-                }
-            }
-        }
-        if let Some(within) = self.off_sheet(a, b).or_else(|| self.off_sheet(b, a)) {
-            return Some(within);
-        }
-        if touch {
-            return None;
-        }
-        let start = a.aabb.center() - b.aabb.center();
-        let found = hull_distance(&a.points, &b.points, start, 2.0 * self.apart, 0.0);
-        (found.lower > self.apart).then_some(0.0)
+        let pairs = places[0].iter().flat_map(|one| {
+            places[1].iter().filter(|other| other.corner == one.corner).map(move |other| (one, other))
+        });
+        let touching = pairs.filter_map(|(one, other)| {
+            Some(([one.touch(a)?, other.touch(b)?], self.complex.spread(one.corner)))
+        });
+        touching.collect()
     }
 
     /// Returns what [`Self::beside`] does for two pieces at a joined edge.
     fn beside_edge(&self, pieces: [&Piece; 2], edge: &SharedEdge) -> Option<f64> {
-        let widths = [0, 1].map(|first| edge.width(pieces, first));
+        let widths = [0, 1].map(|first| edge.width(pieces, first, self.apart));
         widths.into_iter().flatten().find_map(|width| self.beside(pieces, edge.sides, width))
     }
 
@@ -370,6 +358,14 @@ fn from_corner(piece: &Piece, touch: Touch) -> (Vec<Direction>, f64) {
         Touch::Side(Side { axis, end }) => add(axis, end),
     }
     found
+}
+
+/// Returns the point of a corner, or those of a side that is one.
+fn corner_points(piece: &Piece, touch: Touch) -> Vec<DVec3> {
+    match touch {
+        Touch::Corner(ends) => vec![piece.corner(ends)],
+        Touch::Side(side) => piece.side_points(side),
+    }
 }
 
 impl Task {
