@@ -47,7 +47,7 @@ pub(super) struct Search<'a> {
     sheets: Option<&'a SheetSearch<'a>>,
     limits: &'a Limits<'a>,
     pieces: Vec<Piece>,
-    /// The distance that computed hulls are to have.
+    /// The distance up to which points are near each other, with the rounding of distances of computed points.
     apart: f64,
     /// The number that the verdict states.
     within: f64,
@@ -170,16 +170,16 @@ impl<'a> Search<'a> {
         let [one, other] = pieces.map(|piece| sheets.sheet(piece.patch));
         let sheet = one.filter(|_| one == other)?;
         let (margin, rest) = sheets.together(sheet, pieces)?;
-        Some((self.limits.nearness + 2.0 * sheets.off() + rest) / margin)
+        Some((self.apart + 2.0 * sheets.off() + rest) / margin)
     }
 
     /// Returns an upper bound on the ways from points of two pieces that are near each other to an edge or a corner, if the
-    /// first one is of a trimmed face, and the second one leaves the surface of that there (lemma S8, e).
+    /// first one is of a trimmed face, and the second one leaves the surface of that there (lemma S8, d).
     fn off_sheet(&self, on: &Piece, off: &Piece, most: f64) -> Option<f64> {
         let sheets = self.sheets?;
         let sheet = sheets.sheet(on.patch)?;
         let plane = sheets.plane(sheet);
-        let near = self.limits.nearness + 2.0 * sheets.off();
+        let near = self.apart + 2.0 * sheets.off();
         let image = OnceCell::new();
         let within = |range: &ParamBox, directions: &[Direction], (steps, rest): (f64, f64)| {
             let image = (*image.get_or_init(|| sheets.image(on.patch, &on.range)))?;
@@ -236,7 +236,7 @@ impl<'a> Search<'a> {
         let (_, same) = common_side(&of(false))?;
         let (_, opposite) = common_side(&of(true))?;
         let margin = if same < opposite { same } else { opposite };
-        Some((self.limits.nearness + along_u.rest + along_v.rest) / margin)
+        Some((self.apart + along_u.rest + along_v.rest) / margin)
     }
 
     /// Returns an upper bound on the way between points of two pieces that are near each other, 0 if there are none, if one
@@ -327,7 +327,7 @@ impl<'a> Search<'a> {
         let directions: Vec<Direction> = a.inwards(sides[0]).chain(turned).collect();
         let margin = cone.margin(&directions)?;
         let rests = [a.along(sides[0].axis).rest, b.along(sides[1].axis).rest, edges[0].rest, edges[1].rest];
-        Some((self.limits.nearness + width + rests.iter().sum::<f64>()) / margin)
+        Some((self.apart + width + rests.iter().sum::<f64>()) / margin)
     }
 
     /// Returns an upper bound on the ways from points of two pieces that are near each other to the corner that these
@@ -338,7 +338,7 @@ impl<'a> Search<'a> {
             .extend(others.into_iter().map(|Direction { unit, error }| Direction { unit: -unit, error }));
         let rest = rest + other;
         let (_, margin) = common_side(&directions)?;
-        Some((self.limits.nearness + spread + rest) / margin)
+        Some((self.apart + spread + rest) / margin)
     }
 }
 

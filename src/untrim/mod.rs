@@ -208,3 +208,57 @@ fn attempt(
     }
     Err(Failure::Unproven(reason.unwrap_or_default()))
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod image_tests {
+    use super::*;
+
+    /// Two curves that are not straight, in a domain that is not the unit square: images of points are in those of
+    /// rectangles about them, and corners of rectangles whose sides are straight on the rim of theirs.
+    #[test]
+    fn the_image_of_a_rectangle_contains_those_of_its_points() {
+        let random = &mut fastrand::Rng::with_seed(5);
+        let domain = ParamBox::new([-2.0, 5.0], [10.0, 11.0]);
+        for round in 0..200 {
+            let transposed = round % 2 == 0;
+            let side = |random: &mut fastrand::Rng, at: f64| {
+                let control = |k: usize| {
+                    let weight = 0.5 + random.f64();
+                    DVec3::new(weight * (at + 0.2 * random.f64()), weight * 0.25 * k as f64, weight)
+                };
+                Curve { controls: (0..4).map(control).collect() }
+            };
+            let (left, right) = (side(random, 0.1), side(random, 0.6));
+            let map = ParameterMap::Ruled(Ruled { left, right, domain, transposed });
+            let interval = |random: &mut fastrand::Rng| {
+                let [a, b] = [random.f64(), random.f64()];
+                if round % 5 == 0 { [a, a] } else { [a.min(b), a.max(b)] }
+            };
+            let part = ParamBox::new(interval(random), interval(random));
+            let image = map.image(&part);
+            for _ in 0..20 {
+                let at = part.at([random.f64(), random.f64()]);
+                let point = map.face_parameters(at);
+                assert!(image.contains(point), "{point:?} in {image:?}");
+            }
+            if round % 5 == 0 {
+                assert!(image.lengths().iter().all(|&length| length < 1e-7), "{image:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_image_of_a_rectangle_between_straight_sides_is_tight() {
+        let line = |u: f64| Curve::line(DVec2::new(u, 0.0), DVec2::new(u, 1.0));
+        let domain = ParamBox::new([0.0, 4.0], [0.0, 2.0]);
+        let map =
+            ParameterMap::Ruled(Ruled { left: line(0.25), right: line(0.75), domain, transposed: false });
+        let image = map.image(&ParamBox::new([0.5, 1.0], [0.25, 0.5]));
+        let expected = [[2.0, 3.0], [0.5, 1.0]];
+        for axis in 0..2 {
+            for end in 0..2 {
+                assert!((image[axis][end] - expected[axis][end]).abs() < 1e-11, "{image:?}");
+            }
+        }
+    }
+}

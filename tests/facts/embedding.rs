@@ -1,7 +1,10 @@
 //! Bodies whose boundary meets itself at known places.
 
 use crate::models::{Quad, box_of_faces, cube_with_pocket, mesh, of, of_quads, prepared};
-use nurbs_hausdorff::{CheckOptions, DVec3, Engine, NamedModel, PreparedModel, SelfOverlap, shapes};
+use nurbs_hausdorff::{
+    CheckOptions, CheckedBody, DVec3, EmbeddedDoubt, Engine, Model, NamedModel, PreparedModel, SelfOverlap,
+    shapes,
+};
 use std::f64::consts::TAU;
 
 fn triangles_of(quads: &[Quad]) -> PreparedModel {
@@ -11,12 +14,26 @@ fn triangles_of(quads: &[Quad]) -> PreparedModel {
     mesh(&corners, &triangles)
 }
 
-fn self_overlap(model: &PreparedModel) -> Option<SelfOverlap> {
+fn body(model: &PreparedModel) -> CheckedBody {
     let options = CheckOptions::default();
     let result = Engine::cpu().check(&[NamedModel { name: None, model }], &options).wait().unwrap();
     let [body] = &result.bodies[..] else { panic!("{:?}", result.bodies) };
+    // One of the three, with what belongs to it.
+    assert_eq!(body.embedded_within.is_some(), body.embedded == Some(true), "{body:?}");
+    assert_eq!(body.self_overlap.is_some(), body.embedded == Some(false), "{body:?}");
+    assert_eq!(body.embedded_unknown.is_some(), body.embedded.is_none(), "{body:?}");
+    body.clone()
+}
+
+fn self_overlap(model: &PreparedModel) -> Option<SelfOverlap> {
+    let body = body(model);
     assert!(body.closed);
-    body.self_overlap.clone()
+    body.self_overlap
+}
+
+fn is_embedded(model: &PreparedModel) {
+    let body = body(model);
+    assert_eq!(body.embedded, Some(true), "{body:?}");
 }
 
 /// A band of width 0.8 and height 1 along a closed curve in the plane, in 32 parts.
@@ -71,7 +88,7 @@ fn a_band_that_crosses_itself_counts_twice_where_it_does() {
         assert!(is_of([31, 0]) && is_of([15, 16]), "{:?}", found.faces);
     }
     let ring = band(|t| [4.0 * t.cos(), 4.0 * t.sin()]);
-    assert_eq!(self_overlap(&prepared(&of_quads(&ring))), None);
+    is_embedded(&prepared(&of_quads(&ring)));
 }
 
 #[test]
@@ -79,7 +96,7 @@ fn a_mesh_that_crosses_itself_is_told_in_the_same_way() {
     let found = self_overlap(&triangles_of(&band(eight))).unwrap();
     is_at_the_crossing(&found);
     assert!(found.faces.is_empty());
-    assert_eq!(self_overlap(&triangles_of(&band(|t| [4.0 * t.cos(), 4.0 * t.sin()]))), None);
+    is_embedded(&triangles_of(&band(|t| [4.0 * t.cos(), 4.0 * t.sin()])));
 }
 
 #[test]
@@ -91,7 +108,10 @@ fn a_pocket_through_the_floor_turns_space_over_below_it() {
         assert_eq!(found.winding, -1);
         assert!(found.radius <= 1.0, "{found:?}");
     }
-    assert_eq!(self_overlap(&prepared(&of_quads(&cube_with_pocket(9.9)))), None);
+    is_embedded(&prepared(&of_quads(&cube_with_pocket(9.9))));
+    // Its floor is in the plane of the bottom.
+    let touching = body(&prepared(&of_quads(&cube_with_pocket(10.0))));
+    assert_eq!(touching.embedded_unknown.unwrap().why, EmbeddedDoubt::Contact);
 }
 
 /// The pocket's rim is 0.3 above the top's, within the gap that the file states: the strip between them is as thick
@@ -138,6 +158,79 @@ fn shapes_that_do_not_meet_themselves_have_no_such_place() {
         shapes::torus(3.0, 1.0).unwrap(),
         box_of_faces(DVec3::ZERO, DVec3::new(1.0, 2.0, 3.0)),
     ] {
-        assert_eq!(self_overlap(&prepared(&model)), None);
+        is_embedded(&prepared(&model));
     }
+}
+
+/// A plate with two bores: faces with holes, whose cuts are tangent to these.
+#[test]
+fn a_plate_with_bores_is_embedded_as_its_file_has_it_and_as_a_mesh() {
+    for bytes in
+        [&include_bytes!("../../examples/parts/a.step")[..], include_bytes!("../../examples/parts/b.step")]
+    {
+        let (model, _) = Model::from_step(bytes).unwrap();
+        let plate = PreparedModel::new(&model).unwrap();
+        is_embedded(&plate);
+        let body = body(&plate);
+        // Faces meet at right angles: with the sine of half of these, and nothing but rounding.
+        assert!(body.embedded_within.unwrap() < 1e-6 * plate.bounding_box().diagonal(), "{body:?}");
+    }
+}
+
+/// An octahedron of which one corner is drawn through the face on the other side, up to it, and nearly.
+#[test]
+fn an_octahedron_that_a_corner_pierces_is_not_embedded() {
+    let with = |x: f64| {
+        let corners = [
+            [x, 0.1, 0.1],
+            [-1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.0, -1.0, 0.0],
+            [0.0, 0.0, 1.0],
+            [0.0, 0.0, -1.0],
+        ];
+        let triangles =
+            [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+        mesh(&corners.map(DVec3::from_array), &triangles)
+    };
+    // The face through the corners at -x, y and z has the point (-0.8, 0.1, 0.1).
+    for x in [1.0, 0.3, -0.7999] {
+        is_embedded(&with(x));
+    }
+    for x in [-0.8, -0.81, -0.9, -2.0] {
+        assert_ne!(body(&with(x)).embedded, Some(true), "{x}");
+    }
+    assert_eq!(body(&with(-0.9)).embedded, Some(false));
+}
+
+/// Sheets have an answer too, and faces have the numbers of the file.
+#[test]
+fn a_sheet_that_ends_on_itself_may_meet_itself() {
+    let at = |x: f64, z: f64| [DVec3::new(x, 0.0, z), DVec3::new(x, 1.0, z)];
+    let strip = |reach: f64| {
+        let line = [at(0.0, 0.0), at(2.0, 0.0), at(2.0, 1.0), at(1.0, 1.0), at(1.0, reach)];
+        let quads: Vec<Quad> =
+            line.windows(2).map(|pair| [pair[0][0], pair[1][0], pair[1][1], pair[0][1]]).collect();
+        body(&prepared(&of_quads(&quads)))
+    };
+    let above = strip(1e-3);
+    assert!(!above.closed && above.embedded == Some(true), "{above:?}");
+    for reach in [0.0, -1.0] {
+        let unknown = strip(reach).embedded_unknown.unwrap();
+        assert_eq!(unknown.why, EmbeddedDoubt::Contact);
+        let mut faces = unknown.faces.clone();
+        faces.sort_unstable();
+        assert_eq!(faces, [0, 3], "{unknown:?}");
+        let [x, y, z] = unknown.point.unwrap();
+        assert!((x - 1.0).abs() < 1e-6 && (-1e-6..1.000001).contains(&y) && z.abs() < 1e-6, "{unknown:?}");
+    }
+}
+
+/// A budget that is over leaves the question open.
+#[test]
+fn a_check_without_time_does_not_say_that_bodies_are_embedded_unless_it_is_known_at_once() {
+    let ring = prepared(&of_quads(&band(|t| [4.0 * t.cos(), 4.0 * t.sin()])));
+    let options = CheckOptions { max_seconds: Some(1e-9), ..CheckOptions::default() };
+    let result = Engine::cpu().check(&[NamedModel { name: None, model: &ring }], &options).wait().unwrap();
+    assert_ne!(result.bodies[0].embedded, Some(false));
 }

@@ -31,14 +31,17 @@ class ScoredModel:
     Attributes
     ----------
     valid : Interval
-        1 if it is closed, oriented, without copies of faces, and no body is known to meet itself;
-        0 if it certainly is not.
+        1 if it is closed, oriented, without copies of faces, and all its bodies are embedded; 0 if
+        it certainly is not.
     closed : bool
         Whether there is a body, and every edge of every face has a partner.
     oriented : bool or None
         Whether the normals of all faces point out of their bodies; None where that is not decided.
     duplicates : int
         Number of faces with the surface and the loops of one before, or of such triangles.
+    embedded : bool or None
+        Whether all bodies are certainly embedded up to their gaps, or one certainly is not; None
+        where neither is known.
     self_overlaps : int
         Number of bodies that certainly meet themselves.
     bodies, sheets, voids : int
@@ -51,6 +54,7 @@ class ScoredModel:
     closed: bool
     oriented: bool | None
     duplicates: int
+    embedded: bool | None
     self_overlaps: int
     bodies: int
     sheets: int

@@ -23,10 +23,13 @@ impl ScoredModel {
         let closed = !bodies.is_empty() && of_kind(BodyKind::Solid) == bodies.len();
         let oriented = oriented(&bodies);
         let singles = model.single_bodies().unwrap_or_default();
-        let self_overlaps = map(singles.len(), |index| singles[index].self_overlap().is_some());
-        let self_overlaps = self_overlaps.into_iter().filter(|&meets_itself| meets_itself).count();
+        let embedded = map(singles.len(), |index| singles[index].embedding(&|| false).embedded);
+        let self_overlaps = embedded.iter().filter(|&&embedded| embedded == Some(false)).count();
+        let is_known = !embedded.is_empty() && embedded.iter().all(Option::is_some);
+        let embedded = if self_overlaps > 0 { Some(false) } else { is_known.then_some(true) };
         Self {
-            valid: validity(closed && duplicates == 0 && self_overlaps == 0, oriented),
+            valid: validity(closed && duplicates == 0, [oriented, embedded]),
+            embedded,
             closed,
             oriented,
             duplicates,
@@ -55,11 +58,13 @@ fn oriented(bodies: &[Body]) -> Option<bool> {
     all
 }
 
-fn validity(is_whole: bool, oriented: Option<bool>) -> Interval {
-    match (is_whole, oriented) {
-        (true, Some(true)) => Interval::exactly(1.0),
-        (true, None) => PART,
-        _ => Interval::exactly(0.0),
+fn validity(is_whole: bool, others: [Option<bool>; 2]) -> Interval {
+    if !is_whole || others.contains(&Some(false)) {
+        Interval::exactly(0.0)
+    } else if others == [Some(true); 2] {
+        Interval::exactly(1.0)
+    } else {
+        PART
     }
 }
 

@@ -83,8 +83,7 @@ pub struct Score {
 #[serde(rename_all = "camelCase")]
 #[non_exhaustive]
 pub struct ScoredModel {
-    /// 1 if it is closed, oriented, without copies of faces, and of no body is known that it meets itself; 0 if it
-    /// certainly is not.
+    /// 1 if it is closed, oriented, without copies of faces, and all its bodies are embedded; 0 if it certainly is not.
     pub valid: Interval,
     /// Whether there is a body, and every edge of every face has a partner.
     pub closed: bool,
@@ -92,6 +91,8 @@ pub struct ScoredModel {
     pub oriented: Option<bool>,
     /// The number of faces with the surface and the loops of one before, or of triangles with its corners.
     pub duplicates: usize,
+    /// Whether all bodies are certainly embedded up to their gaps, or one certainly is not; `None` where neither is known.
+    pub embedded: Option<bool>,
     /// The number of bodies that certainly meet themselves ([`crate::SelfOverlap`]).
     pub self_overlaps: usize,
     /// The number of bodies that close.

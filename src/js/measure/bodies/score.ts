@@ -75,7 +75,7 @@ export interface Placement extends Rigid {
 
 /** A model as a score sees it. */
 export interface ScoredModel {
-  /** 1 if it is closed, oriented, without copies of faces, and no body is known to meet itself; 0 if it certainly is not. */
+  /** 1 if it is closed, oriented, without copies of faces, and all its bodies are embedded; 0 if it certainly is not. */
   valid: Interval;
   /** Whether there is a body, and every edge of every face has a partner. */
   closed: boolean;
@@ -83,6 +83,8 @@ export interface ScoredModel {
   oriented: boolean | null;
   /** The number of faces with the surface and the loops of one before, or of such triangles. */
   duplicates: number;
+  /** Whether all bodies are certainly embedded up to their gaps, or one certainly is not; null where neither is known. */
+  embedded: boolean | null;
   /** The number of bodies that certainly meet themselves. */
   selfOverlaps: number;
   /** The numbers of bodies that close, of those that do not, and of voids. */

@@ -162,8 +162,11 @@ fn model(out: &mut String, name: &str, model: &ScoredModel) -> Result {
         None => "orientation undecided",
     };
     let ScoredModel { bodies, sheets, duplicates, self_overlaps, .. } = model;
-    let itself =
-        if *self_overlaps > 0 { format!(", {self_overlaps} of them meet themselves") } else { String::new() };
+    let itself = match model.embedded {
+        Some(false) if *self_overlaps > 0 => format!(", {self_overlaps} of them meet themselves"),
+        None => ", of which some may meet themselves".to_owned(),
+        _ => String::new(),
+    };
     writeln!(
         out,
         "{name:<17} {valid}: {closed}, {oriented}, bodies {bodies}{itself}, sheets {sheets}, copies of faces {duplicates}"

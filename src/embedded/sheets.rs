@@ -1,0 +1,321 @@
+//! The surfaces that the pieces of trimmed faces lie on, beyond their ends.
+
+use super::directions::{Direction, Net, PRODUCT_ROUNDINGS, common_side};
+use super::piece::{Piece, Side};
+use crate::axis::Axis;
+use crate::bezier::{BezierModel, PatchSet};
+use crate::bvh::Aabb;
+use crate::param_box::ParamBox;
+use crate::rounding::{gamma, lower_min, upper_max};
+use crate::untrim::ParameterMap;
+use glam::DVec3;
+use std::cell::OnceCell;
+
+/// The share of a patch's parameters by which parts of it reach beyond what is asked for, as places are rounded.
+const PART_ROUNDING: f64 = 1e-9;
+
+/// The surfaces of trimmed faces.
+pub(crate) struct Sheets<'a> {
+    /// Their patches.
+    pub(crate) model: &'a BezierModel,
+    /// The surface of each surface of the body, if that is a piece of a trimmed face, and the way to its parameters.
+    pub(crate) of_pieces: Vec<Option<(usize, &'a ParameterMap)>>,
+    /// The distance of points of pieces from those of the surfaces, at most.
+    pub(crate) off: f64,
+}
+
+/// The directions of a surface over a rectangle of its parameters.
+pub(super) struct SheetDirections {
+    along: [Vec<Direction>; 2],
+    rest: f64,
+}
+
+/// What the search asks of surfaces.
+pub(super) struct SheetSearch<'a> {
+    sheets: &'a Sheets<'a>,
+    patches: &'a PatchSet,
+    /// Of each surface, over all pieces of its face.
+    whole: Vec<OnceCell<Option<(f64, f64)>>>,
+    boxes: Vec<Option<ParamBox>>,
+    planes: Vec<OnceCell<Option<Plane>>>,
+}
+
+/// A plane that a surface lies in.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Plane {
+    point: DVec3,
+    /// Of length 1.
+    normal: DVec3,
+    /// The distance of the surface from it, at most.
+    off: f64,
+}
+
+/// The distance of the control points of a surface from a plane, relative to their extent, up to which it counts as plane.
+const PLANE: f64 = 1e-10;
+
+impl Plane {
+    /// Returns the plane of some points, if they are all near one.
+    fn of(points: &[DVec3]) -> Option<Self> {
+        let aabb = points.iter().copied().fold(Aabb::EMPTY, Aabb::with);
+        let start = *points.first()?;
+        let far =
+            |from: &dyn Fn(DVec3) -> f64| points.iter().copied().max_by(|a, b| from(*a).total_cmp(&from(*b)));
+        let end = far(&|point| point.distance(start))?;
+        let aside = far(&|point| (point - start).cross(end - start).length())?;
+        let normal = (end - start).cross(aside - start).try_normalize()?;
+        let plane = Self { point: start, normal, off: 0.0 };
+        let off = plane.distance(points);
+        (off <= PLANE * aabb.diagonal()).then_some(Self { off, ..plane })
+    }
+
+    /// Returns the largest distance of points from the plane.
+    pub(super) fn distance(&self, points: &[DVec3]) -> f64 {
+        points.iter().map(|point| self.normal.dot(*point - self.point).abs()).fold(0.0, upper_max)
+    }
+
+    /// Returns the least part of directions away from the plane, all to one side, if they all leave it.
+    pub(super) fn leaving(&self, directions: &[Direction]) -> Option<f64> {
+        let heights = directions.iter().map(|&Direction { unit, error }| (self.normal.dot(unit), error));
+        let to_side = |sign: f64| {
+            let least =
+                heights.clone().map(|(height, error)| sign * height - error).fold(f64::INFINITY, lower_min);
+            (least < f64::INFINITY).then_some(least - gamma(PRODUCT_ROUNDINGS)).filter(|&least| least > 0.0)
+        };
+        to_side(1.0).or_else(|| to_side(-1.0))
+    }
+
+    /// Returns how far the surface is from the plane.
+    pub(super) fn off(&self) -> f64 {
+        self.off
+    }
+}
+
+impl<'a> SheetSearch<'a> {
+    pub(super) fn new(sheets: &'a Sheets<'a>, patches: &'a PatchSet) -> Self {
+        let count = sheets.model.grids.len();
+        let mut found = Self {
+            sheets,
+            patches,
+            whole: vec![OnceCell::new(); count],
+            boxes: vec![None; count],
+            planes: vec![OnceCell::new(); count],
+        };
+        for patch in 0..patches.len() as u32 {
+            if let Some((sheet, image)) = found.sheet(patch).zip(found.image(patch, &ParamBox::UNIT)) {
+                let known = &mut found.boxes[sheet];
+                *known = Some(known.map_or(image, |known| union(&known, &image)));
+            }
+        }
+        found
+    }
+
+    /// Returns the surface of a patch, if it is of a trimmed face.
+    pub(super) fn sheet(&self, patch: u32) -> Option<usize> {
+        let surface = self.patches.patch(patch as usize).surface;
+        self.sheets.of_pieces.get(surface)?.map(|(sheet, _)| sheet)
+    }
+
+    /// Returns how far points are from the surface.
+    pub(super) fn off(&self) -> f64 {
+        self.sheets.off
+    }
+
+    /// Returns the plane of a surface, if it is plane.
+    pub(super) fn plane(&self, sheet: usize) -> Option<Plane> {
+        *self.planes[sheet].get_or_init(|| {
+            let grid = &self.sheets.model.grids[sheet];
+            let count: usize = grid.counts().iter().product();
+            let patches =
+                (grid.first..grid.first + count).map(|index| self.sheets.model.patches.patch(index));
+            let points: Vec<DVec3> = patches
+                .flat_map(|patch| patch.local_points().map(|point| patch.center + point).collect::<Vec<_>>())
+                .collect();
+            Plane::of(&points)
+        })
+    }
+
+    /// Returns a rectangle of the surface's parameters that contains those of a part of a patch.
+    pub(super) fn image(&self, patch: u32, range: &ParamBox) -> Option<ParamBox> {
+        let of_patch = self.patches.patch(patch as usize);
+        let (_, map) = (*self.sheets.of_pieces.get(of_patch.surface)?)?;
+        let [low, high] = [range.low(), range.high()].map(|at| of_patch.domain.at(at));
+        Some(map.image(&ParamBox::new([low[0], high[0]], [low[1], high[1]])))
+    }
+
+    /// As [`Self::image`], of a part of a side.
+    pub(super) fn image_of_side(&self, patch: u32, side: Side, part: [f64; 2]) -> Option<ParamBox> {
+        let end = [side.end as f64; 2];
+        let range = if side.axis == Axis::U { ParamBox::new(end, part) } else { ParamBox::new(part, end) };
+        self.image(patch, &range)
+    }
+
+    /// Returns the margin of lemma S8 (a) and the rest for two pieces of one surface together: over all of its face, or over
+    /// the rectangle of both.
+    pub(super) fn together(&self, sheet: usize, pieces: [&Piece; 2]) -> Option<(f64, f64)> {
+        let whole =
+            self.whole[sheet].get_or_init(|| self.directions(sheet, self.boxes[sheet].as_ref()?)?.alone());
+        if whole.is_some() {
+            return *whole;
+        }
+        let [a, b] = pieces.map(|piece| self.image(piece.patch, &piece.range));
+        self.directions(sheet, &union(&a?, &b?))?.alone()
+    }
+
+    /// Returns the directions of a surface over a rectangle.
+    pub(super) fn directions(&self, sheet: usize, range: &ParamBox) -> Option<SheetDirections> {
+        let grid = &self.sheets.model.grids[sheet];
+        let spans = Axis::BOTH.map(|axis| {
+            let (breaks, [low, high]) = (&grid.breaks[axis], range[axis]);
+            let first = breaks.partition_point(|&knot| knot < low).clamp(1, breaks.len() - 1) - 1;
+            let last = breaks.partition_point(|&knot| knot <= high).clamp(first + 1, breaks.len() - 1);
+            first..last
+        });
+        let degree = self.sheets.model.patches.patch(grid.first).degree;
+        let is_torn = Axis::BOTH.iter().any(|&axis| {
+            let inner = spans[axis].start + 1..spans[axis].end;
+            grid.multiplicities[axis][inner].iter().any(|&count| usize::from(count) > degree[axis])
+        });
+        if is_torn {
+            return None;
+        }
+        let columns = grid.counts()[1];
+        let mut found = SheetDirections { along: Default::default(), rest: 0.0 };
+        for row in spans[0].clone() {
+            for column in spans[1].clone() {
+                let patch = self.sheets.model.patches.patch(grid.first + row * columns + column);
+                let part = [(Axis::U, row), (Axis::V, column)].map(|(axis, span)| {
+                    let [from, to] = [grid.breaks[axis][span], grid.breaks[axis][span + 1]];
+                    let local = |at: f64| (at - from) / (to - from);
+                    let [low, high] = range[axis].map(local);
+                    // Of positive length, whatever is asked for.
+                    let low = (low - PART_ROUNDING).clamp(0.0, 1.0 - PART_ROUNDING);
+                    [low, (high + PART_ROUNDING).clamp(low + PART_ROUNDING, 1.0)]
+                });
+                let controls = patch.restricted(part[0], part[1]);
+                let radius = patch.local_points().map(DVec3::length).fold(0.0, upper_max);
+                let net = Net { controls: &controls, degree: patch.degree, rational: patch.rational, radius };
+                for axis in Axis::BOTH {
+                    let along = net.along(axis);
+                    found.rest = upper_max(found.rest, along.rest);
+                    found.along[axis.index()].extend(along.list);
+                }
+            }
+        }
+        Some(found)
+    }
+}
+
+impl SheetDirections {
+    /// Returns the margin of lemma S8 (a), and the rest.
+    fn alone(&self) -> Option<(f64, f64)> {
+        let margins = self.signed(&[[1.0, 1.0], [1.0, -1.0]], &[])?;
+        Some((margins, 2.0 * self.rest))
+    }
+
+    /// Returns the margin of lemma S8 (d) for directions that leave the surface, and the rest.
+    pub(super) fn leaving(&self, directions: &[Direction]) -> Option<(f64, f64)> {
+        let back: Vec<Direction> =
+            directions.iter().map(|&Direction { unit, error }| Direction { unit: -unit, error }).collect();
+        let signs = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+        Some((self.signed(&signs, &back)?, 2.0 * self.rest))
+    }
+
+    /// Returns the least margin of the directions along both parameters with each of these signs and of others.
+    fn signed(&self, signs: &[[f64; 2]], others: &[Direction]) -> Option<f64> {
+        if self.along.iter().any(Vec::is_empty) {
+            return None;
+        }
+        let mut least = f64::INFINITY;
+        for sign in signs {
+            let mut all = others.to_vec();
+            for (along, sign) in self.along.iter().zip(sign) {
+                all.extend(
+                    along.iter().map(|&Direction { unit, error }| Direction { unit: *sign * unit, error }),
+                );
+            }
+            let (_, margin) = common_side(&all)?;
+            least = lower_min(least, margin);
+        }
+        Some(least)
+    }
+}
+
+/// Returns the rectangle around two.
+pub(super) fn union(one: &ParamBox, other: &ParamBox) -> ParamBox {
+    let [u, v] = [0, 1].map(|axis| {
+        let ([a, b], [c, d]) = (one[axis], other[axis]);
+        [if a < c { a } else { c }, if b > d { b } else { d }]
+    });
+    ParamBox::new(u, v)
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::bezier::extract;
+    use crate::shapes;
+
+    fn exact(vectors: &[DVec3]) -> Vec<Direction> {
+        vectors.iter().map(|vector| Direction { unit: vector.normalize(), error: 0.0 }).collect()
+    }
+
+    fn sheets_of(model: &BezierModel) -> Sheets<'_> {
+        Sheets { model, of_pieces: Vec::new(), off: 0.0 }
+    }
+
+    /// The sine of the least angle to the plane, on either side; none where directions go to both.
+    #[test]
+    fn directions_leave_a_plane_by_the_sine_of_their_angle() {
+        let plane = Plane::of(&[DVec3::Z, DVec3::X + DVec3::Z, DVec3::Y + DVec3::Z]).unwrap();
+        assert_eq!(plane.off(), 0.0);
+        assert_eq!(plane.distance(&[DVec3::new(7.0, 8.0, 1.25), DVec3::ZERO]), 1.0);
+        let at = |degrees: f64| {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            DVec3::new(cos, 0.0, sin)
+        };
+        for sign in [1.0, -1.0] {
+            let margin = plane.leaving(&exact(&[at(sign * 30.0), at(sign * 90.0)])).unwrap();
+            assert!((margin - 0.5).abs() < 1e-12, "{margin}");
+        }
+        for both in [[30.0, -30.0], [30.0, 0.0], [0.0, 180.0]] {
+            assert_eq!(plane.leaving(&exact(&both.map(at))), None, "{both:?}");
+        }
+        let mut uncertain = exact(&[at(30.0)]);
+        uncertain[0].error = 0.2;
+        assert!((plane.leaving(&uncertain).unwrap() - 0.3).abs() < 1e-12);
+        let bent = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 1e-6)];
+        assert!(Plane::of(&bent).is_none());
+    }
+
+    /// Of a quarter of a cylinder, the tangents turn by a quarter: alone, they are on both sides of no plane. What leaves it
+    /// outwards at one end is along the tangent at the other one, so that it leaves half of it only.
+    #[test]
+    fn directions_leave_a_cylinder_if_they_are_off_all_its_tangents() {
+        let model = extract(&shapes::cylinder(2.0, 3.0).unwrap());
+        let sheets = sheets_of(&model);
+        let patches = PatchSet::default();
+        let search = SheetSearch::new(&sheets, &patches);
+        // The lateral surface is the one that is not plane.
+        let sheet = (0..model.grids.len()).find(|&sheet| search.plane(sheet).is_none()).unwrap();
+        let grid = &model.grids[sheet];
+        let [us, vs] =
+            [0, 1].map(|axis: usize| [grid.breaks[axis][0], grid.breaks[axis][grid.counts()[axis]]]);
+        let part = |share: f64| {
+            let range = ParamBox::new([us[0], us[0] + share * (us[1] - us[0])], vs);
+            search.directions(sheet, &range).unwrap()
+        };
+        // Two directions at a right angle to each other are at half of one to the plane between them.
+        let (alone, rest) = part(1e-6).alone().unwrap();
+        assert!((alone - 0.5_f64.sqrt()).abs() < 1e-5 && rest == 0.0, "{alone}");
+        assert!(part(0.25).alone().is_some() && part(0.49).alone().is_some());
+        assert!(part(0.5).alone().is_none() && part(1.0).alone().is_none());
+        // Outwards where the surface begins.
+        let out = exact(&[DVec3::X]);
+        let (leaving, _) = part(1e-6).leaving(&out).unwrap();
+        assert!((leaving - 3.0_f64.sqrt().recip()).abs() < 1e-5, "{leaving}");
+        assert!(part(0.24).leaving(&out).is_some());
+        assert!(part(0.25).leaving(&out).is_none());
+        assert!(part(1e-3).leaving(&exact(&[DVec3::Y])).is_none());
+    }
+}
