@@ -20,10 +20,10 @@ const MAX_LEVEL: u32 = 40;
 /// The ways between points that are near each other, relative to what is near, up to which pieces are not divided for shorter
 /// ones, and the divisions after which they are not.
 const GOOD_STRETCH: f64 = 64.0;
-const PATIENCE: u32 = 10;
+const PATIENCE: u32 = 6;
 
 /// The pairs of pieces that are looked at for each patch and pair of patches that are near each other; most take one.
-const PAIRS_EACH: usize = 256;
+const PAIRS_EACH: usize = 512;
 
 /// The pairs between two looks at the time.
 const PAIRS_AT_ONCE: usize = 1024;

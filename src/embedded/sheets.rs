@@ -305,15 +305,17 @@ mod tests {
             let range = ParamBox::new([us[0], us[0] + share * (us[1] - us[0])], vs);
             search.directions(sheet, &range).unwrap()
         };
+        // One that is good enough is not made better.
+        let is_margin = |found: f64, largest: f64| 0.1 <= found && found <= largest + 1e-5;
         // Two directions at a right angle to each other are at half of one to the plane between them.
         let (alone, rest) = part(1e-6).alone().unwrap();
-        assert!((alone - 0.5_f64.sqrt()).abs() < 1e-5 && rest == 0.0, "{alone}");
+        assert!(is_margin(alone, 0.5_f64.sqrt()) && rest == 0.0, "{alone}");
         assert!(part(0.25).alone().is_some() && part(0.49).alone().is_some());
         assert!(part(0.5).alone().is_none() && part(1.0).alone().is_none());
         // Outwards where the surface begins.
         let out = exact(&[DVec3::X]);
         let (leaving, _) = part(1e-6).leaving(&out).unwrap();
-        assert!((leaving - 3.0_f64.sqrt().recip()).abs() < 1e-5, "{leaving}");
+        assert!(is_margin(leaving, 3.0_f64.sqrt().recip()), "{leaving}");
         assert!(part(0.24).leaving(&out).is_some());
         assert!(part(0.25).leaving(&out).is_none());
         assert!(part(1e-3).leaving(&exact(&[DVec3::Y])).is_none());

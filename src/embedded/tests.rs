@@ -175,7 +175,9 @@ fn a_folded_sheet_is_embedded_up_to_its_fold() {
         };
         let sine = (0.5 * degrees).to_radians().sin();
         let least = NEARNESS / sine;
-        assert!(least <= within && within < 2.0 * least + 1e-8, "{degrees}: {within:e} for {least:e}");
+        // Ways that are short enough are not made shorter.
+        let most = if 2.0 * least < 65.0 * NEARNESS { 65.0 * NEARNESS } else { 2.0 * least };
+        assert!(least <= within && within < most, "{degrees}: {within:e} for {least:e}");
     }
     assert!(touches(&folded(0.0)));
 }
