@@ -13,6 +13,9 @@ use std::sync::{Arc, OnceLock};
 /// How far the ends of boxes may be apart by rounding, relative to their sizes in a patch's parameters.
 const END_ROUNDING: f64 = 1e-9;
 
+/// The index of the surface that a piece lies on, with the map to its parameters; none of a face that is not trimmed.
+pub(crate) type OnSheet<'a> = Option<(usize, &'a ParameterMap)>;
+
 /// The trimmed faces of a model, with the way to them from the pieces that they are cut into.
 ///
 /// A piece ends where the cut has put a line, the face goes on beyond it.
@@ -64,7 +67,7 @@ impl TrimmedFaces {
 
     /// Returns the Bézier patches of the surfaces of all trimmed faces, and for each piece the surface that it lies on, with
     /// the map to its parameters; none for pieces of faces that are not trimmed. Extracted at first use.
-    pub(crate) fn sheets(&self) -> Option<(&BezierModel, Vec<Option<(usize, &ParameterMap)>>)> {
+    pub(crate) fn sheets(&self) -> Option<(&BezierModel, Vec<OnSheet<'_>>)> {
         let LazyFaces { model, whole } = &*self.model;
         let whole = whole.get_or_init(|| WholeFaces::new(model)).as_ref()?;
         let pieces =

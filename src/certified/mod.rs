@@ -34,7 +34,7 @@ pub(crate) mod testing;
 
 pub(crate) use audit::{Refutation, SpreadRefutation, audit_whole};
 pub(crate) use cell::{Cell, MAX_ASPECT};
-pub(crate) use faces::TrimmedFaces;
+pub(crate) use faces::{OnSheet, TrimmedFaces};
 pub(crate) use generatrix::Generatrix;
 pub(crate) use near_copies::blocks::Block;
 pub(crate) use nearest::Foot;

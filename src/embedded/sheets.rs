@@ -5,9 +5,9 @@ use super::piece::{Piece, Side};
 use crate::axis::Axis;
 use crate::bezier::{BezierModel, PatchSet};
 use crate::bvh::Aabb;
+use crate::certified::OnSheet;
 use crate::param_box::ParamBox;
 use crate::rounding::{gamma, lower_min, upper_max};
-use crate::untrim::ParameterMap;
 use glam::DVec3;
 use std::cell::OnceCell;
 
@@ -19,7 +19,7 @@ pub(crate) struct Sheets<'a> {
     /// Their patches.
     pub(crate) model: &'a BezierModel,
     /// The surface of each surface of the body, if that is a piece of a trimmed face, and the way to its parameters.
-    pub(crate) of_pieces: Vec<Option<(usize, &'a ParameterMap)>>,
+    pub(crate) of_pieces: Vec<OnSheet<'a>>,
     /// The distance of points of pieces from those of the surfaces, at most.
     pub(crate) off: f64,
 }

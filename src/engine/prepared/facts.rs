@@ -4,6 +4,7 @@ use super::PreparedModel;
 use crate::area::{Area, area};
 use crate::bezier::{BezierModel, PatchGrid};
 use crate::bvh::Aabb;
+use crate::certified::OnSheet;
 use crate::error::{Error, Result};
 use crate::facets::PreparedFacets;
 use crate::model::Model;
@@ -12,7 +13,6 @@ use crate::solid::{Boundary, Edges, Joined};
 use crate::symmetry::Revolution;
 use crate::threads::computed;
 use crate::threads::parallel::map;
-use crate::untrim::ParameterMap;
 
 impl PreparedModel {
     /// Returns the model's name, if it has one.
@@ -169,7 +169,7 @@ impl PreparedModel {
     /// Returns the surfaces of trimmed faces, and the one of each piece: see [`TrimmedFaces::sheets`].
     ///
     /// [`TrimmedFaces::sheets`]: crate::certified::TrimmedFaces::sheets
-    pub(in crate::engine) fn sheets(&self) -> Option<(&BezierModel, Vec<Option<(usize, &ParameterMap)>>)> {
+    pub(in crate::engine) fn sheets(&self) -> Option<(&BezierModel, Vec<OnSheet<'_>>)> {
         self.trimmed_faces.as_ref()?.sheets()
     }
 
