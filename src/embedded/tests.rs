@@ -2,9 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+use super::piece::Piece;
 use super::*;
 use crate::bezier::extract;
 use crate::model::{Model, RigidTransform, SurfaceArrays};
+use crate::param_box::ParamBox;
 use crate::shapes;
 use crate::solid::{Edges, SurfaceOrigin, joined_arcs};
 use glam::DQuat;
@@ -240,4 +242,80 @@ fn edges_that_end_within_others_are_shared_in_parts() {
     for model in placed(quads(&sides)) {
         assert!(is_embedded(&model), "{:?}", verdict(&model));
     }
+}
+
+/// A plane quadrilateral whose sides turn past each other, so that it lies on itself along a fold: the directions along both
+/// parameters are all to one side, and not apart from each other.
+#[test]
+fn a_patch_that_folds_over_is_not_embedded() {
+    let with = |y: f64| quads(&[[[0.0; 3], [1.0, 0.0, 0.0], [2.0, y + 0.3, 0.0], [1.0, 0.3, 0.0]]]);
+    assert!(is_embedded(&with(0.2)), "{:?}", verdict(&with(0.2)));
+    assert!(!is_embedded(&with(0.5)));
+}
+
+/// A sheet and one at a right angle to it, joined at edges between which both pass through each other: the ways from where
+/// they do to both edges are 0.5 and 1 of these lengths, and the corners as far from each other as the edges.
+#[test]
+fn the_gap_of_an_edge_is_in_what_is_stated() {
+    let (y, z) = (0.5e-5, -1e-5);
+    let model = quads(&[
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+        [[1.0, y, z], [0.0, y, z], [0.0, y, 1.0], [1.0, y, 1.0]],
+    ]);
+    let Verdict::Embedded { within } = verdict(&model) else { panic!("{:?}", verdict(&model)) };
+    assert!(y - z <= within && within < 1.2 * (y - z), "{within:e}");
+    let complex = complex_of(&model);
+    let spreads = complex.places(0).iter().map(|place| complex.spread(place.corner));
+    let largest = spreads.fold(0.0, f64::max);
+    assert!((largest - y.hypot(z)).abs() < 1e-12, "{largest:e}");
+}
+
+fn complex_of(model: &Model) -> Complex {
+    let bezier = extract(model);
+    let edges = Edges::of_surfaces(&bezier, SurfaceOrigin::whole);
+    let joined = joined_arcs(edges, &|_| [DVec3::NAN; 3], &model.bounding_box(), 0.0);
+    Complex::new(&bezier, joined, |_| None)
+}
+
+/// A side that two others share in parts is within none of its arcs, and theirs are.
+#[test]
+fn a_side_is_within_its_arc_only_if_all_of_it_is() {
+    let strip = |x: f64, y: f64| [[0.0, x, 0.0], [0.0, y, 0.0], [1.0, y, 0.0], [1.0, x, 0.0]];
+    let model = quads(&[
+        [[-1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 1.0, 0.0]],
+        strip(0.0, 0.25),
+        strip(0.25, 1.0),
+    ]);
+    let (complex, bezier) = (complex_of(&model), extract(&model));
+    for other in [1, 2] {
+        let (edges, is_reversed) = complex.edges([0, other]);
+        assert!(edges.len() == 1 && !is_reversed);
+        let has = [0, other].map(|patch| {
+            let whole = bezier.patches.patch(patch as usize);
+            let piece = Piece::new(&whole, patch, ParamBox::UNIT, 0, std::iter::empty());
+            edges[0].has_side(&piece, usize::from(patch != 0))
+        });
+        assert_eq!(has, [false, true]);
+    }
+}
+
+/// How far pieces are from the surface of their face is added to what is near.
+#[test]
+fn the_distance_of_pieces_from_their_surface_is_in_what_is_stated() {
+    let model = quads(&cuboid([0.0; 3], [1.0, 2.0, 3.0]));
+    let bezier = extract(&model);
+    let within = |off: f64| {
+        let edges = Edges::of_surfaces(&bezier, SurfaceOrigin::whole);
+        let joined = joined_arcs(edges, &|_| [DVec3::NAN; 3], &model.bounding_box(), 0.0);
+        let map = crate::untrim::ParameterMap::Identity;
+        let of_pieces = (0..6).map(|surface| Some((surface, &map))).collect();
+        // Ways of up to 64 times what is near are not made shorter.
+        let limits = Limits { nearness: 1e-4, most: 1.0, is_late: &|| false };
+        match verdict_on_patches(&bezier, joined, Some(&Sheets { model: &bezier, of_pieces, off }), &limits) {
+            Verdict::Embedded { within } => within,
+            other => panic!("{other:?}"),
+        }
+    };
+    let (exact, far) = (within(0.0), within(1e-3));
+    assert!(1e-4 <= exact && exact < 2e-4 && 2e-3 <= far, "{exact:e} {far:e}");
 }

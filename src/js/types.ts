@@ -13,6 +13,7 @@ export type {
   CheckOptions,
   CheckResult,
   CheckRules,
+  EmbeddedUnknown,
   NamesOfPair,
   PairState,
   SelfOverlap,
