@@ -2,9 +2,9 @@
 
 use crate::models::{Quad, box_of_faces, cube_with_pocket, mesh, of, of_quads, prepared};
 use nurbs_hausdorff::{
-    CheckOptions, CheckedBody, DVec3, EmbeddedDoubt, Engine, Model, NamedModel, PreparedModel, SelfOverlap,
-    shapes,
+    CheckOptions, CheckedBody, DVec3, EmbeddedDoubt, Engine, NamedModel, PreparedModel, SelfOverlap, shapes,
 };
+use nurbs_hausdorff_cad::from_step;
 use std::f64::consts::TAU;
 
 fn triangles_of(quads: &[Quad]) -> PreparedModel {
@@ -168,8 +168,7 @@ fn a_plate_with_bores_is_embedded_as_its_file_has_it_and_as_a_mesh() {
     for bytes in
         [&include_bytes!("../../examples/parts/a.step")[..], include_bytes!("../../examples/parts/b.step")]
     {
-        let (model, _) = Model::from_step(bytes).unwrap();
-        let plate = PreparedModel::new(&model).unwrap();
+        let plate = PreparedModel::new(&from_step(bytes).unwrap().0).unwrap();
         is_embedded(&plate);
         let body = body(&plate);
         // Faces meet at right angles: with the sine of half of these, and nothing but rounding.
