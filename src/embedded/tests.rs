@@ -317,5 +317,5 @@ fn the_distance_of_pieces_from_their_surface_is_in_what_is_stated() {
         }
     };
     let (exact, far) = (within(0.0), within(1e-3));
-    assert!(1e-4 <= exact && exact < 2e-4 && 2e-3 <= far, "{exact:e} {far:e}");
+    assert!((1e-4..2e-4).contains(&exact) && 2e-3 <= far, "{exact:e} {far:e}");
 }

@@ -80,8 +80,9 @@ fn gaps_are_the_pairs_of_faces_that_come_near() {
     assert!(ended == 0 && lines.starts_with("no faces come nearer than 2.5\n"), "{lines}");
     // A mesh is one face; from 0 to 1 along each axis, it meets the plane at 0. A cloud has no faces.
     let mesh = cuboid("gaps.off", [1.0; 3]);
-    let (ended, lines) = text(&["gaps", &low, &mesh, "--below", "1"]);
-    assert!(ended == 0 && lines.starts_with("1 pair of faces comes nearer than 1\n0 ("), "{lines}");
+    let found = printed(&run(&["gaps", &low, &mesh, "--below", "1", "--json"]));
+    let [pair] = found["pairs"].as_array().unwrap().as_slice() else { panic!("{found}") };
+    assert!(pair["lower"] == 0.0 && pair["upper"].as_f64().unwrap() < 1e-9, "{pair}");
     let cloud = file("gaps.xyz", "0 0 0\n1 0 0\n");
     assert_eq!(text(&["gaps", &low, &cloud, "--below", "1"]).0, 2);
     assert_eq!(text(&["gaps", &low, &high, "--below=-1"]).0, 2);
