@@ -43,7 +43,7 @@ use std::path::PathBuf;
 
 /// How far apart are two NURBS models? Models are files of STEP, interchange JSON or BREP text.
 #[derive(Debug, Parser)]
-#[command(version, about)]
+#[command(name = "nurbs-hausdorff", version, about)]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
