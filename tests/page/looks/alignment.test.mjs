@@ -105,6 +105,10 @@ test("both models are drawn side by side by one camera, each where its pointer f
   );
   // The same face of both, at the same place of either half.
   assert.equal(names[0].split(" · ")[0].slice(2), names[1].split(" · ")[0].slice(2));
+  // A pin has its place with the next picture.
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll(".pin")].every(({ style }) => style.left !== ""),
+  );
   const [a, b] = await page
     .locator(".pin")
     .evaluateAll((pins) => pins.map(({ style }) => Number.parseFloat(style.left)));
