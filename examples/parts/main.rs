@@ -3,7 +3,7 @@
 //! `cargo run --release --example parts -- FOLDER` writes `a.step` and `b.step`. They are kept in `examples/parts`,
 //! and a test compares them with what this program writes.
 
-#[path = "../../tests/support/step.rs"]
+#[path = "../../tests/support/writers/step.rs"]
 #[allow(dead_code, unreachable_pub, reason = "the tests' writer has more entities than parts need")]
 mod step;
 

@@ -176,7 +176,7 @@ fn a_plate_with_bores_is_embedded_as_its_file_has_it_and_as_a_mesh() {
     }
 }
 
-/// An octahedron of which one corner is drawn through the face on the other side, up to it, and nearly.
+/// One corner of an octahedron is drawn through the face on the other side, up to it, and nearly.
 #[test]
 fn an_octahedron_that_a_corner_pierces_is_not_embedded() {
     let with = |x: f64| {

@@ -8,7 +8,7 @@ mod models;
 #[path = "../../examples/parts/plate.rs"]
 #[allow(dead_code, reason = "shared with the example")]
 mod plate;
-#[path = "../support/step.rs"]
+#[path = "../support/writers/step.rs"]
 #[allow(dead_code, unreachable_pub, reason = "the tests' writer has more entities than parts need")]
 mod step;
 

@@ -8,14 +8,12 @@
     reason = "each test crate uses a part, and a panic is how a test fails"
 )]
 
-pub mod brep;
 pub mod cpu;
 pub mod evaluator;
 pub mod fixtures;
 pub mod gpu;
-pub mod iges;
 pub mod models;
 pub mod quadrature;
 pub mod root;
-pub mod step;
 pub mod trims;
+pub mod writers;

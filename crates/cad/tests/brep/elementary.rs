@@ -1,7 +1,7 @@
 //! Planes, cylinders, cones, spheres and tori.
 
 use crate::area::{area, loop_points, surface_points};
-use crate::support::brep::{BrepText, circle, line, minus, plus, rectangle};
+use crate::support::writers::brep::{BrepText, circle, line, minus, plus, rectangle};
 use crate::{area_of, assert_near, read, region};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -33,7 +33,7 @@ fn loops_of_the_wrong_orientation_are_reversed() {
     // Both loops run the other way round.
     let outer = rectangle([0.0, 0.0], [100.0, 60.0]);
     let reversed: Vec<_> = [[0.0, 0.0], [0.0, 60.0], [100.0, 60.0], [100.0, 0.0]].to_vec();
-    let clockwise = crate::support::brep::polygon(&reversed);
+    let clockwise = crate::support::writers::brep::polygon(&reversed);
     for loops in [
         vec![clockwise.clone(), circle([50.0, 30.0], 10.0, 1.0)],
         vec![clockwise, circle([50.0, 30.0], 10.0, -1.0)],

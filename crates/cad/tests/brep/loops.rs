@@ -1,6 +1,6 @@
 //! Loops: joints, gaps, edges and what makes a face unreadable.
 
-use crate::support::brep::{BrepText, circle, line, minus, plus, polygon, rectangle};
+use crate::support::writers::brep::{BrepText, circle, line, minus, plus, polygon, rectangle};
 use crate::{area_of, assert_near, read, region};
 use nurbs_hausdorff_cad::from_brep;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -225,12 +225,12 @@ fn internal_edges_are_left_out() {
     }
     let inner = text.p_curve("1 1 1 1 0");
     let inner = text.edge(&[format!("2 {inner} {plane} 0 0 1")], [ends, ends]);
-    edges.insert(2, crate::support::brep::Child { shape: inner, sign: 'i', location: 0 });
+    edges.insert(2, crate::support::writers::brep::Child { shape: inner, sign: 'i', location: 0 });
     let wire = text.wire(&edges);
     let inner_wire = text.wire(&[plus(inner)]);
     let face = text.shape(
         format!("Fa\n0  1e-07 {plane} 0\n2 1\n"),
-        &[plus(wire), crate::support::brep::Child { shape: inner_wire, sign: 'e', location: 0 }],
+        &[plus(wire), crate::support::writers::brep::Child { shape: inner_wire, sign: 'e', location: 0 }],
     );
     let (model, report) = read(&text, face);
     assert_eq!(report.trims, 4);

@@ -19,7 +19,7 @@ mod syntax;
 
 use nurbs_hausdorff::{Model, ReadReport};
 use nurbs_hausdorff_cad::from_brep;
-use support::brep::{BrepText, plus};
+use support::writers::brep::{BrepText, plus};
 
 /// The model of a text whose root is this shape.
 fn read(text: &BrepText, root: usize) -> (Model, ReadReport) {

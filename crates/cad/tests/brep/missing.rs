@@ -1,7 +1,7 @@
 //! Edges without a curve in the parameters: plane sections, and projections with a fit.
 
 use crate::area::{area, loop_points};
-use crate::support::brep::{BrepText, line, minus, plus};
+use crate::support::writers::brep::{BrepText, line, minus, plus};
 use crate::{area_of, assert_near, read};
 use nurbs_hausdorff::{Model, ReadReport};
 use nurbs_hausdorff_cad::from_brep;

@@ -2,8 +2,8 @@
 //! deviation in the gap.
 
 use crate::area::{area, loop_points, surface_points};
-use crate::support::brep::{BrepText, line, plus, rectangle};
 use crate::support::quadrature::gauss;
+use crate::support::writers::brep::{BrepText, line, plus, rectangle};
 use crate::{area_of, assert_near, region};
 use nurbs_hausdorff_cad::from_brep;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI, TAU};

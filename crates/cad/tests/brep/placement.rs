@@ -1,7 +1,7 @@
 //! Locations: products, powers, instances, and the placement of surfaces within faces.
 
-use crate::support::brep::{BrepText, Child, plus, rectangle};
 use crate::support::evaluator;
+use crate::support::writers::brep::{BrepText, Child, plus, rectangle};
 use crate::{area_of, assert_near, read};
 use nurbs_hausdorff::{Error, Model};
 use nurbs_hausdorff_cad::from_brep;

@@ -1,7 +1,7 @@
 //! Bézier and B-spline surfaces and curves, periodic ones among them.
 
 use crate::area::{area, surface_points};
-use crate::support::brep::{circle, line, rectangle};
+use crate::support::writers::brep::{circle, line, rectangle};
 use crate::{area_of, assert_near, region};
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 

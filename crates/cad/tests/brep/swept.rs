@@ -1,7 +1,7 @@
 //! Extrusions, revolutions, trimmed and offset surfaces.
 
 use crate::area::surface_points;
-use crate::support::brep::rectangle;
+use crate::support::writers::brep::rectangle;
 use crate::{area_of, assert_near, region};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

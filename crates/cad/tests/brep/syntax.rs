@@ -1,6 +1,6 @@
 //! Damaged texts, and the three versions of the format.
 
-use crate::support::brep::{BrepText, Child, plus, rectangle};
+use crate::support::writers::brep::{BrepText, Child, plus, rectangle};
 use nurbs_hausdorff::Error;
 use nurbs_hausdorff_cad::from_brep;
 

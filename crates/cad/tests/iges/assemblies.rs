@@ -1,7 +1,7 @@
 //! Groups, subfigures and instances, and where they are placed.
 
 use crate::solids::brick;
-use crate::support::iges::{IgesText, list};
+use crate::support::writers::iges::{IgesText, list};
 use crate::{areas, assert_near, read};
 use nurbs_hausdorff::Model;
 use nurbs_hausdorff_cad::from_iges;

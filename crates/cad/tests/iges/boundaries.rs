@@ -1,6 +1,6 @@
 //! Trimmed and bounded surfaces, and the check of their curves in the parameters.
 
-use crate::support::iges::{Id, IgesText, list};
+use crate::support::writers::iges::{Id, IgesText, list};
 use crate::{areas, assert_near, read, rectangle};
 use std::f64::consts::{PI, TAU};
 

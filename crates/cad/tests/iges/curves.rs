@@ -1,6 +1,6 @@
 //! Curves of each type as boundaries of a plane.
 
-use crate::support::iges::{Id, IgesText, numbers};
+use crate::support::writers::iges::{Id, IgesText, numbers};
 use crate::{areas, assert_near, read};
 use std::f64::consts::PI;
 

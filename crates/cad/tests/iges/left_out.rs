@@ -1,7 +1,7 @@
 //! Faces and bodies that cannot be read, each in the report with its number and the reason.
 
 use crate::solids::brick;
-use crate::support::iges::{Id, IgesText, list};
+use crate::support::writers::iges::{Id, IgesText, list};
 use nurbs_hausdorff::ReadReport;
 use nurbs_hausdorff_cad::from_iges;
 

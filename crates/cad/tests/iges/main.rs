@@ -20,7 +20,7 @@ mod units;
 
 use nurbs_hausdorff::{Model, ReadReport};
 use nurbs_hausdorff_cad::from_iges;
-use support::iges::IgesText;
+use support::writers::iges::IgesText;
 
 /// Reads a file, every face of it.
 #[track_caller]
@@ -51,7 +51,7 @@ fn rectangle([x0, y0]: [f64; 2], [x1, y1]: [f64; 2], height: f64) -> [[f64; 3]; 
 fn boundaries_text() -> String {
     let mut text = IgesText::new();
     let solid = solids::brick(&mut text, [1.0, 2.0, 4.0]);
-    let definition = text.add(308, 0, format!("0,4Hpart,{}", support::iges::list(&[solid])));
+    let definition = text.add(308, 0, format!("0,4Hpart,{}", support::writers::iges::list(&[solid])));
     for x in ["0.", "3."] {
         text.add(408, 0, format!("{definition},{x},0.,0.,1."));
     }

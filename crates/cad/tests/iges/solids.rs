@@ -1,6 +1,6 @@
 //! Solids of vertices, edges, loops, faces and shells.
 
-use crate::support::iges::{Id, IgesText, numbers};
+use crate::support::writers::iges::{Id, IgesText, numbers};
 use crate::{areas, assert_near, read};
 use nurbs_hausdorff_cad::from_iges;
 use std::f64::consts::{PI, TAU};

@@ -1,6 +1,6 @@
 //! Units of length, and the delimiters of the global section.
 
-use crate::support::iges::IgesText;
+use crate::support::writers::iges::IgesText;
 use crate::{areas, assert_near, read};
 use nurbs_hausdorff_cad::from_iges;
 use std::f64::consts::PI;

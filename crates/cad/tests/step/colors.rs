@@ -1,7 +1,7 @@
 //! Colours of faces and bodies.
 
 use crate::faces::polygons::box_faces;
-use crate::support::step::{Id, StepText, UnitsOf};
+use crate::support::writers::step::{Id, StepText, UnitsOf};
 use nurbs_hausdorff::Model;
 use nurbs_hausdorff_cad::from_step;
 

@@ -1,7 +1,7 @@
 //! Damaged files: an error with a code, or a model whose report accounts for its faces.
 
 use crate::faces::polygons::box_faces;
-use crate::support::step::{StepText, UnitsOf};
+use crate::support::writers::step::{StepText, UnitsOf};
 use nurbs_hausdorff_cad::from_step;
 use proptest::prelude::*;
 

@@ -1,7 +1,7 @@
 //! What writers do that the standard does not have, or has in two ways.
 
 use crate::faces::polygons::box_faces;
-use crate::support::step::{Id, StepText, UnitsOf};
+use crate::support::writers::step::{Id, StepText, UnitsOf};
 use crate::{areas, assert_near, face, read};
 use nurbs_hausdorff_cad::from_step;
 use std::f64::consts::PI;

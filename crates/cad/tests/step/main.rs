@@ -21,7 +21,7 @@ mod units;
 
 use nurbs_hausdorff::{Model, ReadReport};
 use nurbs_hausdorff_cad::from_step;
-use support::step::{StepText, UnitsOf};
+use support::writers::step::{StepText, UnitsOf};
 
 /// Reads a text, every face of it.
 #[track_caller]

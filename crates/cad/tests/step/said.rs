@@ -1,7 +1,7 @@
 //! What a file states and the model is not made of is said, with its number and kind.
 
 use crate::faces::polygons::box_faces;
-use crate::support::step::{Id, StepText, UnitsOf};
+use crate::support::writers::step::{Id, StepText, UnitsOf};
 use crate::{areas, assert_near};
 use nurbs_hausdorff::{Facets, Model, ReadReport};
 use nurbs_hausdorff_cad::from_step;

@@ -1,7 +1,7 @@
 //! Units of length and angle.
 
 use crate::faces::polygons::box_faces;
-use crate::support::step::{StepText, UnitsOf};
+use crate::support::writers::step::{StepText, UnitsOf};
 use crate::{areas, assert_near, read};
 use std::f64::consts::PI;
 

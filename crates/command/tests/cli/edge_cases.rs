@@ -1,8 +1,8 @@
 //! The command line where users and machines are not as hoped.
 
 use crate::support::fixtures::peaked_sheet;
-use crate::support::iges::IgesText;
-use crate::support::step::{StepText, UnitsOf};
+use crate::support::writers::iges::IgesText;
+use crate::support::writers::step::{StepText, UnitsOf};
 use nurbs_hausdorff::Model;
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff_meshes::MeshFile;

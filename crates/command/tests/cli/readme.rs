@@ -5,12 +5,13 @@ use std::fs;
 
 #[path = "../../../../examples/parts/plate.rs"]
 mod plate;
-use crate::support::{self, step};
+use crate::support::root;
+use crate::support::writers::step;
 
 use plate::Plate;
 
 fn root(path: &str) -> String {
-    format!("{}/{path}", support::root::root().display())
+    format!("{}/{path}", root::root().display())
 }
 
 /// The program that writes the parts is the one that wrote them.

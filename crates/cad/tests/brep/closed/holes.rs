@@ -1,7 +1,7 @@
 //! Holes in closed surfaces, and loops that cover more than the surface.
 
 use super::{TORUS, TORUS_AREA, torus_area};
-use crate::support::brep::{BrepText, polygon, rectangle};
+use crate::support::writers::brep::{BrepText, polygon, rectangle};
 use crate::{area_of, assert_near, region};
 use nurbs_hausdorff::internals::engine::PreparedModel;
 use nurbs_hausdorff_cad::from_brep;
@@ -24,8 +24,8 @@ fn refused(surface: &str, loops: &[Loop]) -> String {
     let surface = text.surface(surface);
     let plane = text.surface("1 0 0 0 0 0 1 1 0 0 0 1 0");
     let faces = [text.region(surface, loops), text.region(plane, &[rectangle([0.0, 0.0], [1.0, 1.0])])];
-    let shell = text.shape("Sh\n", &faces.map(crate::support::brep::plus));
-    let (model, report) = from_brep(&text.text(crate::support::brep::plus(shell))).unwrap();
+    let shell = text.shape("Sh\n", &faces.map(crate::support::writers::brep::plus));
+    let (model, report) = from_brep(&text.text(crate::support::writers::brep::plus(shell))).unwrap();
     assert_eq!(model.faces().len(), 1);
     report.skipped[0].code.to_owned()
 }

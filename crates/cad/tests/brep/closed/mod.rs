@@ -6,7 +6,7 @@ mod poles;
 mod solids;
 mod wires;
 
-use crate::support::brep::{BrepText, Child};
+use crate::support::writers::brep::{BrepText, Child};
 
 /// The torus about z of the radii 15 and 4, and its area 4π² R r.
 const TORUS: &str = "5 0 0 0 0 0 1 1 0 0 0 1 0 15 4";

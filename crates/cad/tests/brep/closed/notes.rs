@@ -1,7 +1,7 @@
 //! What the report says of faces that the file leaves open.
 
 use super::{TORUS, torus_area};
-use crate::support::brep::{BrepText, Child, line, minus, plus, rectangle};
+use crate::support::writers::brep::{BrepText, Child, line, minus, plus, rectangle};
 use crate::{assert_near, read, region};
 use nurbs_hausdorff::{FaceId, ReadReport};
 use nurbs_hausdorff_cad::from_brep;

@@ -1,7 +1,7 @@
 //! Loops through poles whose edges the file leaves out.
 
 use super::orders;
-use crate::support::brep::{BrepText, minus, plus};
+use crate::support::writers::brep::{BrepText, minus, plus};
 use crate::{area_of, assert_near, read};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

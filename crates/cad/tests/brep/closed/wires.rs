@@ -1,7 +1,7 @@
 //! Wires of the seams of whole surfaces, in all orders.
 
 use super::{Seams, TORUS, TORUS_AREA, orders};
-use crate::support::brep::{BrepText, minus, plus};
+use crate::support::writers::brep::{BrepText, minus, plus};
 use crate::{area_of, assert_near, read};
 use nurbs_hausdorff::Model;
 use nurbs_hausdorff::internals::engine::{DistanceOptions, Engine, PreparedModel};

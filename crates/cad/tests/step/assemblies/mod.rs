@@ -3,7 +3,7 @@
 mod usages;
 
 use crate::faces::polygons::box_faces;
-use crate::support::step::{Id, StepText, UnitsOf};
+use crate::support::writers::step::{Id, StepText, UnitsOf};
 use crate::{areas, assert_near, read};
 use nurbs_hausdorff::{Model, face_path};
 use nurbs_hausdorff_cad::from_step;

@@ -2,7 +2,7 @@
 
 use super::{assert_bounds, part, place};
 use crate::read;
-use crate::support::step::{Id, StepText, UnitsOf};
+use crate::support::writers::step::{Id, StepText, UnitsOf};
 use nurbs_hausdorff::ReadReport;
 use nurbs_hausdorff_cad::from_step;
 

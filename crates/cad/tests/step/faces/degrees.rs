@@ -1,7 +1,7 @@
 //! Curves and surfaces of degrees from 16 to 25, which become pieces of a lower degree.
 
 use crate::support::evaluator::evaluate;
-use crate::support::step::{Id, StepText};
+use crate::support::writers::step::{Id, StepText};
 use crate::{areas, assert_near, face};
 use nurbs_hausdorff::{Axis, Model, ReadReport};
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -1,6 +1,6 @@
 //! Faces of planes, cylinders, cones, spheres and tori against their areas.
 
-use crate::support::step::{Id, StepText};
+use crate::support::writers::step::{Id, StepText};
 use crate::{areas, assert_near, face};
 use nurbs_hausdorff::{Model, ReadReport};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

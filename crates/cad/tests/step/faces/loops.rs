@@ -1,6 +1,6 @@
 //! Senses and tolerances of loops.
 
-use crate::support::step::{Id, StepText, UnitsOf};
+use crate::support::writers::step::{Id, StepText, UnitsOf};
 use crate::{areas, assert_near, read};
 use nurbs_hausdorff_cad::from_step;
 

@@ -1,6 +1,6 @@
 //! Bodies of plane faces.
 
-use crate::support::step::{Id, StepText, UnitsOf};
+use crate::support::writers::step::{Id, StepText, UnitsOf};
 use crate::{areas, assert_near, read};
 
 /// The corners of a box from the origin, numbered by bits of x, y and z, and its faces seen

@@ -1,6 +1,6 @@
 //! Faces around a period whose edges lie across the seam of their surface.
 
-use crate::support::step::{Id, StepText};
+use crate::support::writers::step::{Id, StepText};
 use crate::{areas, assert_near, face};
 use std::collections::HashMap;
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
 //! B-splines, also in complex instances, and curves with several pieces.
 
-use crate::support::step::{Id, StepText};
+use crate::support::writers::step::{Id, StepText};
 use crate::{areas, assert_near, face};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -1,7 +1,7 @@
 //! Faces and bodies that cannot be read: each is in the report with its number.
 
 use crate::faces::polygons::box_faces;
-use crate::support::step::{Id, StepText, UnitsOf};
+use crate::support::writers::step::{Id, StepText, UnitsOf};
 use nurbs_hausdorff::Skipped;
 use nurbs_hausdorff_cad::from_step;
 

@@ -5,7 +5,7 @@ mod primitives;
 mod triangles;
 
 use crate::faces::polygons::box_faces;
-use crate::support::step::{Id, StepText, UnitsOf};
+use crate::support::writers::step::{Id, StepText, UnitsOf};
 use crate::{areas, assert_near};
 use nurbs_hausdorff::{Model, ReadReport};
 use nurbs_hausdorff_cad::from_step;

@@ -1,7 +1,7 @@
 //! Primitives of constructive solid geometry, by their areas and boxes.
 
 use super::{beside_a_box, named};
-use crate::support::step::{Id, StepText, UnitsOf};
+use crate::support::writers::step::{Id, StepText, UnitsOf};
 use crate::{areas, assert_near, read};
 use nurbs_hausdorff::{Model, PreparedModel};
 use std::f64::consts::PI;

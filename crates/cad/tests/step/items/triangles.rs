@@ -1,7 +1,7 @@
 //! Tessellated items, alone and beside faces.
 
 use super::{beside_a_box, named};
-use crate::support::step::{Id, StepText, UnitsOf};
+use crate::support::writers::step::{Id, StepText, UnitsOf};
 use nurbs_hausdorff::{Error, Facets, TriangleMesh};
 use nurbs_hausdorff_cad::from_step;
 use nurbs_hausdorff_meshes::{MeshFile, MeshFormat};

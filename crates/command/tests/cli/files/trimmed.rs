@@ -1,7 +1,7 @@
 //! Trimmed models and units on the command line.
 
 use crate::commands::{file, plane, printed, run, status};
-use crate::support::brep::{BrepText, plus, polygon, rectangle};
+use crate::support::writers::brep::{BrepText, plus, polygon, rectangle};
 use serde_json::{Value, json};
 
 /// The half of the plane's square on one side of a diagonal, as a loop with this gap.

@@ -1,7 +1,7 @@
 //! The command `check`: boxes of one file and of several.
 
 use crate::commands::{file, run, status};
-use crate::support::step::{StepText, UnitsOf};
+use crate::support::writers::step::{StepText, UnitsOf};
 use serde_json::Value;
 use std::process::Output;
 
