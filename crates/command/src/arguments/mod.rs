@@ -16,7 +16,7 @@ macro_rules! named {
 pub(crate) mod align;
 pub(crate) mod by_hand;
 pub(crate) mod check;
-pub(crate) mod gaps;
+pub(crate) mod clearance;
 pub(crate) mod grid;
 pub(crate) mod motion;
 pub(crate) mod points;
@@ -28,12 +28,12 @@ use align::AlignArguments;
 use check::CheckArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use gaps::GapsArguments;
+use clearance::{ClearanceArguments, GapsArguments};
 use grid::GridArguments;
 use motion::{Rotation, Translation};
 use nurbs_hausdorff::{
-    Backend, ClearanceOptions, DiffOptions, DistanceOptions, MethodName, NamedOptions, OverlapOptions,
-    Precision, Result, RigidTransform, StatisticsOptions,
+    Backend, DiffOptions, DistanceOptions, MethodName, NamedOptions, OverlapOptions, Precision, Result,
+    RigidTransform, StatisticsOptions,
     options::{Audit, Culling, Flatness, Projection, SamplingRule},
 };
 use points::ClosestPointsArguments;
@@ -336,58 +336,6 @@ impl DiffArguments {
             limit: self.limit,
             max_cells: self.max_cells,
             max_seconds: self.max_seconds,
-            scale_units: self.placement.scales_units(),
-            transform: self.placement.transform()?,
-        })
-    }
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct ClearanceArguments {
-    /// The one model; - is standard input.
-    pub(crate) a: PathBuf,
-    /// The other model; - is standard input.
-    pub(crate) b: PathBuf,
-    /// Permitted width of the interval, in model units; models nearer than it count as touching.
-    #[arg(long, value_name = "LENGTH")]
-    tolerance: Option<f64>,
-    /// The same as a fraction of the larger diagonal; 1e-6 if neither is given.
-    #[arg(long, value_name = "FRACTION")]
-    relative_tolerance: Option<f64>,
-    /// Decides whether the clearance is at least LIMIT: exit status 0 for yes, 1 for no, 3 for undecided.
-    #[arg(long, value_name = "LIMIT")]
-    pub(crate) limit: Option<f64>,
-    /// Judges by --limit the faces that were read where others were left out; else that is undecided.
-    #[arg(long)]
-    pub(crate) allow_skipped: bool,
-    /// Takes for the verdict what holds for every reading of the files within their gaps.
-    #[arg(long)]
-    pub(crate) strict_gaps: bool,
-    /// Seconds after which the interval reached is the result.
-    #[arg(long, value_name = "SECONDS")]
-    max_seconds: Option<f64>,
-    /// Pairs of cells after which the interval reached is the result.
-    #[arg(long, hide_short_help = true, value_name = "CELLS")]
-    max_cells: Option<usize>,
-    #[command(flatten)]
-    pub(crate) placement: Placement,
-    /// Prints the result as one JSON object.
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-impl ClearanceArguments {
-    /// The library's options.
-    ///
-    /// # Errors
-    /// As [`RigidTransform::new`]; the library checks the ranges.
-    pub(crate) fn options(&self) -> Result<ClearanceOptions> {
-        Ok(ClearanceOptions {
-            tolerance: self.tolerance,
-            relative_tolerance: self.relative_tolerance,
-            limit: self.limit,
-            max_seconds: self.max_seconds,
-            max_cells: self.max_cells,
             scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
         })

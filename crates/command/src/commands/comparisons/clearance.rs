@@ -1,6 +1,6 @@
 //! The command `clearance`.
 
-use crate::arguments::ClearanceArguments;
+use crate::arguments::clearance::ClearanceArguments;
 use crate::failure::Failure;
 use crate::input::{Input, is_judged, read_both};
 use crate::output::digits::bounded;
@@ -17,17 +17,17 @@ use std::fmt::{Result, Write};
 pub(crate) fn run(arguments: &ClearanceArguments) -> std::result::Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
-    let [a, b] = read_both([&arguments.a, &arguments.b], arguments.placement.units)?;
+    let [a, b] = read_both([&arguments.search.a, &arguments.search.b], arguments.search.placement.units)?;
     let engine = Engine::cpu();
     let mut bar = Bar::new();
     let mut result = engine.clearance(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
     drop(bar);
-    if arguments.limit.is_some() && !is_judged(&a, &b, arguments.allow_skipped) {
+    if arguments.limit.is_some() && !is_judged(&a, &b, arguments.search.allow_skipped) {
         (result.at_least, result.with_gaps.at_least) = (None, None);
     }
     let at_least = if arguments.strict_gaps { result.with_gaps.at_least } else { result.at_least };
     let verdict = arguments.limit.map(|_| Verdict::of(at_least));
-    if arguments.json {
+    if arguments.search.json {
         let asked = Asked { command: "clearance", verdict, limit: arguments.limit, symmetric: None };
         print_json(&OfFiles::new(asked, &result, &a, &b))?;
     } else {

@@ -1,6 +1,6 @@
 //! The command `gaps`.
 
-use crate::arguments::gaps::GapsArguments;
+use crate::arguments::clearance::GapsArguments;
 use crate::failure::Failure;
 use crate::input::{Input, is_judged, read_both};
 use crate::output::digits::{bounded, number};
@@ -17,13 +17,13 @@ use std::fmt::{Result, Write};
 pub(crate) fn run(arguments: &GapsArguments) -> std::result::Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
-    let [a, b] = read_both([&arguments.a, &arguments.b], arguments.placement.units)?;
+    let [a, b] = read_both([&arguments.search.a, &arguments.search.b], arguments.search.placement.units)?;
     let engine = Engine::cpu();
     let mut bar = Bar::new();
     let result = engine.gaps(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
     drop(bar);
-    let is_known = is_judged(&a, &b, arguments.allow_skipped) && result.complete;
-    if arguments.json {
+    let is_known = is_judged(&a, &b, arguments.search.allow_skipped) && result.complete;
+    if arguments.search.json {
         let asked = Asked { command: "gaps", verdict: None, limit: None, symmetric: None };
         print_json(&OfFiles::new(asked, &result, &a, &b))?;
     } else {

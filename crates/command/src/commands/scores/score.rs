@@ -164,7 +164,7 @@ fn model(out: &mut String, name: &str, model: &ScoredModel) -> Result {
     let ScoredModel { bodies, sheets, duplicates, self_overlaps, .. } = model;
     let itself = match model.embedded {
         Some(false) if *self_overlaps > 0 => format!(", {self_overlaps} of them meet themselves"),
-        None => ", of which some may meet themselves".to_owned(),
+        None if bodies + sheets > 0 => ", embedding undecided".to_owned(),
         _ => String::new(),
     };
     writeln!(
