@@ -88,6 +88,16 @@ impl ParamBox {
         self.contains(other.low()) && self.contains(other.high())
     }
 
+    /// Returns the smallest rectangle that contains both.
+    #[must_use]
+    pub(crate) fn union(&self, other: &Self) -> Self {
+        let around = |axis: usize| {
+            let ([a, b], [c, d]) = (self.intervals[axis], other.intervals[axis]);
+            [if a < c { a } else { c }, if b > d { b } else { d }]
+        };
+        Self::new(around(0), around(1))
+    }
+
     /// Returns the two intervals.
     #[must_use]
     #[inline]

@@ -60,8 +60,8 @@ pub(super) struct Complex {
 type EdgeKey = ([u32; 2], usize);
 
 impl Complex {
-    /// Makes the complex of patches whose surfaces are joined at these arcs, of which some lie on the surfaces of trimmed
-    /// faces. O(patches + arcs).
+    /// Makes the complex of patches whose surfaces are joined at these arcs. `sheet` names the surface of the trimmed face
+    /// that a patch lies on, if it lies on one. O(patches + arcs).
     pub(super) fn new(
         model: &BezierModel,
         joined: Vec<JoinedArc>,
@@ -223,8 +223,8 @@ impl SharedEdge {
 const MAX_APART: f64 = 1e-3;
 
 /// Returns the part of an arc's side that corresponds to a part of its partner's, and an upper bound on the distance of
-/// points that correspond (lemma S5 of docs/solids.md), of which less than `narrow` is not looked for; none if that part
-/// is not within the partner.
+/// points that correspond (lemma S5 of docs/solids.md). A bound of at most `narrow` is not improved. Returns none if that
+/// part is not within the partner.
 fn image(inner: &Arc, interval: [f64; 2], outer: &Arc, narrow: f64) -> Option<([f64; 2], f64)> {
     let [from, to] = inner.range;
     let local = |t: f64| (t - from) / (to - from);
@@ -248,7 +248,8 @@ fn image(inner: &Arc, interval: [f64; 2], outer: &Arc, narrow: f64) -> Option<([
     Some((image, width))
 }
 
-/// The largest number of times that a part is divided for a smaller bound of the width, of which each leaves an eighth.
+/// The largest number of times that a part is divided for a smaller bound on the width. Each division leaves an eighth of
+/// the bound.
 const MAX_WIDTH_DIVISIONS: u32 = 4;
 
 /// Returns an upper bound on the distance of points that correspond on parts of two curves, divided at points of the second

@@ -22,6 +22,13 @@ pub(super) struct Direction {
     pub(super) error: f64,
 }
 
+impl Direction {
+    /// Returns the direction turned round.
+    pub(super) fn back(self) -> Self {
+        Self { unit: -self.unit, ..self }
+    }
+}
+
 /// The directions of a derivative: it is a sum of vectors along them with coefficients of 0 or more, and of a vector that
 /// is hardly any (lemma S8 of docs/solids.md).
 #[derive(Debug, Clone, Default)]
@@ -34,8 +41,7 @@ pub(super) struct Directions {
 impl Directions {
     /// Returns the same directions, turned round if `is_turned`.
     pub(super) fn turned(&self, is_turned: bool) -> impl Iterator<Item = Direction> + '_ {
-        let sign = if is_turned { -1.0 } else { 1.0 };
-        self.list.iter().map(move |&Direction { unit, error }| Direction { unit: sign * unit, error })
+        self.list.iter().map(move |&direction| if is_turned { direction.back() } else { direction })
     }
 }
 
@@ -259,7 +265,7 @@ mod tests {
     }
 
     /// An edge that turns by as much as a piece is skew to it may run along that piece. Where the edge turns by less,
-    /// the margin is what is left, over one and its tangent.
+    /// the margin is the remainder, divided by one and its tangent.
     #[test]
     fn an_edge_that_turns_takes_from_the_margin_what_is_skew() {
         let turning = |tangent: f64| {

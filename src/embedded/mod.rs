@@ -2,9 +2,11 @@
 //!
 //! Patches are identified along the edges that were joined, and at the corners that follow from them ([`complex`]). Pairs
 //! of pieces of them ([`piece`]) are divided until each is decided by a lower bound on the distance, or by the directions
-//! ([`directions`]) in which both go from what they share ([`search`]). Triangles are decided by signs of determinants
+//! ([`directions`]) in which both go from what they share ([`search`]); what is stated of a pair is compared with points of
+//! both ([`audit`]). Triangles are decided by signs of determinants
 //! ([`triangles`]). docs/solids.md, section 2, has the lemmas S8 and S9. Nothing here knows of files or options.
 
+mod audit;
 mod complex;
 mod directions;
 mod piece;
@@ -50,6 +52,8 @@ pub(crate) enum Doubt {
     Contact,
     /// Too many pairs, or too late.
     Budget,
+    /// Points of a pair contradict what was stated of it, which they do only if the library has a fault.
+    Refuted,
 }
 
 /// What is decided, and until when.

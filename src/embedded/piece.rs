@@ -1,8 +1,9 @@
 //! Pieces of patches, made when they are first needed.
 
+use super::audit::Grid;
 use super::directions::{Direction, Directions, Net};
 use crate::axis::Axis;
-use crate::bezier::Patch;
+use crate::bezier::{Patch, PatchSet};
 use crate::bvh::Aabb;
 use crate::param_box::ParamBox;
 use crate::rounding::upper_max;
@@ -38,6 +39,7 @@ pub(super) struct Piece {
     pub(super) level: u32,
     pub(super) halves: Option<[u32; 2]>,
     along: [OnceCell<Directions>; 2],
+    grid: OnceCell<Grid>,
 }
 
 /// The turn that counts as much as all the length of a piece, which decides where it is plane.
@@ -80,6 +82,7 @@ impl Piece {
             level,
             halves: None,
             along: Default::default(),
+            grid: OnceCell::new(),
         }
     }
 
@@ -122,6 +125,15 @@ impl Piece {
         self.range[side.axis][side.end] == side.end as f64
     }
 
+    /// Returns the points at the ends and the middles of both parameters, evaluated on the patch.
+    pub(super) fn grid(&self, patches: &PatchSet) -> &Grid {
+        self.grid.get_or_init(|| {
+            let patch = patches.patch(self.patch as usize);
+            let shares = [0.0, 0.5, 1.0];
+            shares.map(|u| shares.map(|v| patch.point(self.range.at([u, v]))))
+        })
+    }
+
     /// Returns a corner by the ends of both parameters.
     pub(super) fn corner(&self, [u, v]: [usize; 2]) -> DVec3 {
         let [p, q] = self.degree;
@@ -129,7 +141,7 @@ impl Piece {
     }
 }
 
-/// The length of a leg, relative to the patch's radius, up to which it may be rounding, and tells no turn.
+/// The least length of a leg, relative to the patch's radius: a shorter leg may be rounding, and has no direction.
 const MIN_LEG: f64 = 1e-9;
 
 /// Returns the first place strictly inside a side of a rectangle, by the axis along that and the parameter.

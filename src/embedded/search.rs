@@ -1,9 +1,10 @@
 //! Pairs of pieces, divided until each is decided.
 
+use super::audit::{FromShared, Ways, from_side, from_touch, points_of};
 use super::complex::{Complex, Place, SharedEdge, Touch};
 use super::directions::{Direction, EdgeCone, common_side};
 use super::piece::{Piece, Side};
-use super::sheets::{Plane, SheetSearch, union};
+use super::sheets::{Plane, SheetSearch};
 use super::{Doubt, Limits, Verdict};
 use crate::axis::Axis;
 use crate::bezier::PatchSet;
@@ -12,7 +13,7 @@ use crate::clearance::hull_distance;
 use crate::param_box::ParamBox;
 use crate::rounding::{VANISHING_LENGTH, gamma, upper_max};
 use glam::DVec3;
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 
 /// The largest number of divisions of a patch.
 const MAX_LEVEL: u32 = 40;
@@ -27,6 +28,10 @@ const PAIRS_EACH: usize = 512;
 
 /// The pairs between two looks at the time.
 const PAIRS_AT_ONCE: usize = 1024;
+
+/// The number of distances of computed points that an audit adds and compares. Each is off by the error of two points at
+/// most, and so by the nearness.
+const AUDITED_DISTANCES: f64 = 3.0;
 
 /// The roundings of the distance of two hulls (lemma C2 of docs/clearance.md).
 const HULL_ROUNDINGS: f64 = 64.0;
@@ -51,6 +56,8 @@ pub(super) struct Search<'a> {
     apart: f64,
     /// The number that the verdict states.
     within: f64,
+    /// Whether points contradicted what was stated of a pair.
+    is_refuted: Cell<bool>,
 }
 
 impl<'a> Search<'a> {
@@ -64,7 +71,8 @@ impl<'a> Search<'a> {
         let pieces: Vec<Piece> = (0..patches.len()).map(whole).collect();
         let aabb = pieces.iter().fold(Aabb::EMPTY, |aabb, piece| aabb.union(piece.aabb));
         let rounding = gamma(HULL_ROUNDINGS) * aabb.farthest_from_origin() + VANISHING_LENGTH;
-        Self { patches, complex, sheets, limits, pieces, apart: limits.nearness + rounding, within: 0.0 }
+        let (apart, is_refuted) = (limits.nearness + rounding, Cell::new(false));
+        Self { patches, complex, sheets, limits, pieces, apart, within: 0.0, is_refuted }
     }
 
     /// Decides all pairs, or returns the first that is not decided.
@@ -80,7 +88,11 @@ impl<'a> Search<'a> {
             if count > budget || is_late {
                 return self.undecided(task, Doubt::Budget);
             }
-            if self.is_decided(task) {
+            let is_decided = self.is_decided(task);
+            if self.is_refuted.get() {
+                return self.undecided(task, Doubt::Refuted);
+            }
+            if is_decided {
                 continue;
             }
             if self.is_small(task) {
@@ -153,8 +165,7 @@ impl<'a> Search<'a> {
         let within = match task {
             Task::One(index) => {
                 let piece = self.piece(index);
-                let on_sheet = self.on_one_sheet([piece; 2]).filter(|&within| within <= most);
-                on_sheet.or_else(|| self.alone(piece).filter(|&within| within <= most))
+                self.on_one_sheet([piece; 2], most).or_else(|| self.alone(piece, most))
             }
             Task::Two(pieces) => self.apart(pieces.map(|index| self.piece(index)), most),
         };
@@ -163,14 +174,42 @@ impl<'a> Search<'a> {
         true
     }
 
+    /// Returns the bound on the ways between points that are near each other, if it is at most `most`; notes if points of
+    /// the pieces contradict it.
+    fn stated(&self, ways: Ways, most: f64, holds: impl FnOnce(f64) -> bool) -> Option<f64> {
+        let within = ways.at(self.apart);
+        if within > most {
+            return None;
+        }
+        if !holds(AUDITED_DISTANCES * self.apart) {
+            self.is_refuted.set(true);
+            return None;
+        }
+        Some(within)
+    }
+
+    /// As [`Self::stated`], of the ways from points of two pieces.
+    fn stated_between(
+        &self,
+        ways: Ways,
+        most: f64,
+        points: impl FnOnce() -> [Vec<FromShared>; 2],
+    ) -> Option<f64> {
+        self.stated(ways, most, |slack| {
+            let [one, other] = points();
+            ways.hold_between([&one, &other], slack)
+        })
+    }
+
     /// Returns an upper bound on the way, on the surface of their face, between points of two pieces that are near each other
     /// (lemma S8, a), if both are of one trimmed face.
-    fn on_one_sheet(&self, pieces: [&Piece; 2]) -> Option<f64> {
+    fn on_one_sheet(&self, pieces: [&Piece; 2], most: f64) -> Option<f64> {
         let sheets = self.sheets?;
         let [one, other] = pieces.map(|piece| sheets.sheet(piece.patch));
         let sheet = one.filter(|_| one == other)?;
-        let (margin, rest) = sheets.together(sheet, pieces)?;
-        Some((self.apart + 2.0 * sheets.off() + rest) / margin)
+        let (ways, grid) = sheets.together(sheet, pieces)?;
+        let ways = Ways { rest: ways.rest + 2.0 * sheets.off(), ..ways };
+        self.stated(ways, most, |slack| ways.hold_on(&grid, slack))
     }
 
     /// Returns an upper bound on the ways from points of two pieces that are near each other to an edge or a corner, if the
@@ -179,15 +218,19 @@ impl<'a> Search<'a> {
         let sheets = self.sheets?;
         let sheet = sheets.sheet(on.patch)?;
         let plane = sheets.plane(sheet);
-        let near = self.apart + 2.0 * sheets.off();
+        let near = 2.0 * sheets.off();
         let image = OnceCell::new();
-        let within = |range: &ParamBox, directions: &[Direction], (steps, rest): (f64, f64)| {
+        let ways = |range: &ParamBox, directions: &[Direction], (steps, rest): (f64, f64)| {
             let image = (*image.get_or_init(|| sheets.image(on.patch, &on.range)))?;
-            let (margin, of_sheet) = sheets.directions(sheet, &union(&image, range))?.leaving(directions)?;
-            Some((near + steps + rest + of_sheet) / margin)
+            let ways = sheets.directions(sheet, &image.union(range))?.leaving(directions)?;
+            Some(Ways { rest: ways.rest + near + steps + rest, ..ways })
         };
         let from_plane = |plane: Plane, points: &[DVec3], directions: &[Direction], rest: f64| {
-            Some((near + plane.off() + plane.distance(points) + rest) / plane.leaving(directions)?)
+            let rest = near + plane.off() + plane.distance(points) + rest;
+            Some(Ways { margin: plane.leaving(directions)?, rest })
+        };
+        let stated = |ways: Option<Ways>, of_off: &dyn Fn() -> Vec<FromShared>| {
+            self.stated_between(ways?, most, || [points_of(on, self.patches), of_off()])
         };
         for (edge, own, other) in self.complex.edges_with(off.patch, sheet) {
             let side = edge.sides[own];
@@ -199,10 +242,11 @@ impl<'a> Search<'a> {
                 Some(plane) => from_plane(plane, &off.side_points(side), &directions, rest),
                 None => edge.image_of(off, own, self.apart).and_then(|(part, width)| {
                     let range = sheets.image_of_side(other, edge.sides[1 - own], part)?;
-                    within(&range, &directions, (width, rest))
+                    ways(&range, &directions, (width, rest))
                 }),
             };
-            if found.is_some_and(|within| within <= most) {
+            let found = stated(found, &|| from_side(off, side, self.patches));
+            if found.is_some() {
                 return found;
             }
         }
@@ -217,9 +261,10 @@ impl<'a> Search<'a> {
                 Some(plane) => from_plane(plane, &corner_points(off, touch), &directions, rest + spread),
                 None => sheets
                     .image(patch, &ParamBox::new([u; 2], [v; 2]))
-                    .and_then(|range| within(&range, &directions, (spread, rest))),
+                    .and_then(|range| ways(&range, &directions, (spread, rest))),
             };
-            if found.is_some_and(|within| within <= most) {
+            let found = stated(found, &|| from_touch(off, touch, self.patches));
+            if found.is_some() {
                 return found;
             }
         }
@@ -227,7 +272,7 @@ impl<'a> Search<'a> {
     }
 
     /// Returns an upper bound on the way between two points of a piece that are near each other (lemma S8, a).
-    fn alone(&self, piece: &Piece) -> Option<f64> {
+    fn alone(&self, piece: &Piece, most: f64) -> Option<f64> {
         let [along_u, along_v] = Axis::BOTH.map(|axis| piece.along(axis));
         let of = |is_turned: bool| along_u.turned(false).chain(along_v.turned(is_turned)).collect::<Vec<_>>();
         if along_u.list.is_empty() || along_v.list.is_empty() {
@@ -236,19 +281,18 @@ impl<'a> Search<'a> {
         let (_, same) = common_side(&of(false))?;
         let (_, opposite) = common_side(&of(true))?;
         let margin = if same < opposite { same } else { opposite };
-        Some((self.apart + along_u.rest + along_v.rest) / margin)
+        let ways = Ways { margin, rest: along_u.rest + along_v.rest };
+        self.stated(ways, most, |slack| ways.hold_on(piece.grid(self.patches), slack))
     }
 
     /// Returns an upper bound on the way between points of two pieces that are near each other, 0 if there are none, if one
     /// of at most `most` is found (lemma S8).
     fn apart(&self, [a, b]: [&Piece; 2], most: f64) -> Option<f64> {
-        let is_enough = |within: &f64| *within <= most;
         if !a.aabb.grown(self.apart).meets(&b.aabb) {
             return Some(0.0);
         }
         let on_sheets = || {
-            self.on_one_sheet([a, b])
-                .filter(is_enough)
+            self.on_one_sheet([a, b], most)
                 .or_else(|| self.off_sheet(a, b, most))
                 .or_else(|| self.off_sheet(b, a, most))
         };
@@ -264,11 +308,12 @@ impl<'a> Search<'a> {
             return (found.lower > self.apart).then_some(0.0);
         }
         let beside_halves =
-            halves.into_iter().filter_map(|(pieces, sides)| self.beside(pieces, sides, (0.0, false)));
-        let beside_edges = joined.into_iter().filter_map(|(pieces, edge)| self.beside_edge(pieces, edge));
+            halves.into_iter().filter_map(|(pieces, sides)| self.beside(pieces, sides, (0.0, false), most));
+        let beside_edges =
+            joined.into_iter().filter_map(|(pieces, edge)| self.beside_edge(pieces, edge, most));
         let about_corners =
-            corners.into_iter().filter_map(|(touches, spread)| self.about([a, b], touches, spread));
-        beside_halves.chain(beside_edges).chain(about_corners).find(is_enough)
+            corners.into_iter().filter_map(|(touches, spread)| self.about([a, b], touches, spread, most));
+        beside_halves.chain(beside_edges).chain(about_corners).next()
     }
 
     /// Returns the sides along which two pieces of one patch meet, with the pieces in the order of these.
@@ -307,9 +352,9 @@ impl<'a> Search<'a> {
     }
 
     /// Returns what [`Self::beside`] does for two pieces at a joined edge.
-    fn beside_edge(&self, pieces: [&Piece; 2], edge: &SharedEdge) -> Option<f64> {
+    fn beside_edge(&self, pieces: [&Piece; 2], edge: &SharedEdge, most: f64) -> Option<f64> {
         let widths = [0, 1].map(|first| edge.width(pieces, first, self.apart));
-        widths.into_iter().flatten().find_map(|width| self.beside(pieces, edge.sides, width))
+        widths.into_iter().flatten().find_map(|width| self.beside(pieces, edge.sides, width, most))
     }
 
     /// Returns an upper bound on the ways from points of two pieces that are near each other to the side that these share,
@@ -319,6 +364,7 @@ impl<'a> Search<'a> {
         [a, b]: [&Piece; 2],
         sides: [Side; 2],
         (width, is_reversed): (f64, bool),
+        most: f64,
     ) -> Option<f64> {
         let edges = [a.along_side(sides[0]), b.along_side(sides[1])];
         let along: Vec<Direction> = edges[0].turned(false).chain(edges[1].turned(is_reversed)).collect();
@@ -327,18 +373,20 @@ impl<'a> Search<'a> {
         let directions: Vec<Direction> = a.inwards(sides[0]).chain(turned).collect();
         let margin = cone.margin(&directions)?;
         let rests = [a.along(sides[0].axis).rest, b.along(sides[1].axis).rest, edges[0].rest, edges[1].rest];
-        Some((self.apart + width + rests.iter().sum::<f64>()) / margin)
+        let ways = Ways { margin, rest: width + rests.iter().sum::<f64>() };
+        self.stated_between(ways, most, || {
+            [from_side(a, sides[0], self.patches), from_side(b, sides[1], self.patches)]
+        })
     }
 
     /// Returns an upper bound on the ways from points of two pieces that are near each other to the corner that these
     /// share, whose points are this far from each other (lemma S8, c).
-    fn about(&self, pieces: [&Piece; 2], touches: [Touch; 2], spread: f64) -> Option<f64> {
+    fn about(&self, pieces: [&Piece; 2], touches: [Touch; 2], spread: f64, most: f64) -> Option<f64> {
         let [(mut directions, rest), (others, other)] = [0, 1].map(|k| from_corner(pieces[k], touches[k]));
-        directions
-            .extend(others.into_iter().map(|Direction { unit, error }| Direction { unit: -unit, error }));
-        let rest = rest + other;
+        directions.extend(others.into_iter().map(Direction::back));
         let (_, margin) = common_side(&directions)?;
-        Some((self.apart + spread + rest) / margin)
+        let ways = Ways { margin, rest: spread + rest + other };
+        self.stated_between(ways, most, || [0, 1].map(|k| from_touch(pieces[k], touches[k], self.patches)))
     }
 }
 

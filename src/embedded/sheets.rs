@@ -1,5 +1,6 @@
 //! The surfaces that the pieces of trimmed faces lie on, beyond their ends.
 
+use super::audit::{Grid, Ways};
 use super::directions::{Direction, Net, PRODUCT_ROUNDINGS, common_side};
 use super::piece::{Piece, Side};
 use crate::axis::Axis;
@@ -11,7 +12,7 @@ use crate::rounding::{gamma, lower_min, upper_max};
 use glam::DVec3;
 use std::cell::OnceCell;
 
-/// The share of a patch's parameters by which parts of it reach beyond what is asked for, as places are rounded.
+/// The part of a patch's parameters by which a rectangle of it is enlarged, because parameters are rounded.
 const PART_ROUNDING: f64 = 1e-9;
 
 /// The surfaces of trimmed faces.
@@ -35,7 +36,7 @@ pub(super) struct SheetSearch<'a> {
     sheets: &'a Sheets<'a>,
     patches: &'a PatchSet,
     /// Of each surface, over all pieces of its face.
-    whole: Vec<OnceCell<Option<(f64, f64)>>>,
+    whole: Vec<OnceCell<Option<(Ways, Grid)>>>,
     boxes: Vec<Option<ParamBox>>,
     planes: Vec<OnceCell<Option<Plane>>>,
 }
@@ -103,7 +104,7 @@ impl<'a> SheetSearch<'a> {
         for patch in 0..patches.len() as u32 {
             if let Some((sheet, image)) = found.sheet(patch).zip(found.image(patch, &ParamBox::UNIT)) {
                 let known = &mut found.boxes[sheet];
-                *known = Some(known.map_or(image, |known| union(&known, &image)));
+                *known = Some(known.map_or(image, |known| known.union(&image)));
             }
         }
         found
@@ -149,16 +150,31 @@ impl<'a> SheetSearch<'a> {
         self.image(patch, &range)
     }
 
-    /// Returns the margin of lemma S8 (a) and the rest for two pieces of one surface together: over all of its face, or over
-    /// the rectangle of both.
-    pub(super) fn together(&self, sheet: usize, pieces: [&Piece; 2]) -> Option<(f64, f64)> {
-        let whole =
-            self.whole[sheet].get_or_init(|| self.directions(sheet, self.boxes[sheet].as_ref()?)?.alone());
+    /// Returns the bound of lemma S8 (a) for two pieces of one surface together, over all of its face or over the rectangle
+    /// of both, with points of the surface there.
+    pub(super) fn together(&self, sheet: usize, pieces: [&Piece; 2]) -> Option<(Ways, Grid)> {
+        let over =
+            |range: &ParamBox| Some((self.directions(sheet, range)?.alone()?, self.grid(sheet, range)));
+        let whole = self.whole[sheet].get_or_init(|| over(self.boxes[sheet].as_ref()?));
         if whole.is_some() {
             return *whole;
         }
         let [a, b] = pieces.map(|piece| self.image(piece.patch, &piece.range));
-        self.directions(sheet, &union(&a?, &b?))?.alone()
+        over(&a?.union(&b?))
+    }
+
+    /// Returns the points of a surface at the ends and the middles of a rectangle.
+    fn grid(&self, sheet: usize, range: &ParamBox) -> Grid {
+        let grid = &self.sheets.model.grids[sheet];
+        let columns = grid.counts()[1];
+        let shares = [0.0, 0.5, 1.0];
+        shares.map(|u| {
+            shares.map(|v| {
+                let at = range.at([u, v]);
+                let [(row, s), (column, t)] = Axis::BOTH.map(|axis| grid.locate(axis, at[axis.index()]));
+                self.sheets.model.patches.patch(grid.first + row * columns + column).point([s, t])
+            })
+        })
     }
 
     /// Returns the directions of a surface over a rectangle.
@@ -187,7 +203,7 @@ impl<'a> SheetSearch<'a> {
                     let [from, to] = [grid.breaks[axis][span], grid.breaks[axis][span + 1]];
                     let local = |at: f64| (at - from) / (to - from);
                     let [low, high] = range[axis].map(local);
-                    // Of positive length, whatever is asked for.
+                    // The part has positive length, also at an end of the patch.
                     let low = (low - PART_ROUNDING).clamp(0.0, 1.0 - PART_ROUNDING);
                     [low, (high + PART_ROUNDING).clamp(low + PART_ROUNDING, 1.0)]
                 });
@@ -206,18 +222,16 @@ impl<'a> SheetSearch<'a> {
 }
 
 impl SheetDirections {
-    /// Returns the margin of lemma S8 (a), and the rest.
-    fn alone(&self) -> Option<(f64, f64)> {
-        let margins = self.signed(&[[1.0, 1.0], [1.0, -1.0]], &[])?;
-        Some((margins, 2.0 * self.rest))
+    /// Returns the bound of lemma S8 (a).
+    fn alone(&self) -> Option<Ways> {
+        Some(Ways { margin: self.signed(&[[1.0, 1.0], [1.0, -1.0]], &[])?, rest: 2.0 * self.rest })
     }
 
-    /// Returns the margin of lemma S8 (d) for directions that leave the surface, and the rest.
-    pub(super) fn leaving(&self, directions: &[Direction]) -> Option<(f64, f64)> {
-        let back: Vec<Direction> =
-            directions.iter().map(|&Direction { unit, error }| Direction { unit: -unit, error }).collect();
+    /// Returns the bound of lemma S8 (d) for directions that leave the surface.
+    pub(super) fn leaving(&self, directions: &[Direction]) -> Option<Ways> {
+        let back: Vec<Direction> = directions.iter().map(|direction| direction.back()).collect();
         let signs = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
-        Some((self.signed(&signs, &back)?, 2.0 * self.rest))
+        Some(Ways { margin: self.signed(&signs, &back)?, rest: 2.0 * self.rest })
     }
 
     /// Returns the least margin of the directions along both parameters with each of these signs and of others.
@@ -238,15 +252,6 @@ impl SheetDirections {
         }
         Some(least)
     }
-}
-
-/// Returns the rectangle around two.
-pub(super) fn union(one: &ParamBox, other: &ParamBox) -> ParamBox {
-    let [u, v] = [0, 1].map(|axis| {
-        let ([a, b], [c, d]) = (one[axis], other[axis]);
-        [if a < c { a } else { c }, if b > d { b } else { d }]
-    });
-    ParamBox::new(u, v)
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -308,14 +313,14 @@ mod tests {
         // One that is good enough is not made better.
         let is_margin = |found: f64, largest: f64| 0.1 <= found && found <= largest + 1e-5;
         // Two directions at a right angle to each other are at half of one to the plane between them.
-        let (alone, rest) = part(1e-6).alone().unwrap();
-        assert!(is_margin(alone, 0.5_f64.sqrt()) && rest == 0.0, "{alone}");
+        let alone = part(1e-6).alone().unwrap();
+        assert!(is_margin(alone.margin, 0.5_f64.sqrt()) && alone.rest == 0.0, "{alone:?}");
         assert!(part(0.25).alone().is_some() && part(0.49).alone().is_some());
         assert!(part(0.5).alone().is_none() && part(1.0).alone().is_none());
         // Outwards where the surface begins.
         let out = exact(&[DVec3::X]);
-        let (leaving, _) = part(1e-6).leaving(&out).unwrap();
-        assert!(is_margin(leaving, 3.0_f64.sqrt().recip()), "{leaving}");
+        let leaving = part(1e-6).leaving(&out).unwrap();
+        assert!(is_margin(leaving.margin, 3.0_f64.sqrt().recip()), "{leaving:?}");
         assert!(part(0.24).leaving(&out).is_some());
         assert!(part(0.25).leaving(&out).is_none());
         assert!(part(1e-3).leaving(&exact(&[DVec3::Y])).is_none());

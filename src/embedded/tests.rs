@@ -48,8 +48,8 @@ fn of(surfaces: Vec<SurfaceArrays>) -> Model {
     Model::from_arrays(None, surfaces).unwrap()
 }
 
-/// A smooth tube about a closed curve in 48 parts, of which the section is smooth too, 0.8 wide and 1 high: its highest
-/// and lowest lines have the heights of the curve and 1 more where that is level.
+/// A smooth tube about a closed curve in 48 parts. Its section is smooth too, 0.8 wide and 1 high: where the curve is
+/// level, the lowest line of the tube has the height of the curve, and the highest line is 1 above it.
 fn tube(curve: impl Fn(f64) -> DVec3) -> Model {
     const PARTS: usize = 48;
     let at = |part: usize| {
@@ -63,7 +63,7 @@ fn tube(curve: impl Fn(f64) -> DVec3) -> Model {
     of(vec![spline([2, 2], &(0..PARTS + 2).map(at).collect::<Vec<_>>())])
 }
 
-/// A figure of eight, of which one strand is above the other one where they cross, and level there.
+/// A figure of eight: where its two strands cross, both are level, and one is above the other one.
 fn eight(rise: f64) -> impl Fn(f64) -> DVec3 {
     move |t| {
         let height = 0.5 * rise * (2.0 * t.cos()).clamp(-1.0, 1.0);
@@ -149,7 +149,7 @@ fn a_tube_that_passes_itself_is_embedded_until_it_touches() {
     }
 }
 
-/// What is nearer than the gaps is not told apart.
+/// Strands that are nearer to each other than the gaps of the body may touch within these.
 #[test]
 fn a_tube_that_passes_itself_nearer_than_its_gaps_is_undecided() {
     let model = tube(eight(1.001));

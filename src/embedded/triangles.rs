@@ -244,7 +244,7 @@ mod tests {
         })
     }
 
-    /// Lemma S9, against whole numbers: small ones, of which many are in one plane or along each other, and large ones.
+    /// Lemma S9 is compared with whole numbers. Many of the small ones lie in one plane or along each other.
     #[test]
     fn triangles_at_a_corner_are_apart_only_if_they_have_no_other_common_point() {
         let random = &mut fastrand::Rng::with_seed(3);

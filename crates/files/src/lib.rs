@@ -60,8 +60,8 @@ pub fn open(path: impl AsRef<Path>) -> Result<Opened> {
     read(content, &path.display().to_string(), &beside)
 }
 
-/// Reads the bytes of a file, which gzip may have compressed, with those of the files beside it. `name` names the
-/// file in errors, and its ending tells meshes without a signature apart. O(length).
+/// Reads the bytes of a file, which gzip may have compressed, with those of the files beside it. Errors state
+/// `name`, and its ending determines the format of a mesh without a signature. O(length).
 ///
 /// # Errors
 /// Those of [`MeshFormat::of_file`], [`MeshFile::read_with`], [`from_file`] and [`PreparedModel`].
@@ -104,7 +104,7 @@ pub fn read_facets(bytes: Vec<u8>, name: &str, beside: &Beside) -> Result<MeshFi
     }
 }
 
-/// Whether a STEP file may hold triangles, of whose entities' names all have this word.
+/// Whether a STEP file may hold triangles: the name of each entity with triangles contains this word.
 fn may_hold_triangles(bytes: &[u8]) -> bool {
     const WORD: &[u8] = b"TRIANGULATED";
     bytes.windows(WORD.len()).any(|window| window == WORD)

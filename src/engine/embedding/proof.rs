@@ -24,7 +24,7 @@ pub struct Embedding {
     /// Of a body that is embedded, how far points of its boundary are from each other along it, at most, that are as near
     /// to each other as its gaps: 0 where nothing but exact triangles has to be known.
     pub embedded_within: Option<f64>,
-    /// Of a body of which neither is certain, why.
+    /// Why neither is certain; `None` where one is.
     pub embedded_unknown: Option<EmbeddedUnknown>,
     /// Of a body that is not embedded, a place at which its boundary meets itself.
     pub self_overlap: Option<SelfOverlap>,
@@ -53,6 +53,8 @@ pub enum EmbeddedDoubt {
     Contact,
     /// The number of pairs of pieces, or the time, was spent before all were decided.
     Budget,
+    /// Points of the boundary contradicted what was proven of them, so that nothing is stated: the library has a fault.
+    Refuted,
     /// A mesh has gaps, which triangles say nothing about.
     Gaps,
     /// A mesh has more triangles than are joined, 250,000.
@@ -70,10 +72,9 @@ impl PreparedModel {
         }
         let unknown = match self.embedded_verdict(is_late) {
             Ok(Verdict::Embedded { within }) => {
-                let embedded = (Some(true), Some(within));
                 return Embedding {
-                    embedded: embedded.0,
-                    embedded_within: embedded.1,
+                    embedded: Some(true),
+                    embedded_within: Some(within),
                     ..Embedding::default()
                 };
             }
@@ -117,6 +118,7 @@ impl PreparedModel {
         let why = match doubt {
             Doubt::Contact => EmbeddedDoubt::Contact,
             Doubt::Budget => EmbeddedDoubt::Budget,
+            Doubt::Refuted => EmbeddedDoubt::Refuted,
         };
         let mut faces = match self.facets() {
             Some(_) => Vec::new(),

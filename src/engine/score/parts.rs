@@ -14,8 +14,12 @@ const PART: Interval = Interval { lower: 0.0, upper: 1.0 };
 
 impl ScoredModel {
     /// Measures a model moved by a transform; a cloud has no bodies that could meet themselves. The facts are computed
-    /// at first use.
-    pub(super) fn new(model: &PreparedModel, transform: &RigidTransform) -> Self {
+    /// at first use. When it is late, nothing is known of whether bodies meet themselves.
+    pub(super) fn new(
+        model: &PreparedModel,
+        transform: &RigidTransform,
+        is_late: &(dyn Fn() -> bool + Sync),
+    ) -> Self {
         let (bodies, facts) = (model.bodies(), model.facts());
         let counts = Counts::of_prepared(model);
         let duplicates = counts.duplicate_faces + counts.duplicate_triangles;
@@ -23,7 +27,7 @@ impl ScoredModel {
         let closed = !bodies.is_empty() && of_kind(BodyKind::Solid) == bodies.len();
         let oriented = oriented(&bodies);
         let singles = model.single_bodies().unwrap_or_default();
-        let embedded = map(singles.len(), |index| singles[index].embedding(&|| false).embedded);
+        let embedded = map(singles.len(), |index| singles[index].embedding(is_late).embedded);
         let self_overlaps = embedded.iter().filter(|&&embedded| embedded == Some(false)).count();
         let is_known = !embedded.is_empty() && embedded.iter().all(Option::is_some);
         let embedded = if self_overlaps > 0 { Some(false) } else { is_known.then_some(true) };

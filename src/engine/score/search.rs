@@ -7,7 +7,7 @@ use super::requirements::{is_missed, judged, verdict};
 use super::result::{Difference, FaceCounts, HausdorffScore, Score, ScoredModel, SurfaceScore};
 use super::{ScoreNumber, ScoreOptions, options};
 use crate::engine::overlap::Patience;
-use crate::engine::section::{Section, seconds_left};
+use crate::engine::section::{Section, is_over, seconds_left};
 use crate::engine::statistics::{Asked, Sums};
 use crate::engine::{
     Backend, Beyond, CertifiedOptions, Computation, DiffOptions, DistanceOptions, DistanceResult, Engine,
@@ -170,8 +170,9 @@ impl<'a> Pair<'a> {
 
     /// Returns what facts say.
     fn begun(&self, placement: Placement) -> Score {
-        let candidate = ScoredModel::new(self.candidate, &self.transform);
-        let truth = ScoredModel::new(self.truth, &RigidTransform::IDENTITY);
+        let is_late = || is_over(self.started, self.options.max_seconds);
+        let candidate = ScoredModel::new(self.candidate, &self.transform, &is_late);
+        let truth = ScoredModel::new(self.truth, &RigidTransform::IDENTITY, &is_late);
         let compared = |one: Option<Interval>, other: Option<Interval>| Some(Difference::new(one?, other?));
         let centroids = candidate.centroid.zip(truth.centroid);
         Score {

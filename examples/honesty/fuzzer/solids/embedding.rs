@@ -41,8 +41,8 @@ fn bodies(model: &PreparedModel) -> nurbs_hausdorff::Result<Vec<CheckedBody>> {
     Ok(Engine::cpu().check(&[NamedModel { name: None, model }], &options).wait()?.bodies)
 }
 
-/// A tube of height 1 along a figure of eight of which one strand is `rise` above the other where they cross: it passes
-/// into itself there if that is less than 1. Of degree 1 or 2 along both parameters, with a seam anywhere.
+/// A tube of height 1 along a figure of eight. Where the two strands cross, one is `rise` above the other one, so that the
+/// tube passes into itself if `rise` is less than 1. It has degree 1 or 2 along both parameters, and its seam is anywhere.
 fn tube(rng: &mut Rng, rise: f64) -> Option<Model> {
     let parts = 24 + 8 * rng.usize(0..4);
     let (degree, first) = (rng.usize(1..3), rng.usize(0..parts));

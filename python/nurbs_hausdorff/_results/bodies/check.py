@@ -41,17 +41,17 @@ class EmbeddedUnknown:
 
     Attributes
     ----------
-    why : {"contact", "budget", "gaps", "too-large"}
+    why : {"contact", "budget", "refuted", "gaps", "too-large"}
         Faces touch, cross, or come as near to each other as the gaps beside all edges and corners
-        that they share; too many pairs of pieces, or too late; a mesh has gaps; a mesh has more
-        than 250,000 triangles.
+        that they share; too many pairs of pieces, or too late; points contradicted what was proven
+        of them, a fault of the library; a mesh has gaps; a mesh has more than 250,000 triangles.
     faces : tuple of int
         Two faces, or one, of a pair that was not decided, in the body's model; none of a mesh.
     point : tuple of float or None
         A point about where it is, if it is at one.
     """
 
-    why: Literal["contact", "budget", "gaps", "too-large"]
+    why: Literal["contact", "budget", "refuted", "gaps", "too-large"]
     faces: tuple[int, ...]
     point: Point | None
 

@@ -105,10 +105,10 @@ export interface CheckedBody {
 export interface EmbeddedUnknown {
   /**
    * `contact`: faces touch, cross, or come as near to each other as the gaps beside all edges and corners that they
-   * share; `budget`: too many pairs of pieces, or too late; `gaps`: a mesh has gaps; `too-large`: a mesh has more than
-   * 250,000 triangles.
+   * share; `budget`: too many pairs of pieces, or too late; `refuted`: points contradicted what was proven of
+   * them, a fault of the library; `gaps`: a mesh has gaps; `too-large`: a mesh has more than 250,000 triangles.
    */
-  why: "contact" | "budget" | "gaps" | "too-large";
+  why: "contact" | "budget" | "refuted" | "gaps" | "too-large";
   /** The indices of two faces, or of one, of a pair that was not decided, in the body's model; none of a mesh. */
   faces: number[];
   /** A point about where it is, if it is at one. */
