@@ -259,6 +259,7 @@ impl SheetDirections {
 mod tests {
     use super::*;
     use crate::bezier::extract;
+    use crate::model::{Model, SurfaceArrays};
     use crate::shapes;
 
     fn exact(vectors: &[DVec3]) -> Vec<Direction> {
@@ -291,6 +292,28 @@ mod tests {
         assert!((plane.leaving(&uncertain).unwrap() - 0.3).abs() < 1e-12);
         let bent = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 1e-6)];
         assert!(Plane::of(&bent).is_none());
+    }
+
+    /// A plane quadrilateral that lies on itself along a fold, with one parameter reversed and as it is: one of both choices of
+    /// signs has its directions on one side.
+    #[test]
+    fn a_surface_that_folds_over_has_no_bound() {
+        let quad = |corners: [[f64; 2]; 4]| {
+            let control_points = corners.map(|[x, y]| [x, y, 0.0, 1.0]).to_vec();
+            let knots = [0, 1].map(|_| vec![0.0, 0.0, 1.0, 1.0]);
+            let surface = SurfaceArrays { degree: [1, 1], knots, counts: [2, 2], control_points };
+            extract(&Model::from_arrays(None, vec![surface]).unwrap())
+        };
+        let is_bound = |corners: [[f64; 2]; 4]| {
+            let (model, patches) = (quad(corners), PatchSet::default());
+            let sheets = sheets_of(&model);
+            SheetSearch::new(&sheets, &patches).directions(0, &ParamBox::UNIT).unwrap().alone().is_some()
+        };
+        for reach in [0.2, 0.5] {
+            let [a, b, c, d] = [[0.0, 0.0], [1.0, 0.3], [1.0, 0.0], [2.0, reach + 0.3]];
+            assert_eq!(is_bound([a, b, c, d]), reach < 0.3, "{reach}");
+            assert_eq!(is_bound([c, d, a, b]), reach < 0.3, "{reach}, reversed");
+        }
     }
 
     /// Of a quarter of a cylinder, the tangents turn by a quarter: alone, they are on both sides of no plane. What leaves it

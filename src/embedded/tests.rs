@@ -245,12 +245,35 @@ fn edges_that_end_within_others_are_shared_in_parts() {
 }
 
 /// A plane quadrilateral whose sides turn past each other, so that it lies on itself along a fold: the directions along both
-/// parameters are all to one side, and not apart from each other.
+/// parameters are all to one side, and not apart from each other; with one parameter reversed, they are apart from each
+/// other, and not to one side.
 #[test]
 fn a_patch_that_folds_over_is_not_embedded() {
-    let with = |y: f64| quads(&[[[0.0; 3], [1.0, 0.0, 0.0], [2.0, y + 0.3, 0.0], [1.0, 0.3, 0.0]]]);
-    assert!(is_embedded(&with(0.2)), "{:?}", verdict(&with(0.2)));
-    assert!(!is_embedded(&with(0.5)));
+    let with = |y: f64| [[0.0; 3], [1.0, 0.0, 0.0], [2.0, y + 0.3, 0.0], [1.0, 0.3, 0.0]];
+    let reversed = |[a, b, c, d]: [[f64; 3]; 4]| [b, a, d, c];
+    for (plain, folded) in [(with(0.2), with(0.5)), (reversed(with(0.2)), reversed(with(0.5)))] {
+        assert!(is_embedded(&quads(&[plain])), "{:?}", verdict(&quads(&[plain])));
+        assert!(!is_embedded(&quads(&[folded])), "{folded:?}");
+    }
+}
+
+/// Four squares about a point, one of which is moved by a gap along both of its edges there: it has a square of that side in
+/// common with the one across the point, with whose corner it has its own in common only. The ways from the two other
+/// corners of the common square are two sides each.
+#[test]
+fn the_spread_of_a_corner_is_in_what_is_stated() {
+    let gap = 1e-6;
+    let square = |x: f64, y: f64, by: f64| {
+        [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[s, t]| [x + s + by, y + t + by, 0.0])
+    };
+    let model = quads(&[
+        square(0.0, 0.0, 0.0),
+        square(-1.0, 0.0, 0.0),
+        square(-1.0, -1.0, gap),
+        square(0.0, -1.0, 0.0),
+    ]);
+    let Verdict::Embedded { within } = verdict(&model) else { panic!("{:?}", verdict(&model)) };
+    assert!(2.0 * gap <= within && within < 2.4 * gap, "{within:e}");
 }
 
 /// A sheet and one at a right angle to it, joined at edges between which both pass through each other: the ways from where
