@@ -170,7 +170,8 @@ impl<'a> Pair<'a> {
 
     /// Returns what facts say.
     fn begun(&self, placement: Placement) -> Score {
-        let is_late = || is_over(self.started, self.options.max_seconds);
+        let (started, most) = (self.started, self.options.max_seconds);
+        let is_late = move || is_over(started, most);
         let candidate = ScoredModel::new(self.candidate, &self.transform, &is_late);
         let truth = ScoredModel::new(self.truth, &RigidTransform::IDENTITY, &is_late);
         let compared = |one: Option<Interval>, other: Option<Interval>| Some(Difference::new(one?, other?));
