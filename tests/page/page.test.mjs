@@ -29,12 +29,12 @@ async function openPlanes(a, b) {
   );
 }
 
-/** Returns red, green and blue at a point to the left of the arrow, which is in the middle of the view. */
-async function colorLeftOfMiddle() {
+/** Returns red, green and blue at the middle of the part of the view above the legend, where a model that is wide is fitted. */
+async function colorAboveLegend() {
   const { page } = opened;
   const { x, y, width, height } = await page.locator("#canvas").boundingBox();
   await drawn(page);
-  const at = { x: Math.floor(x + 0.44 * width), y: Math.floor(y + height / 2) };
+  const at = { x: Math.floor(x + width / 2), y: Math.floor(y + height / 4) };
   const clip = { ...at, width: 1, height: 1 };
   const image = (await page.screenshot({ clip })).toString("base64");
   return page.evaluate(async (image) => {
@@ -107,7 +107,7 @@ test("the deviation of a plane above and below another is signed, coloured, and 
     // The deviation has one sign, and so has the scale.
     assert.equal(await page.locator("#scale-low").textContent(), ends[0]);
     assert.equal(await page.locator("#scale-high").textContent(), ends[1]);
-    const [r, , b] = await colorLeftOfMiddle();
+    const [r, , b] = await colorAboveLegend();
     assert.ok(red ? r > b + 50 : b > r + 50, `red ${r}, blue ${b}`);
   }
   await opened.until("done", () => page.locator("#deviation").uncheck());
