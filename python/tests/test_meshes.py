@@ -8,16 +8,7 @@ import numpy as np
 import pytest
 
 import nurbs_hausdorff as nh
-
-#: A square of side 2 about the origin, as two triangles.
-CORNERS = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
-TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
-
-
-def flat(height):
-    """The same square, at a height, as a surface."""
-    ctrl = (CORNERS + [0, 0, height])[[0, 3, 1, 2]].reshape(2, 2, 3)
-    return {"degree": [1, 1], "knots_u": [0, 0, 1, 1], "knots_v": [0, 0, 1, 1], "ctrl": ctrl}
+from square import CORNERS, TRIANGLES, contains, flat, refused
 
 
 def stl():
@@ -25,10 +16,6 @@ def stl():
         struct.pack("<12fH", 0, 0, 1, *CORNERS[triangle].ravel(), 0) for triangle in TRIANGLES
     )
     return bytes(80) + struct.pack("<I", len(TRIANGLES)) + facets
-
-
-def contains(result, expected):
-    return result.lower <= expected <= result.upper and result.upper - result.lower < 1e-5
 
 
 def test_meshes_and_points_at_either_side():
@@ -113,14 +100,6 @@ def test_meshes_of_trimesh_are_taken():
     assert contains(nh.distance(trimesh.PointCloud([[0.0, 0.0, 4.0]]), flat(1.0)), 3.0)
 
 
-def test_meshes_of_pyvista_are_taken():
-    pyvista = pytest.importorskip("pyvista")
-    square = pyvista.Plane(i_size=2, j_size=2, i_resolution=3, j_resolution=2)
-    model = nh.model(square)
-    assert model.facet_count == 12 and contains(nh.distance(model, flat(0.5)), 0.5)
-    assert nh.model(pyvista.PolyData(CORNERS)).kind == "points"
-
-
 def test_statistics_are_intervals():
     def holds(found, expected):
         return found.lower <= expected <= found.upper
@@ -133,12 +112,6 @@ def test_statistics_are_intervals():
     points = np.array([[0, 0, 1], [0.5, 0.5, 2], [1, 1, 6]], float)
     counted = nh.statistics(points, flat(0.0))
     assert counted.over == "count" and holds(counted.mean, 3.0) and counted.beyond is None
-
-
-def refused(part):
-    with pytest.raises(nh.NurbsHausdorffError) as raised:
-        nh.model(part)
-    return raised.value
 
 
 def test_arrays_that_would_lose_something_are_refused():
@@ -181,29 +154,6 @@ def test_scenes_and_paths_of_trimesh():
     assert model.bounding_box[1, 2] == pytest.approx(8.0)
     path = trimesh.path.Path3D([trimesh.path.entities.Line([0, 1])], vertices=CORNERS)
     assert "no surface" in str(refused(path))
-
-
-def test_meshes_of_meshio():
-    meshio = pytest.importorskip("meshio")
-    square = [("quad", np.array([[0, 1, 2, 3]])), ("triangle", np.array([[0, 1, 2]]))]
-    model = nh.model(meshio.Mesh(CORNERS, square))
-    assert (model.kind, model.facet_count, model.gap) == ("mesh", 3, 0.0)
-    assert contains(nh.distance(model, flat(3.0)), 3.0)
-    raised = meshio.Mesh(CORNERS + [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 0.4]], square[:1])
-    assert nh.model(raised).gap == pytest.approx(0.1, rel=0.05)
-    with pytest.warns(UserWarning, match="1 lines"):
-        assert nh.model(meshio.Mesh(CORNERS, [*square, ("line", np.array([[0, 1]]))])).facet_count == 3
-    assert nh.model(meshio.Mesh(CORNERS, [])).kind == "points"
-    tetrahedron = meshio.Mesh(np.vstack([CORNERS[:3], [[0, 0, 1]]]), [("tetra", np.array([[0, 1, 2, 3]]))])
-    assert "'tetra'" in str(refused(tetrahedron))
-
-
-def test_grids_and_blocks_of_pyvista():
-    pyvista = pytest.importorskip("pyvista")
-    plane = pyvista.Plane(i_size=2, j_size=2)
-    assert nh.model(plane.cast_to_unstructured_grid()).facet_count == nh.model(plane).facet_count
-    blocks = pyvista.MultiBlock([plane.triangulate(), plane.triangulate().translate((0, 0, 1))])
-    assert nh.model(blocks).facet_count == 2 * plane.triangulate().n_cells
 
 
 def test_matrices_off_a_motion_are_refused():

@@ -220,14 +220,3 @@ def test_a_histogram_has_the_area_of_the_model():
     assert len(axes.patches) == 20 and drawn == pytest.approx(field.statistics.area)
     lower, upper = nh.model(sheet()).area
     assert drawn == pytest.approx((lower + upper) / 2, rel=1e-3)
-
-
-def test_a_field_becomes_a_pyvista_mesh():
-    pytest.importorskip("pyvista")
-    field = nh.field(sheet(), sheet(height=1.0), samples=5)
-    grid = field.to_pyvista()[0]
-    assert grid.n_points == 25
-    order = np.argsort(grid.points @ [7.0, 1.0, 0.1])
-    distances = field.parts[0].distances.ravel()
-    other = np.argsort(field.parts[0].points.reshape(-1, 3) @ [7.0, 1.0, 0.1])
-    assert np.allclose(grid.point_data["distance"][order], distances[other])

@@ -22,20 +22,29 @@ const groups = {
 
 export const packages = Object.values(groups).flatMap((group) => group.packages);
 
+/** Libraries whose shapes and meshes the package takes, in environments of their own: their versions of OCP differ. */
+const libraries = [
+  {
+    name: "cadquery",
+    packages: ["cadquery", "pyvista", "meshio"],
+    tests: ["test_cadquery.py", "test_pyvista.py", "test_meshio.py"],
+  },
+  { name: "build123d", packages: ["build123d"], tests: ["test_build123d.py"] },
+];
+
 /** Why a group cannot be had, by its name. */
 const why = {};
 
-const has = (imports) => ask(program("python"), ["-c", `import ${imports}`]) !== undefined;
-
-/** Installs a group of packages, or returns why that cannot be done. */
-async function install({ packages, imports }) {
-  if (has(imports)) return undefined;
+/** Installs a group of packages in an environment, or returns why that cannot be done. */
+async function install({ packages, imports }, folder = home) {
+  const of = (name) => join(folder, "bin", name);
+  if (ask(of("python"), ["-c", `import ${imports}`]) !== undefined) return undefined;
   try {
-    if (!existsSync(program("pip"))) {
-      rmSync(home, { recursive: true, force: true });
-      await must("python3", ["-m", "venv", home]);
+    if (!existsSync(of("pip"))) {
+      rmSync(folder, { recursive: true, force: true });
+      await must("python3", ["-m", "venv", folder]);
     }
-    await must(program("pip"), ["install", "--quiet", ...packages]);
+    await must(of("pip"), ["install", "--quiet", ...packages]);
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     return `its packages cannot be installed: ${error.message.split("\n")[0]}`;
@@ -63,6 +72,12 @@ export function skipped(name) {
   return line;
 }
 
+/** Where the wheel is built. */
+const wheels = inRoot("target", "python-wheels");
+
+/** Files of one name may be in several folders, and what was skipped is listed. */
+const pytest = ["-v", "-rs", "--import-mode=importlib"];
+
 /**
  * Compiles in half of the time: little is optimised, and no function is inlined across units of code generation. Warnings
  * are refused, as this is where the tests compile the crate as its users do, without the feature `internals`.
@@ -77,7 +92,6 @@ const QUICK = {
 export async function testPython(differences = QUICK) {
   const line = skipped("python");
   if (line !== undefined) return line;
-  const wheels = inRoot("target", "python-wheels");
   rmSync(wheels, { recursive: true, force: true });
   // A folder of its own: Cargo writes a library of the kinds cdylib and rlib to one file whatever
   // its features are, and the tests of Rust would be linked with that of the wheel.
@@ -87,12 +101,38 @@ export async function testPython(differences = QUICK) {
     cwd: inRoot("python"),
     env: environment({ ...target, ...differences, VIRTUAL_ENV: home }),
   });
-  const [wheel] = readdirSync(wheels);
-  const install = ["install", "--quiet", "--no-deps", "--force-reinstall", join(wheels, wheel)];
-  await must(program("pip"), install);
+  await installWheel(home);
   await must(program("mypy"), ["--strict", "nurbs_hausdorff"], { cwd: inRoot("python") });
   // Beside the tests, not beside the sources, which are not what users import.
   const cwd = inRoot("python", "tests");
   await must(program("stubtest"), ["nurbs_hausdorff._native"], { cwd });
-  return must(program("pytest"), ["-v", "-rs", "--import-mode=importlib", "."], { cwd });
+  return must(program("pytest"), [...pytest, "--ignore=libraries", "."], { cwd });
+}
+
+/** Installs the wheel that was built in an environment. */
+async function installWheel(folder) {
+  const [wheel] = readdirSync(wheels);
+  const install = ["install", "--quiet", "--no-deps", "--force-reinstall", join(wheels, wheel)];
+  await must(join(folder, "bin", "pip"), install);
+}
+
+/** Tests the package with shapes and meshes of other libraries. */
+export async function testLibraries() {
+  const line = skipped("python");
+  if (line !== undefined) return line;
+  const outputs = [];
+  for (const { name, packages, tests } of libraries) {
+    const folder = `${home}-${name}`;
+    const imports = [...packages, "pytest"].join(", ");
+    const reason = await install({ packages: [...packages, "pytest"], imports }, folder);
+    if (reason !== undefined) {
+      outputs.push(`SKIPPED libraries: ${packages.join(", ")}: ${reason}`);
+      say(outputs.at(-1));
+      continue;
+    }
+    await installWheel(folder);
+    const cwd = inRoot("python", "tests", "libraries");
+    outputs.push(await must(join(folder, "bin", "pytest"), [...pytest, ...tests], { cwd }));
+  }
+  return outputs.join("\n");
 }

@@ -17,7 +17,7 @@ import { vulkan } from "../setup/lavapipe.mjs";
 import { toolsEnvironment } from "../setup/tools.mjs";
 import { checkBudget } from "./budget.mjs";
 import { testEngines } from "./engines.mjs";
-import { installPackages, testPython } from "./python.mjs";
+import { installPackages, testLibraries, testPython } from "./python.mjs";
 
 const denyWarnings = ["--", "-D", "warnings"];
 
@@ -194,6 +194,13 @@ export const steps = [
     needs: ["command"],
     what: "Rust documentation",
     run: () => lint(["doc", "--release", "--locked", "--no-deps"], { RUSTDOCFLAGS: "-D warnings" }),
+  },
+  {
+    name: "libraries",
+    row: "lints",
+    what: "the Python package with CadQuery, build123d, pyvista and meshio",
+    needs: ["command", "python"],
+    run: () => testLibraries(),
   },
   {
     name: "rust",
