@@ -30,10 +30,12 @@ pub(super) struct Discs {
     half: f64,
     /// Bounds on what the locations multiply lengths by.
     norms: [f64; 2],
-    /// Errors of the parameters of the curve, of the surface and of the edge by rounding.
+    /// Errors of the parameters of the curve and of the edge by rounding.
     parameter: f64,
-    parameters: [f64; 2],
     edge_parameter: f64,
+    /// The coordinates of the middle in the parameters of the surface, and their errors by rounding, relative to them.
+    middle: [f64; 2],
+    relative_of_parameters: f64,
     /// The error of points by rounding, relative to their size.
     relative: f64,
     /// The size of coordinates at the middle.
@@ -60,8 +62,6 @@ impl Discs {
         let half = 0.5 * (t1 - t0);
         let roundings = |degree: usize| (ROUNDINGS + ROUNDINGS_A_DEGREE * degree) as f64 * f64::EPSILON;
         let degree = lifted.curve.degree();
-        let reach = curve.radii(half);
-        let parameters = [0, 1].map(|axis| roundings(degree) * (center[axis].abs() + reach[axis]));
         let size = local.on_surface(t).length() + lifted.on_edge(s).length();
         Self {
             curve,
@@ -71,7 +71,8 @@ impl Discs {
             half,
             norms: [lifted.surface_location.matrix3, lifted.edge_location.matrix3].map(norm),
             parameter: roundings(0) * t0.abs().max(t1.abs()),
-            parameters,
+            middle: at.map(f64::abs),
+            relative_of_parameters: roundings(degree),
             edge_parameter: roundings(0) * s0.abs().max(s1.abs()),
             relative: roundings(lifted.surface.total_degree() + lifted.edge.degree()),
             size,
@@ -108,10 +109,30 @@ impl Discs {
     /// Returns an upper bound on the error of the difference by rounding and by the knots that
     /// the part passes: there the polynomial of either cell slips from their common point.
     pub(super) fn rounding(&self, edge: &Correspondence) -> f64 {
-        let reach = self.curve.radii(self.half);
-        let slip_of_curve =
-            |axis: usize| slip(|radius| self.curve.radii(radius)[axis], self.half, self.parameter);
-        let moved = [0, 1].map(|axis| self.parameters[axis] + slip_of_curve(axis) + 2.0 * self.passed[axis]);
+        self.rounding_over(self.half, self.passed, &self.surfaces, edge.reach(1.0))
+            + self.relative * self.moved(1.0, edge)
+    }
+
+    /// Returns what remains of [`Self::rounding`] in a part about the same middle, however short it is.
+    pub(super) fn least_rounding(&self) -> f64 {
+        self.rounding_over(0.0, [0.0; 2], &self.surfaces[..1], 0.0)
+    }
+
+    /// Returns the error by rounding over `half` of the curve and `reach_of_edge` of the edge about the middle, in cells
+    /// of the surface whose knots are passed by this length.
+    fn rounding_over(
+        &self,
+        half: f64,
+        passed: [f64; 2],
+        surfaces: &[SurfaceMajorant],
+        reach_of_edge: f64,
+    ) -> f64 {
+        let reach = self.curve.radii(half);
+        let slip_of_curve = |axis: usize| slip(|radius| self.curve.radii(radius)[axis], half, self.parameter);
+        let error = |axis: usize| {
+            self.relative_of_parameters * (self.middle[axis] + reach[axis]) + slip_of_curve(axis)
+        };
+        let moved = [0, 1].map(|axis| error(axis) + 2.0 * passed[axis]);
         let slip_of_surface = |surface: &SurfaceMajorant| {
             let at = |axis: usize, radius: f64| {
                 let mut radii = [reach.x, reach.y];
@@ -120,11 +141,9 @@ impl Discs {
             };
             [0, 1].map(|axis| slip(|radius| at(axis, radius), reach[axis], moved[axis])).iter().sum::<f64>()
         };
-        let on_surface: f64 = self.surfaces.iter().map(slip_of_surface).sum();
-        let on_edge = slip(|radius| self.edge.radii(radius).length(), edge.reach(1.0), self.edge_parameter);
-        self.norms[0] * on_surface
-            + self.norms[1] * on_edge
-            + self.relative * (self.size + self.moved(1.0, edge))
+        let on_surface: f64 = surfaces.iter().map(slip_of_surface).sum();
+        let on_edge = slip(|radius| self.edge.radii(radius).length(), reach_of_edge, self.edge_parameter);
+        self.norms[0] * on_surface + self.norms[1] * on_edge + self.relative * self.size
     }
 }
 

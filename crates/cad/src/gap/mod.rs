@@ -19,9 +19,13 @@ use glam::{DAffine3, DVec3};
 use part::GapPart;
 use std::collections::BinaryHeap;
 
-/// The bound is at most this factor above the largest distance found, unless it is below
-/// the resolution or the parts run out.
+/// The bound is at most this factor above the largest distance found, unless it is below the resolution or
+/// near its rounding, or the parts run out.
 const TIGHTNESS: f64 = 1.1;
+
+/// The factor above what rounding has in every bound, however short the part, at which cuts end: they cannot halve
+/// such a bound.
+const NEAR_ROUNDING: f64 = 2.0;
 
 /// The accuracy of the bound relative to the size of the edge, below that of any fit.
 const RESOLUTION: f64 = 1e-10;
@@ -77,7 +81,7 @@ impl Lifted<'_> {
         while let Some(worst) = parts.peek() {
             let bound = worst.upper;
             refinements += usize::from(bound.is_finite());
-            if bound <= floor.max(TIGHTNESS * lower)
+            if bound <= floor.max(TIGHTNESS * lower).max(NEAR_ROUNDING * worst.least_rounding)
                 || parts.len() > MAX_PARTS
                 || refinements > MAX_REFINEMENTS
             {

@@ -1,12 +1,12 @@
 //! A part of a curve and its bound.
 
-use super::Lifted;
 use super::cells::Crossed;
 use super::correspondence::Correspondence;
 use super::discs::Discs;
 use super::interpolant::{largest, points};
 use super::local::{Ends, Local, LocalCurve, LocalSurface};
 use super::majorant::CurveMajorant;
+use super::{Lifted, NEAR_ROUNDING};
 use glam::DVec3;
 use nurbs_hausdorff::workspace::ordered_by;
 
@@ -19,6 +19,8 @@ pub(super) struct GapPart {
     pub(super) lower: f64,
     /// The largest distance of corresponding points at nodes.
     sampled: f64,
+    /// What rounding has in the upper bound of any part of it, however short.
+    pub(super) least_rounding: f64,
     cut: Cut,
 }
 
@@ -36,7 +38,8 @@ const REMAINDER_PART: f64 = 0.02;
 impl GapPart {
     /// Bounds a part. `found` is a distance near which the bound need not be more accurate.
     pub(super) fn new(lifted: &Lifted<'_>, ends: Ends, found: f64) -> Self {
-        let unbounded = |cut| Self { ends, upper: f64::INFINITY, lower: 0.0, sampled: 0.0, cut };
+        let unbounded =
+            |cut| Self { ends, upper: f64::INFINITY, lower: 0.0, sampled: 0.0, least_rounding: 0.0, cut };
         let [(t0, s0), (t1, s1)] = ends;
         let [t, s] = [0.5 * (t0 + t1), 0.5 * (s0 + s1)];
         if let Some(knot) = knot_inside(lifted.curve.cell(t), [t0, t1]) {
@@ -66,10 +69,14 @@ impl GapPart {
         };
         let discs = Discs::new(&local, ends, center, curve, &crossed);
         let affine = Correspondence::affine([s0, s1]);
+        // Distances below what rounding has in every bound cannot be told from it.
+        let least_rounding = discs.least_rounding();
+        let enough = found.max(NEAR_ROUNDING * least_rounding);
+        let found = found.max(least_rounding);
         let mut part = Self::bounded(&local, ends, &discs, &affine, found);
         // Curves that coincide with other parameters have a small distance only between
         // their nearest points.
-        if part.upper > found
+        if part.upper > enough
             && part.sampled > super::TIGHTNESS * part.lower
             && let Some(nearest) = Correspondence::nearest(&local, ends)
         {
@@ -108,13 +115,8 @@ impl GapPart {
             }
         }
         upper += discs.rounding(edge);
-        Self {
-            ends,
-            upper: if upper.is_nan() { f64::INFINITY } else { upper },
-            lower,
-            sampled,
-            cut: Cut::Middle,
-        }
+        let upper = if upper.is_nan() { f64::INFINITY } else { upper };
+        Self { ends, upper, lower, sampled, least_rounding: discs.least_rounding(), cut: Cut::Middle }
     }
 
     /// Returns the ends of both parts, or none where float64 has no parameter between them.
