@@ -2,6 +2,5 @@
 
 pub(crate) mod bernstein;
 pub mod chebyshev;
-#[cfg(feature = "shapes")]
 pub(crate) mod elimination;
 pub(crate) mod least_squares;

@@ -1,5 +1,6 @@
 //! Bernstein coefficients of the polynomial through points.
 
+use crate::approximation::elimination::eliminated;
 use crate::limits::MAX_ORDER;
 use std::f64::consts::PI;
 
@@ -26,34 +27,22 @@ pub struct Interpolation {
 }
 
 impl Interpolation {
-    /// Inverts the matrix by Gauss-Jordan elimination without pivoting, which is accurate as
-    /// the matrix is totally positive (C. de Boor, A. Pinkus, *Backward error analysis for
-    /// totally positive linear systems*). The degree is at least 1 and below `MAX_ORDER`.
-    /// O(degree³).
+    /// Inverts the matrix, which is totally positive. The degree is at least 1 and below `MAX_ORDER`.
+    /// O(degree⁴).
     #[must_use]
     pub fn new(degree: usize) -> Self {
         let order = degree + 1;
         let angle = |k: usize| PI * k as f64 / degree as f64;
         let nodes: Vec<f64> = (0..order).map(|k| (0.5 * angle(k)).sin().powi(2)).collect();
-        let row = |(index, &node): (usize, &f64)| {
-            let mut row = bernstein(degree, node)[..order].to_vec();
-            row.resize(2 * order, 0.0);
-            row[order + index] = 1.0;
-            row
+        let matrix: Vec<Vec<f64>> =
+            nodes.iter().map(|&node| bernstein(degree, node)[..order].to_vec()).collect();
+        let column = |k: usize| {
+            let unit = (0..order).map(|row| if row == k { 1.0 } else { 0.0 }).collect();
+            eliminated(matrix.clone(), unit)
         };
-        let mut rows: Vec<Vec<f64>> = nodes.iter().enumerate().map(row).collect();
-        for pivot in 0..order {
-            let scale = rows[pivot][pivot].recip();
-            rows[pivot].iter_mut().for_each(|value| *value *= scale);
-            let pivot_row = rows[pivot].clone();
-            for (index, row) in rows.iter_mut().enumerate() {
-                let factor = row[pivot];
-                if index != pivot && factor != 0.0 {
-                    row.iter_mut().zip(&pivot_row).for_each(|(value, pivot)| *value -= factor * pivot);
-                }
-            }
-        }
-        Self { nodes, inverse: rows.into_iter().map(|row| row[order..].to_vec()).collect() }
+        let columns: Vec<Vec<f64>> = (0..order).map(column).collect();
+        let inverse = (0..order).map(|row| columns.iter().map(|column| column[row]).collect()).collect();
+        Self { nodes, inverse }
     }
 
     /// Returns the degree + 1 nodes, from 0 to 1.
