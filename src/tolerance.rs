@@ -42,11 +42,6 @@ impl PermittedWidth {
         self.relative_tolerance.map_or(Ok(()), |found| positive("relative tolerance", found))
     }
 
-    /// Returns whether the width is a fraction of the diagonal.
-    pub(crate) fn is_relative(self) -> bool {
-        self.tolerance.is_none()
-    }
-
     /// Returns the width in model units, where `default` is the fraction of the diagonal if
     /// neither option is given.
     pub(crate) fn in_units(self, diagonal: f64, default: f64) -> f64 {

@@ -4,7 +4,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Model", "best_fit", "check", "clearance", "closest_points", "deviation_maps", "diff", "distance", "field", "gaps", "names_beside", "overlap", "score", "signed_distances", "statistics"]
+__all__ = ["Model", "ask", "check", "closest_points", "names_beside", "signed_distances"]
 
 _Report = Callable[[float, tuple[float, float] | None], bool]
 _Motion = tuple[tuple[float, float, float, float], tuple[float, float, float]]
@@ -47,38 +47,11 @@ class Model:
     def to_json(self) -> str: ...
     def tessellate(self, options: dict[str, Any]) -> dict[str, NDArray[Any]]: ...
 
-def distance(
-    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
-) -> dict[str, Any]: ...
-def diff(
-    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
-) -> dict[str, Any]: ...
-def best_fit(
-    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
+def ask(
+    query: str, a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
 ) -> dict[str, Any]: ...
 def check(
     models: list[tuple[str | None, Model]], options: dict[str, Any], report: _Report | None
-) -> dict[str, Any]: ...
-def clearance(
-    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
-) -> dict[str, Any]: ...
-def overlap(
-    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
-) -> dict[str, Any]: ...
-def gaps(
-    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
-) -> dict[str, Any]: ...
-def score(
-    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
-) -> dict[str, Any]: ...
-def statistics(
-    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
-) -> dict[str, Any]: ...
-def field(
-    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
-) -> dict[str, Any]: ...
-def deviation_maps(
-    a: Model, b: Model, options: dict[str, Any], motion: _Motion, report: _Report | None
 ) -> dict[str, Any]: ...
 def closest_points(
     model: Model,

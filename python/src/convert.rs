@@ -4,7 +4,7 @@ use crate::failure;
 use glam::{DQuat, DVec3};
 use numpy::IntoPyArray;
 use nurbs_hausdorff::result::FaceDeviations;
-use nurbs_hausdorff::{ClosestPoints, Precision, RigidTransform, SignedDistances};
+use nurbs_hausdorff::{ClosestPoints, DeviationField, Precision, RigidTransform, SignedDistances};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use pythonize::{depythonize, pythonize};
@@ -57,6 +57,19 @@ pub(crate) fn fields(py: Python<'_>, fields: Vec<FaceDeviations>) -> PyResult<Bo
         list.append(dict)?;
     }
     Ok(list)
+}
+
+/// Returns a field as a dictionary, with one of flat arrays for each of its parts.
+///
+/// # Errors
+/// Those of Python, such as a lack of memory.
+pub(crate) fn field(py: Python<'_>, found: DeviationField) -> PyResult<Bound<'_, PyDict>> {
+    let dict = PyDict::new(py);
+    dict.set_item("diagonal", found.diagonal)?;
+    let statistics = found.statistics.map(|statistics| to_dict(py, &statistics)).transpose()?;
+    dict.set_item("statistics", statistics)?;
+    dict.set_item("deviations", fields(py, found.deviations)?)?;
+    Ok(dict)
 }
 
 /// Returns signed distances as a dictionary of flat arrays, x fastest.

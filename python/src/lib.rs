@@ -17,12 +17,7 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _native {
     #[pymodule_export]
-    use crate::maps::deviation_maps;
-    #[pymodule_export]
-    use crate::measure::{
-        best_fit, check, clearance, closest_points, diff, distance, field, gaps, overlap, score,
-        signed_distances, statistics,
-    };
+    use crate::measure::{ask, check, closest_points, signed_distances};
     #[pymodule_export]
     use crate::model::{Model, names_beside};
 }

@@ -1,41 +1,23 @@
 //! Maps of deviations.
 
-use crate::convert::{self, Motion};
-use crate::measure::cpu;
-use crate::model::Model;
-use crate::running::{Caller, run};
 use numpy::IntoPyArray;
-use nurbs_hausdorff::{DeviationMap, DeviationMapOptions};
+use nurbs_hausdorff::{DeviationMap, DeviationMaps};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use pythonize::pythonize;
 
-#[pyfunction]
-pub(crate) fn deviation_maps<'py>(
-    py: Python<'py>,
-    a: &Model,
-    b: &Model,
-    options: &Bound<'py, PyDict>,
-    motion: Motion,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let mut options: DeviationMapOptions = convert::options(options)?;
-    options.transform = convert::transform(py, motion)?;
-    let engine = cpu(py);
-    let compute = |caller: &mut Caller| {
-        engine.deviation_maps(a.prepared(), b.prepared(), &options).monitored(caller).wait()
-    };
-    let result = run(py, report, compute, |_| false)?;
+/// Returns maps as dictionaries of flat arrays.
+pub(crate) fn arrays(py: Python<'_>, maps: DeviationMaps) -> PyResult<Bound<'_, PyDict>> {
     let dict = PyDict::new(py);
-    dict.set_item("diagonal", result.diagonal)?;
-    for (name, map) in [("a", result.a), ("b", result.b)] {
-        dict.set_item(name, map.map(|map| arrays(py, map)).transpose()?)?;
+    dict.set_item("diagonal", maps.diagonal)?;
+    for (name, map) in [("a", maps.a), ("b", maps.b)] {
+        dict.set_item(name, map.map(|map| arrays_of(py, map)).transpose()?)?;
     }
     Ok(dict)
 }
 
 /// Returns a map as flat arrays, with the vertices in float64.
-fn arrays(py: Python<'_>, map: DeviationMap) -> PyResult<Bound<'_, PyDict>> {
+fn arrays_of(py: Python<'_>, map: DeviationMap) -> PyResult<Bound<'_, PyDict>> {
     let origin = map.origin.to_array();
     let positions = map.positions.as_chunks::<3>().0.iter();
     let vertices: Vec<f64> =

@@ -2,18 +2,21 @@
 
 use crate::convert::{self, Motion, to_dict};
 use crate::failure;
+use crate::maps;
 use crate::model::Model;
 use crate::running::{Caller, on_live_threads, run};
 use numpy::PyReadonlyArray1;
 use nurbs_hausdorff::result::Stop;
 use nurbs_hausdorff::{
-    Backend, BestFitOptions, CheckOptions, ClearanceOptions, ClosestPointOptions, DiffOptions,
-    DistanceOptions, DistanceResult, Engine, FieldOptions, GapOptions, MethodName, NamedModel, NamedOptions,
-    OverlapOptions, ScoreOptions, SignedDistanceOptions, StatisticsOptions,
+    Backend, BestFitOptions, CheckOptions, ClearanceOptions, ClosestPointOptions, DeviationMapOptions,
+    DiffOptions, DistanceOptions, DistanceResult, Engine, FieldOptions, GapOptions, NamedModel, NamedOptions,
+    OverlapOptions, PreparedModel, Query, ScoreOptions, SignedDistanceOptions, StatisticsOptions,
 };
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::PyDict;
+use serde::de::DeserializeOwned;
 
 /// The engine of everything that needs no GPU.
 static CPU: PyOnceLock<Engine> = PyOnceLock::new();
@@ -21,15 +24,13 @@ static CPU: PyOnceLock<Engine> = PyOnceLock::new();
 static GPU: PyOnceLock<Engine> = PyOnceLock::new();
 
 /// Returns the engine of everything that needs no GPU.
-pub(crate) fn cpu(py: Python<'_>) -> &Engine {
+fn cpu(py: Python<'_>) -> &Engine {
     CPU.get_or_init(py, Engine::cpu)
 }
 
-/// Returns the engine for a distance: method `certified` usually ends in float64 before a GPU
-/// could be initialised.
+/// Returns the engine for a distance.
 fn engine_for<'py>(py: Python<'py>, options: &DistanceOptions) -> PyResult<&'py Engine> {
-    let staged = options.method.name() != MethodName::Certified || options.deviations;
-    if !(options.backend == Backend::Gpu || staged && options.backend == Backend::Auto) {
+    if !options.may_use_gpu() {
         return Ok(cpu(py));
     }
     GPU.get_or_try_init(py, || {
@@ -44,21 +45,14 @@ fn is_cancelled(result: &DistanceResult) -> bool {
         || [&result.forward, &result.reverse].into_iter().flatten().any(|direction| is_cancelled(direction))
 }
 
-#[pyfunction]
-pub(crate) fn distance<'py>(
-    py: Python<'py>,
-    a: &Model,
-    b: &Model,
-    options: &Bound<'py, PyDict>,
-    motion: Motion,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
+/// Returns the answer to the question of a distance.
+fn distance<'py>(py: Python<'py>, asked: Asked<'_, 'py>) -> PyResult<Bound<'py, PyDict>> {
+    let Asked { models, options, motion, report } = asked;
     let mut named: NamedOptions = convert::options(options)?;
     named.transform = convert::transform(py, motion)?;
     let options = DistanceOptions::try_from(named).map_err(|error| failure::of_error(py, &error))?;
     let engine = engine_for(py, &options)?;
-    let compute =
-        |caller: &mut Caller| engine.distance(a.prepared(), b.prepared(), &options).monitored(caller).wait();
+    let compute = |caller: &mut Caller| options.ask(engine, models).monitored(caller).wait();
     let result = run(py, report, compute, is_cancelled)?;
     let dict = to_dict(py, &result)?;
     for (name, direction) in [("forward", result.forward), ("reverse", result.reverse)] {
@@ -71,24 +65,64 @@ pub(crate) fn distance<'py>(
     Ok(dict)
 }
 
+/// Answers a question about two models by its name; the options and the dictionary returned have the crate's own names.
 #[pyfunction]
-pub(crate) fn diff<'py>(
+pub(crate) fn ask<'py>(
     py: Python<'py>,
+    query: &str,
     a: &Model,
     b: &Model,
     options: &Bound<'py, PyDict>,
     motion: Motion,
     report: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let mut options: DiffOptions = convert::options(options)?;
-    options.transform = convert::transform(py, motion)?;
-    let engine = cpu(py);
-    let compute =
-        |caller: &mut Caller| engine.diff(a.prepared(), b.prepared(), &options).monitored(caller).wait();
-    let result = run(py, report, compute, |_| false)?;
-    let dict = to_dict(py, &result)?;
-    dict.set_item("partsSummary", result.parts_summary())?;
-    Ok(dict)
+    let asked = Asked { models: [a.prepared(), b.prepared()], options, motion, report };
+    match query {
+        "best_fit" => to_dict(py, &asked.answer::<BestFitOptions>(py, |_| false)?),
+        "clearance" => to_dict(py, &asked.answer::<ClearanceOptions>(py, |found| is_stopped(found.stop))?),
+        "deviation_maps" => maps::arrays(py, asked.answer::<DeviationMapOptions>(py, |_| false)?),
+        "diff" => {
+            let result = asked.answer::<DiffOptions>(py, |_| false)?;
+            let dict = to_dict(py, &result)?;
+            dict.set_item("partsSummary", result.parts_summary())?;
+            Ok(dict)
+        }
+        "distance" => distance(py, asked),
+        "field" => convert::field(py, asked.answer::<FieldOptions>(py, |_| false)?),
+        "gaps" => to_dict(py, &asked.answer::<GapOptions>(py, |_| false)?),
+        "overlap" => to_dict(py, &asked.answer::<OverlapOptions>(py, |found| is_stopped(found.stop))?),
+        "score" => to_dict(py, &asked.answer::<ScoreOptions>(py, |_| false)?),
+        "statistics" => to_dict(py, &asked.answer::<StatisticsOptions>(py, |_| false)?),
+        other => Err(PyValueError::new_err(format!("there is no question {other:?}"))),
+    }
+}
+
+/// Whether a search was cancelled, which returned what it had.
+fn is_stopped(stop: Stop) -> bool {
+    stop == Stop::Cancelled
+}
+
+/// A question about two models, as Python asks it.
+struct Asked<'a, 'py> {
+    models: [&'a PreparedModel; 2],
+    options: &'a Bound<'py, PyDict>,
+    motion: Motion,
+    report: Option<Py<PyAny>>,
+}
+
+impl<'py> Asked<'_, 'py> {
+    /// Returns the answer. `is_cancelled` is true for one that a cancelled computation returned.
+    fn answer<Q: Query<Answer: Send> + DeserializeOwned + Sync>(
+        self,
+        py: Python<'py>,
+        is_cancelled: impl FnOnce(&Q::Answer) -> bool,
+    ) -> PyResult<Q::Answer> {
+        let Self { models, options, motion, report } = self;
+        let question = convert::options::<Q>(options)?.moved(convert::transform(py, motion)?);
+        let engine = cpu(py);
+        let compute = |caller: &mut Caller| question.ask(engine, models).monitored(caller).wait();
+        run(py, report, compute, is_cancelled)
+    }
 }
 
 #[pyfunction]
@@ -105,132 +139,6 @@ pub(crate) fn check<'py>(
     let engine = cpu(py);
     let compute = |caller: &mut Caller| engine.check(&models, &options).monitored(caller).wait();
     to_dict(py, &run(py, report, compute, |_| false)?)
-}
-
-#[pyfunction]
-pub(crate) fn clearance<'py>(
-    py: Python<'py>,
-    a: &Model,
-    b: &Model,
-    options: &Bound<'py, PyDict>,
-    motion: Motion,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let mut options: ClearanceOptions = convert::options(options)?;
-    options.transform = convert::transform(py, motion)?;
-    let engine = cpu(py);
-    let compute =
-        |caller: &mut Caller| engine.clearance(a.prepared(), b.prepared(), &options).monitored(caller).wait();
-    to_dict(py, &run(py, report, compute, |result| result.stop == Stop::Cancelled)?)
-}
-
-#[pyfunction]
-pub(crate) fn overlap<'py>(
-    py: Python<'py>,
-    a: &Model,
-    b: &Model,
-    options: &Bound<'py, PyDict>,
-    motion: Motion,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let mut options: OverlapOptions = convert::options(options)?;
-    options.transform = convert::transform(py, motion)?;
-    let engine = cpu(py);
-    let compute =
-        |caller: &mut Caller| engine.overlap(a.prepared(), b.prepared(), &options).monitored(caller).wait();
-    to_dict(py, &run(py, report, compute, |result| result.stop == Stop::Cancelled)?)
-}
-
-#[pyfunction]
-pub(crate) fn statistics<'py>(
-    py: Python<'py>,
-    a: &Model,
-    b: &Model,
-    options: &Bound<'py, PyDict>,
-    motion: Motion,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let mut options: StatisticsOptions = convert::options(options)?;
-    options.transform = convert::transform(py, motion)?;
-    let engine = cpu(py);
-    let compute = |caller: &mut Caller| {
-        engine.statistics(a.prepared(), b.prepared(), &options).monitored(caller).wait()
-    };
-    to_dict(py, &run(py, report, compute, |_| false)?)
-}
-
-#[pyfunction]
-pub(crate) fn score<'py>(
-    py: Python<'py>,
-    a: &Model,
-    b: &Model,
-    options: &Bound<'py, PyDict>,
-    motion: Motion,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let mut options: ScoreOptions = convert::options(options)?;
-    options.transform = convert::transform(py, motion)?;
-    let engine = cpu(py);
-    let compute =
-        |caller: &mut Caller| engine.score(a.prepared(), b.prepared(), &options).monitored(caller).wait();
-    to_dict(py, &run(py, report, compute, |_| false)?)
-}
-
-#[pyfunction]
-pub(crate) fn best_fit<'py>(
-    py: Python<'py>,
-    a: &Model,
-    b: &Model,
-    options: &Bound<'py, PyDict>,
-    motion: Motion,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let mut options: BestFitOptions = convert::options(options)?;
-    options.transform = convert::transform(py, motion)?;
-    let engine = cpu(py);
-    let compute =
-        |caller: &mut Caller| engine.best_fit(a.prepared(), b.prepared(), &options).monitored(caller).wait();
-    to_dict(py, &run(py, report, compute, |_| false)?)
-}
-
-#[pyfunction]
-pub(crate) fn gaps<'py>(
-    py: Python<'py>,
-    a: &Model,
-    b: &Model,
-    options: &Bound<'py, PyDict>,
-    motion: Motion,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let mut options: GapOptions = convert::options(options)?;
-    options.transform = convert::transform(py, motion)?;
-    let engine = cpu(py);
-    let compute =
-        |caller: &mut Caller| engine.gaps(a.prepared(), b.prepared(), &options).monitored(caller).wait();
-    to_dict(py, &run(py, report, compute, |_| false)?)
-}
-
-#[pyfunction]
-pub(crate) fn field<'py>(
-    py: Python<'py>,
-    a: &Model,
-    b: &Model,
-    options: &Bound<'py, PyDict>,
-    motion: Motion,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let mut options: FieldOptions = convert::options(options)?;
-    options.transform = convert::transform(py, motion)?;
-    let engine = cpu(py);
-    let compute =
-        |caller: &mut Caller| engine.field(a.prepared(), b.prepared(), &options).monitored(caller).wait();
-    let result = run(py, report, compute, |_| false)?;
-    let dict = PyDict::new(py);
-    dict.set_item("diagonal", result.diagonal)?;
-    let statistics = result.statistics.map(|statistics| to_dict(py, &statistics)).transpose()?;
-    dict.set_item("statistics", statistics)?;
-    dict.set_item("deviations", convert::fields(py, result.deviations)?)?;
-    Ok(dict)
 }
 
 #[pyfunction]

@@ -1,5 +1,6 @@
 //! One direction of method `certified`, within its budgets.
 
+use super::clock::Clock;
 use super::options::CertifiedOptions;
 use super::result::DirectedResult;
 use super::{Backend, CertifiedDetails, Details, DistanceOptions, PreparedModel, Stop};
@@ -13,7 +14,6 @@ use crate::progress::Progress;
 use crate::surface_point::SurfacePoint;
 use glam::DVec3;
 use std::sync::Arc;
-use std::time::Duration;
 use web_time::Instant;
 
 /// Searches until the interval is as narrow as requested or a budget ends the
@@ -32,7 +32,7 @@ pub(super) async fn certified(
     gpu: Option<&Arc<Gpu>>,
     progress: &mut Progress<'_>,
 ) -> Result<Option<(DirectedResult, Option<String>)>> {
-    let deadline = deadline(Instant::now(), budgets.max_seconds);
+    let deadline = Clock::start(budgets.max_seconds).deadline();
     let run = Run { models, lengths, options, budgets, gpu, deadline };
     let Some(generatrix) = Generatrix::new(&pair, options.width(lengths[0])) else {
         return run.search(pair, 0.0, progress).await;
@@ -52,11 +52,6 @@ pub(super) async fn certified(
         let refuted = refuted(&pair, models[0], &refutation);
         (result, Some(notice.map_or(refuted.clone(), |notice| format!("{notice}; {refuted}"))))
     }))
-}
-
-/// The moment at which a search ends that may take some seconds; `None` for so many that there is none.
-pub(super) fn deadline(started: Instant, max_seconds: Option<f64>) -> Option<Instant> {
-    started.checked_add(Duration::try_from_secs_f64(max_seconds?).ok()?)
 }
 
 /// Adds what an audit did to that of the search.

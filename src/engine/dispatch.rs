@@ -1,7 +1,7 @@
 //! The engine: the choice of the backend, and recovery from lost devices.
 
 use super::direction::{DirectedRun, Direction};
-use super::hint::hint;
+use super::query::Opened;
 use super::{Backend, Computation, DistanceOptions, DistanceResult, Method, MethodName, PreparedModel};
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
@@ -120,20 +120,16 @@ impl Engine {
         options: &DistanceOptions,
         monitor: &mut dyn Monitor,
     ) -> Result<DistanceResult> {
-        options.validate()?;
-        let hint = hint(a, b);
-        let scaled = b.in_unit_of(a, options.scale_units)?;
-        let b = scaled.as_deref().unwrap_or(b);
+        let opened = Opened::new([a, b], options)?;
+        let hint = opened.hint();
         let mut progress = Progress::new(monitor, options.symmetric);
-        let forward = Direction { from: a, to: b, transform: options.transform };
-        let forward = self.directed(&forward, options, &mut progress).await?.into_forward();
+        let forward = self.directed(&opened.forward(), options, &mut progress).await?.into_forward();
         if !options.symmetric {
             progress.finish();
             return Ok(DistanceResult { hint, ..forward });
         }
-        let reverse = Direction { from: b, to: a, transform: options.transform.inverse() };
         progress.second_half();
-        let reverse = self.directed(&reverse, options, &mut progress).await?.into_reverse(options);
+        let reverse = self.directed(&opened.reverse(), options, &mut progress).await?.into_reverse(options);
         progress.finish();
         Ok(DistanceResult { hint, ..DistanceResult::symmetric(forward, reverse) })
     }
@@ -215,7 +211,7 @@ impl Engine {
                     if method != MethodName::Certified && device.is_some() && !in_range {
                         run.add_notice(BEYOND_FLOAT32);
                     }
-                    let relative = method != MethodName::Iteration && options.permitted_width().is_relative();
+                    let relative = method != MethodName::Iteration && options.tolerance.is_none();
                     if relative && run.diagonal == 0.0 {
                         run.add_notice(NO_DIAGONAL);
                     }

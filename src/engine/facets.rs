@@ -1,12 +1,11 @@
 //! One direction from or to a mesh or a cloud, within its budgets.
 
-use super::certified::deadline;
 use super::certified::fraction;
+use super::clock::Clock;
 use super::direction::{DirectedRun, Direction};
 use super::options::CertifiedOptions;
 use super::prepared::PreparedTarget;
 use super::result::DirectedResult;
-use super::section::is_over;
 use super::{CertifiedDetails, Details, DistanceOptions, PreparedModel, Processor, Seconds, Stop};
 use crate::bezier::PatchSet;
 use crate::certified::{AuditReport, Gains};
@@ -17,7 +16,6 @@ use crate::interval::{Interval, Limit};
 use crate::progress::Progress;
 use crate::rounding::gamma;
 use crate::surface_point::SurfacePoint;
-use web_time::Instant;
 
 /// The roundings of the points of a part of a patch, for each degree, relative to the largest
 /// distance of its control points from its centre: lemma R6 of docs/rounding.md.
@@ -71,7 +69,7 @@ impl Direction<'_> {
         budgets: &CertifiedOptions,
         progress: &mut Progress<'_>,
     ) -> Result<DirectedRun> {
-        let started = Instant::now();
+        let clock = Clock::start(budgets.max_seconds);
         let diagonal = self.diagonal();
         let source = match self.from.facets() {
             Some(PreparedFacets { target, error, .. }) => Source::Facets { facets: target, error: *error },
@@ -82,7 +80,7 @@ impl Direction<'_> {
         let tolerance = options.width(diagonal);
         let limit = options.limit.map(|at| Limit { at, gap: self.gap() });
         let mut search = FacetSearch::new(source, measured, self.transform, tolerance, limit);
-        let prepare = started.elapsed().as_secs_f64();
+        let prepare = clock.seconds();
         let stop = search_within(&mut search, budgets, tolerance, progress).await?;
         let result = self.result(&search, stop, options, tolerance)?;
         let count = |model: &PreparedModel| match model.facets() {
@@ -101,7 +99,7 @@ impl Direction<'_> {
             limit: options.limit,
             from_patches: count(self.from),
             to_patches: count(self.to),
-            seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
+            seconds: Seconds { prepare, compile: 0.0, solve: clock.seconds() - prepare },
         })
     }
 
@@ -166,8 +164,8 @@ async fn search_within(
     tolerance: f64,
     progress: &mut Progress<'_>,
 ) -> Result<Stop> {
-    let started = Instant::now();
-    if let Some(deadline) = deadline(started, budgets.max_seconds) {
+    let clock = Clock::start(budgets.max_seconds);
+    if let Some(deadline) = clock.deadline() {
         search.stop_at(deadline);
     }
     progress.section(0.0, 1.0);
@@ -188,7 +186,7 @@ async fn search_within(
         if search.work().cells >= max_cells {
             break Stop::Cells;
         }
-        if is_over(started, budgets.max_seconds) {
+        if clock.is_over() {
             break Stop::Time;
         }
         if progress.is_due() {

@@ -6,6 +6,7 @@ mod bodies;
 mod certified;
 mod check;
 mod clearance;
+mod clock;
 mod computation;
 mod deviation_maps;
 mod diff;
@@ -15,7 +16,6 @@ mod embedding;
 mod facets;
 mod field;
 mod hierarchy;
-mod hint;
 mod info;
 mod iteration;
 mod options;
@@ -23,6 +23,7 @@ mod outlook;
 mod overlap;
 mod points;
 mod prepared;
+mod query;
 mod result;
 mod score;
 mod section;
@@ -68,6 +69,7 @@ pub use points::{
     ClosestPointOptions, ClosestPoints, Grid, GridOptions, Precision, SignedDistanceOptions, SignedDistances,
 };
 pub use prepared::PreparedModel;
+pub use query::{CommonOptions, Query};
 pub use result::{
     AuditReport, Bounds, CertifiedDetails, Details, DistanceResult, HierarchyDetails, IterationDetails,
     Lemma, Lemmas, PatchCounts, Processor, Seconds, Stop, WithGaps, Witness,

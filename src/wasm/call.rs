@@ -1,9 +1,15 @@
 //! Calls of the engine that take their turn.
 
+use super::convert;
+use super::engine::Engine;
+use super::model::PreparedModel;
 use super::progress::JsMonitor;
+use crate::engine::Query;
 use crate::error::{self, Error};
 use crate::progress::Monitor;
 use js_sys::{Function, Promise};
+use serde::de::DeserializeOwned;
+use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{JsFuture, future_to_promise};
 use web_sys::AbortSignal;
@@ -45,6 +51,18 @@ impl Call {
         read: impl FnOnce(&JsValue, &JsValue) -> error::Result<T>,
     ) -> error::Result<T> {
         read(&self.options, &self.transform)
+    }
+
+    /// Asks a question about `a` and `b` when the turn comes, and resolves to its answer as `object` makes it.
+    pub(super) fn ask<Q: Query + DeserializeOwned + 'static>(
+        self,
+        engine: &Engine,
+        [a, b]: [&PreparedModel; 2],
+        object: impl FnOnce(&Q::Answer) -> Result<JsValue, JsValue> + 'static,
+    ) -> Promise {
+        let (engine, a, b) = (Rc::clone(&engine.0), a.inner(), b.inner());
+        let question = self.options(convert::query::<Q>);
+        self.run(async move |monitor| object(&question?.ask(&engine, [&a, &b]).monitored(monitor).await?))
     }
 
     /// Does `work` when the turn comes, unless the monitor cancels it before.

@@ -2,10 +2,9 @@
 
 use super::failure::to_object;
 use crate::engine::{
-    BestFitOptions, CheckOptions, ClearanceOptions, ClosestPointOptions, ClosestPoints, DeviationField,
-    DeviationMapOptions, DiffOptions, DistanceOptions, DistanceResult, FaceDeviations, FieldOptions,
-    GapOptions, Grid, Layers, NamedOptions, OverlapOptions, Precision, ScoreOptions, SignedDistanceOptions,
-    SignedDistances, Signs, Statistics, StatisticsOptions,
+    CheckOptions, ClosestPointOptions, ClosestPoints, DeviationField, DistanceOptions, DistanceResult,
+    FaceDeviations, Grid, Layers, NamedOptions, Precision, Query, SignedDistanceOptions, SignedDistances,
+    Signs, Statistics,
 };
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
@@ -30,64 +29,13 @@ pub(super) fn options(options: &JsValue, transform: &JsValue) -> Result<Distance
     NamedOptions { transform, ..named }.try_into()
 }
 
-/// The options of a comparison of faces, as [`options`].
+/// The options of a question about two models, as [`options`].
 ///
 /// # Errors
 /// As [`options`].
-pub(super) fn diff_options(options: &JsValue, transform: &JsValue) -> Result<DiffOptions> {
+pub(super) fn query<Q: Query + DeserializeOwned>(options: &JsValue, transform: &JsValue) -> Result<Q> {
     let transform = rigid_transform(transform)?;
-    let options: DiffOptions = properties(options).map_err(invalid)?;
-    Ok(DiffOptions { transform, ..options })
-}
-
-/// The options of a clearance, as [`options`].
-///
-/// # Errors
-/// As [`options`].
-pub(super) fn clearance_options(options: &JsValue, transform: &JsValue) -> Result<ClearanceOptions> {
-    let transform = rigid_transform(transform)?;
-    let options: ClearanceOptions = properties(options).map_err(invalid)?;
-    Ok(ClearanceOptions { transform, ..options })
-}
-
-/// The options of an overlap, as [`options`].
-///
-/// # Errors
-/// As [`options`].
-pub(super) fn overlap_options(options: &JsValue, transform: &JsValue) -> Result<OverlapOptions> {
-    let transform = rigid_transform(transform)?;
-    let options: OverlapOptions = properties(options).map_err(invalid)?;
-    Ok(OverlapOptions { transform, ..options })
-}
-
-/// The options of statistics, as [`options`].
-///
-/// # Errors
-/// As [`options`].
-pub(super) fn statistics_options(options: &JsValue, transform: &JsValue) -> Result<StatisticsOptions> {
-    let transform = rigid_transform(transform)?;
-    let options: StatisticsOptions = properties(options).map_err(invalid)?;
-    Ok(StatisticsOptions { transform, ..options })
-}
-
-/// The options of a score, as [`options`].
-///
-/// # Errors
-/// As [`options`].
-pub(super) fn score_options(options: &JsValue, transform: &JsValue) -> Result<ScoreOptions> {
-    let transform = rigid_transform(transform)?;
-    let options: ScoreOptions = properties(options).map_err(invalid)?;
-    Ok(ScoreOptions { transform, ..options })
-}
-
-/// The options of gaps, as [`options`].
-///
-/// # Errors
-/// As [`options`].
-pub(super) fn gap_options(options: &JsValue, transform: &JsValue) -> Result<GapOptions> {
-    let transform = rigid_transform(transform)?;
-    let options: GapOptions = properties(options).map_err(invalid)?;
-    Ok(GapOptions { transform, ..options })
+    Ok(properties::<Q>(options).map_err(invalid)?.moved(transform))
 }
 
 /// The options of signed distances, as [`options`]; they have no transform.
@@ -124,36 +72,6 @@ pub(super) fn closest_point_options(options: &JsValue, transform: &JsValue) -> R
     let transform = rigid_transform(transform)?;
     let options: ClosestPointOptions = properties(options).map_err(invalid)?;
     Ok(ClosestPointOptions { transform, ..options })
-}
-
-/// The options of a field, as [`options`].
-///
-/// # Errors
-/// As [`options`].
-pub(super) fn field_options(options: &JsValue, transform: &JsValue) -> Result<FieldOptions> {
-    let transform = rigid_transform(transform)?;
-    let options: FieldOptions = properties(options).map_err(invalid)?;
-    Ok(FieldOptions { transform, ..options })
-}
-
-/// The options of maps, as [`options`].
-///
-/// # Errors
-/// As [`options`].
-pub(super) fn deviation_map_options(options: &JsValue, transform: &JsValue) -> Result<DeviationMapOptions> {
-    let transform = rigid_transform(transform)?;
-    let options: DeviationMapOptions = properties(options).map_err(invalid)?;
-    Ok(DeviationMapOptions { transform, ..options })
-}
-
-/// The options of a best fit, as [`options`].
-///
-/// # Errors
-/// As [`options`].
-pub(super) fn best_fit_options(options: &JsValue, transform: &JsValue) -> Result<BestFitOptions> {
-    let transform = rigid_transform(transform)?;
-    let options: BestFitOptions = properties(options).map_err(invalid)?;
-    Ok(BestFitOptions { transform, ..options })
 }
 
 /// The options of a tessellation, as [`options`].

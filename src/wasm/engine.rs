@@ -4,7 +4,10 @@ use super::call::Call;
 use super::convert;
 use super::failure::to_object;
 use super::model::{NamedModels, PreparedModel};
-use crate::engine;
+use crate::engine::{
+    self, BestFitOptions, ClearanceOptions, DiffOptions, FieldOptions, GapOptions, OverlapOptions,
+    ScoreOptions, StatisticsOptions,
+};
 use js_sys::Promise;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
@@ -50,67 +53,43 @@ impl Engine {
 
     /// The deviation of `a` from `b` at samples of `a`.
     pub fn field(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
-        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
-        let options = call.options(convert::field_options);
-        call.run(async move |monitor| {
-            convert::deviation_field(&engine.field(&a, &b, &options?).monitored(monitor).await?)
-        })
+        call.ask::<FieldOptions>(self, [a, b], convert::deviation_field)
     }
 
     /// The pose of `a` that fits `b` best; progress is reported by steps.
     #[wasm_bindgen(js_name = bestFit)]
     pub fn best_fit(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
-        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
-        let options = call.options(convert::best_fit_options);
-        call.by_steps().run(async move |monitor| {
-            to_object(&engine.best_fit(&a, &b, &options?).monitored(monitor).await?)
-        })
+        call.by_steps().ask::<BestFitOptions>(self, [a, b], to_object)
     }
 
     /// The comparison of all faces of two models.
     pub fn diff(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
-        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
-        let options = call.options(convert::diff_options);
-        call.run(async move |monitor| to_object(&engine.diff(&a, &b, &options?).monitored(monitor).await?))
+        call.ask::<DiffOptions>(self, [a, b], to_object)
     }
 
     /// Statistics of the distances from `a` to `b`, as intervals.
     pub fn statistics(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
-        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
-        let options = call.options(convert::statistics_options);
-        call.run(async move |monitor| {
-            to_object(&engine.statistics(&a, &b, &options?).monitored(monitor).await?)
-        })
+        call.ask::<StatisticsOptions>(self, [a, b], to_object)
     }
 
     /// The score of `a` against the truth `b`.
     pub fn score(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
-        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
-        let options = call.options(convert::score_options);
-        call.run(async move |monitor| to_object(&engine.score(&a, &b, &options?).monitored(monitor).await?))
+        call.ask::<ScoreOptions>(self, [a, b], to_object)
     }
 
     /// The least distance of two models, and whether solids overlap.
     pub fn clearance(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
-        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
-        let options = call.options(convert::clearance_options);
-        call.run(async move |monitor| {
-            to_object(&engine.clearance(&a, &b, &options?).monitored(monitor).await?)
-        })
+        call.ask::<ClearanceOptions>(self, [a, b], to_object)
     }
 
     /// The volumes that two solids have in common and apart.
     pub fn overlap(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
-        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
-        let options = call.options(convert::overlap_options);
-        call.run(async move |monitor| to_object(&engine.overlap(&a, &b, &options?).monitored(monitor).await?))
+        call.ask::<OverlapOptions>(self, [a, b], to_object)
     }
 
     /// The pairs of faces of two models that come near each other.
     pub fn gaps(&self, a: &PreparedModel, b: &PreparedModel, call: Call) -> Promise {
-        let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
-        let options = call.options(convert::gap_options);
-        call.run(async move |monitor| to_object(&engine.gaps(&a, &b, &options?).monitored(monitor).await?))
+        call.ask::<GapOptions>(self, [a, b], to_object)
     }
 
     /// All pairs of bodies of models.

@@ -1,12 +1,12 @@
 //! Maps of deviations.
 
 use super::call::Call;
-use super::convert::deviation_map_options;
+use super::convert::query;
 use super::engine::Engine;
 use super::failure::to_object;
 use super::model::PreparedModel;
 use super::workers::Workers;
-use crate::engine::{DeviationMap, DeviationMaps, Here, Signs};
+use crate::engine::{DeviationMap, DeviationMapOptions, DeviationMaps, Here, Signs};
 use js_sys::{Float32Array, Float64Array, Function, Promise, Uint32Array};
 use serde::Serialize;
 use std::rc::Rc;
@@ -26,7 +26,7 @@ impl Engine {
         call: Call,
     ) -> Promise {
         let (engine, a, b) = (Rc::clone(&self.0), a.inner(), b.inner());
-        let options = call.options(deviation_map_options);
+        let options = call.options(query::<DeviationMapOptions>);
         call.run(async move |monitor| {
             let tell = |coarse: DeviationMaps| {
                 if let (Some(on_coarse), Ok(maps)) = (&on_coarse, maps(&coarse)) {

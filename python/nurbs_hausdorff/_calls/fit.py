@@ -9,11 +9,10 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .._values import names as _names, transform as _transform
-from .. import _native
+from .._values import names as _names
+from .ask import ask
 from .measure import Sampling
-from .._values.progress import Event, ProgressBar, reporter
-from .._sources import model
+from .._values.progress import Event, ProgressBar
 from .._values.transform import Transform
 
 
@@ -214,13 +213,8 @@ def best_fit(
         tolerance=tolerance, relative_tolerance=relative_tolerance, max_steps=max_steps,
         scale_units=scale_units,
     )  # fmt: skip
-    data = _names.snake(
-        _native.best_fit(
-            model(a)._native, model(b)._native, options,
-            _transform.native(transform), reporter(progress, cancel),
-        )  # fmt: skip
-    )
-    return fit_result(data)
+    data = ask("best_fit", a, b, options, transform, progress, cancel)
+    return fit_result(_names.snake(data))
 
 
 def fit_result(data: dict[str, Any]) -> BestFit:

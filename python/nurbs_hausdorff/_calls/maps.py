@@ -6,13 +6,12 @@ from typing import Any, Literal
 
 from numpy.typing import ArrayLike
 
-from .._values import names as _names, transform as _transform
-from .. import _native
-from .._values.progress import Event, ProgressBar, reporter
+from .._values import names as _names
+from .ask import ask
+from .._values.progress import Event, ProgressBar
 from .._results.diff import DiffResult
 from .._results.distance import DistanceResult
 from .._results.maps import DeviationMaps, maps_result
-from .._sources import model
 from .._values.transform import Transform
 
 
@@ -53,10 +52,7 @@ def deviation_maps(
     sides = ("a", "b") if of == "both" else (of,)
     options = _names.options(scale_units=scale_units)
     options.update({side: {"uppers": _uppers(known, side)} for side in sides})
-    data = _native.deviation_maps(
-        model(a)._native, model(b)._native, options,
-        _transform.native(transform), reporter(progress, cancel),
-    )  # fmt: skip
+    data = ask("deviation_maps", a, b, options, transform, progress, cancel)
     return maps_result(data)
 
 

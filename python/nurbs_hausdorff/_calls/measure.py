@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from .._values import names as _names, transform as _transform
 from .. import _native
+from .ask import ask
 from .._values.arrays import rows
 from .._values.progress import Event, ProgressBar, reporter
 from .._results.bodies.clearance import ClearanceResult, GapsResult, clearance_result, gaps_result
@@ -99,10 +100,7 @@ def distance(
         step_tolerance=step_tolerance, grid=grid, memory_budget=memory_budget, backend=backend,
         scale_units=scale_units,
     )  # fmt: skip
-    data = _native.distance(
-        model(a)._native, model(b)._native, options,
-        _transform.native(transform), reporter(progress, cancel),
-    )  # fmt: skip
+    data = ask("distance", a, b, options, transform, progress, cancel)
     parts = data.pop("deviations")
     return distance_result(_names.snake(data), parts)
 
@@ -145,10 +143,7 @@ def diff(
     options = _names.options(
         limit=limit, max_cells=max_cells, max_seconds=max_seconds, scale_units=scale_units
     )
-    data = _native.diff(
-        model(a)._native, model(b)._native, options,
-        _transform.native(transform), reporter(progress, cancel),
-    )  # fmt: skip
+    data = ask("diff", a, b, options, transform, progress, cancel)
     return diff_result(_names.snake(data))
 
 
@@ -195,10 +190,7 @@ def clearance(
         limit=limit, tolerance=tolerance, relative_tolerance=relative_tolerance,
         max_seconds=max_seconds, max_cells=max_cells, scale_units=scale_units,
     )  # fmt: skip
-    data = _native.clearance(
-        model(a)._native, model(b)._native, options,
-        _transform.native(transform), reporter(progress, cancel),
-    )  # fmt: skip
+    data = ask("clearance", a, b, options, transform, progress, cancel)
     return clearance_result(_names.snake(data))
 
 
@@ -238,10 +230,7 @@ def overlap(
     options = _names.options(
         tolerance=tolerance, max_seconds=max_seconds, max_cells=max_cells, scale_units=scale_units
     )
-    data = _native.overlap(
-        model(a)._native, model(b)._native, options,
-        _transform.native(transform), reporter(progress, cancel),
-    )  # fmt: skip
+    data = ask("overlap", a, b, options, transform, progress, cancel)
     return overlap_result(_names.snake(data))
 
 
@@ -300,10 +289,7 @@ def statistics(
         tolerance=tolerance, relative_tolerance=relative_tolerance,
         max_seconds=max_seconds, max_cells=max_cells, audit=audit, scale_units=scale_units,
     )  # fmt: skip
-    data = _native.statistics(
-        model(a)._native, model(b)._native, options,
-        _transform.native(transform), reporter(progress, cancel),
-    )  # fmt: skip
+    data = ask("statistics", a, b, options, transform, progress, cancel)
     return statistics_result(_names.snake(data))
 
 
@@ -351,10 +337,7 @@ def gaps(
         below=below, tolerance=tolerance, relative_tolerance=relative_tolerance,
         max_seconds=max_seconds, max_cells=max_cells, scale_units=scale_units,
     )  # fmt: skip
-    data = _native.gaps(
-        model(a)._native, model(b)._native, options,
-        _transform.native(transform), reporter(progress, cancel),
-    )  # fmt: skip
+    data = ask("gaps", a, b, options, transform, progress, cancel)
     return gaps_result(_names.snake(data))
 
 
@@ -397,10 +380,7 @@ def field(
     options = _names.options(
         samples=samples, sampling=sampling, upper=upper, scale_units=scale_units
     )
-    data = _native.field(
-        model(a)._native, model(b)._native, options,
-        _transform.native(transform), reporter(progress, cancel),
-    )  # fmt: skip
+    data = ask("field", a, b, options, transform, progress, cancel)
     statistics = _names.snake(data["statistics"])
     return Field(
         data["diagonal"],

@@ -7,11 +7,10 @@ from typing import Any, Literal
 
 from numpy.typing import ArrayLike
 
-from .._values import names as _names, transform as _transform
-from .. import _native
-from .._values.progress import Event, ProgressBar, reporter
+from .._values import names as _names
+from .ask import ask
+from .._values.progress import Event, ProgressBar
 from .._results.score import Score, score_result
-from .._sources import model
 from .._values.transform import Transform
 
 
@@ -90,10 +89,7 @@ def score(
         limit=limit, at_least=_bounds(at_least), at_most=_bounds(at_most), max_cells=max_cells,
         max_seconds=max_seconds, scale_units=scale_units,
     )  # fmt: skip
-    data = _native.score(
-        model(candidate)._native, model(truth)._native, options,
-        _transform.native(transform), reporter(progress, cancel),
-    )  # fmt: skip
+    data = ask("score", candidate, truth, options, transform, progress, cancel)
     return score_result(_names.snake(data))
 
 

@@ -13,8 +13,8 @@ mod zone;
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod zone_tests;
 
-use super::direction::Direction;
 use super::prepared::PreparedTarget;
+use super::query::Opened;
 use super::{Computation, Engine, PreparedModel};
 use crate::alignment::{
     Candidate, FootField, LargestFit, LocalFit, Loss, Samples, Search, Step, distinct, random_residual,
@@ -23,7 +23,6 @@ use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::progress::{Monitor, Progress};
 use clear::{Kind, ToModel};
-use options::DEFAULT_RELATIVE_TOLERANCE;
 pub use options::{BestFit, BestFitOptions, FitNorm, FitPose, FitStart, LeftOut};
 use start::Start;
 use zone::ZonePair;
@@ -96,12 +95,11 @@ impl Engine {
         options: &BestFitOptions,
         monitor: &mut dyn Monitor,
     ) -> Result<BestFit> {
-        options.validate()?;
-        let scaled = b.in_unit_of(a, options.scale_units)?;
-        let b = scaled.as_deref().unwrap_or(b);
+        let opened = Opened::new([a, b], options)?;
+        let [a, b] = opened.models();
         let mut progress = Progress::new(monitor, false);
         progress.checkpoint(0.0).await?;
-        let diagonal = Direction { from: a, to: b, transform: options.transform }.diagonal();
+        let diagonal = opened.forward().diagonal();
         let held = b.facets().is_none().then(|| b.certified_target());
         let size = b.bounding_box().diagonal();
         let field = match (b.facets(), &held) {
@@ -278,7 +276,7 @@ impl<'a> Pair<'a> {
     }
 
     fn smallest(&self) -> f64 {
-        self.options.permitted_width().in_units(self.diagonal, DEFAULT_RELATIVE_TOLERANCE)
+        self.options.last_step(self.diagonal)
     }
 
     fn local<'s>(

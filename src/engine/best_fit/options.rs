@@ -3,14 +3,15 @@
 use super::zone::{Zone, ZoneOptions};
 use crate::alignment::{Datum, Loss, PointPair, Robust};
 use crate::engine::options::{at_least_zero, require_samples};
+use crate::engine::query::{CommonOptions, Query};
+use crate::engine::{Computation, Engine, PreparedModel};
 use crate::error::{Error, Result};
 use crate::iteration::SamplingRule;
 use crate::model::RigidTransform;
-use crate::tolerance::PermittedWidth;
 use serde::{Deserialize, Serialize, Serializer};
 
 /// The length of a step that ends a fit, as a fraction of the diagonal: the accuracy of the distances.
-pub(super) const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-9;
+const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-9;
 
 /// The number of samples along a direction unless the options name another.
 const DEFAULT_SAMPLES: usize = 16;
@@ -113,16 +114,29 @@ impl Default for BestFitOptions {
 /// The largest share of outliers: what is left determines a pose still.
 const MAX_OUTLIERS: f64 = 0.95;
 
-impl BestFitOptions {
-    /// Checks every range.
-    ///
+impl Query for BestFitOptions {
+    type Answer = BestFit;
+
+    fn common(&self) -> CommonOptions {
+        let &Self { tolerance, relative_tolerance, scale_units, transform, .. } = self;
+        let budgets = CommonOptions::default();
+        CommonOptions { tolerance, relative_tolerance, scale_units, transform, ..budgets }
+    }
+
+    fn moved(self, transform: RigidTransform) -> Self {
+        Self { transform, ..self }
+    }
+
+    fn within(self, _: Option<f64>) -> Self {
+        self
+    }
+
     /// # Errors
-    /// [`Error::OptionOutOfRange`] naming the option; [`Error::OptionInvalid`] for both tolerances,
-    /// for outliers that no rule leaves out, for outliers or a rule in the largest distance, which is that
-    /// of all points, and for a limit of a zone without that norm.
-    pub fn validate(&self) -> Result<()> {
+    /// [`Error::OptionOutOfRange`] naming the option; [`Error::OptionInvalid`] for outliers that no rule leaves out,
+    /// for outliers or a rule in the largest distance, which is that of all points, and for a limit of a zone without
+    /// that norm.
+    fn validate_own(&self) -> Result<()> {
         require_samples(self.samples)?;
-        self.permitted_width().validate()?;
         at_least_zero("outliers", self.outliers)?;
         if self.outliers > MAX_OUTLIERS {
             return Err(Error::out_of_range("outliers", self.outliers, "0 to 0.95"));
@@ -147,8 +161,15 @@ impl BestFitOptions {
         Ok(())
     }
 
-    pub(super) fn permitted_width(&self) -> PermittedWidth {
-        PermittedWidth { tolerance: self.tolerance, relative_tolerance: self.relative_tolerance }
+    fn ask<'a>(&'a self, engine: &'a Engine, [a, b]: [&'a PreparedModel; 2]) -> Computation<'a, BestFit> {
+        engine.best_fit(a, b, self)
+    }
+}
+
+impl BestFitOptions {
+    /// Returns the length of a step that ends a fit, for models of this diagonal.
+    pub(super) fn last_step(&self, diagonal: f64) -> f64 {
+        self.common().width(diagonal, DEFAULT_RELATIVE_TOLERANCE)
     }
 
     pub(super) fn loss(&self) -> Loss {

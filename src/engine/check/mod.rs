@@ -16,6 +16,7 @@ pub use rules::{CheckRules, NamesOfPair, RequiredDistance, Rule, UnkeptRule};
 use self::options::Limits;
 use self::rules::Bound;
 use super::bodies::unique_name;
+use super::clock::Clock;
 use super::overlap::Patience;
 use super::section::Section;
 use super::{
@@ -33,7 +34,6 @@ use crate::threads::parallel::map;
 use serde::Serialize;
 use std::collections::HashSet;
 use std::sync::Arc;
-use web_time::Instant;
 
 /// The number of pairs searched between two reports of progress.
 const PAIRS_AT_ONCE: usize = 64;
@@ -189,10 +189,10 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<CheckResult> {
         options.validate()?;
-        let started = Instant::now();
+        let clock = Clock::start(options.max_seconds);
         let (mut bodies, checked) = all_bodies(models, options)?;
         let aabb = checked.iter().fold(Aabb::EMPTY, |aabb, body| aabb.union(body.aabb));
-        let limits = options.limits(aabb.diagonal(), started);
+        let limits = options.limits(aabb.diagonal(), clock);
         let embeddings = map(checked.len(), |index| checked[index].embedding(&limits));
         for ((body, of), found) in bodies.iter_mut().zip(&checked).zip(embeddings) {
             body.degenerate = of.is_degenerate(limits.tolerance);
@@ -203,7 +203,7 @@ impl Engine {
             body.self_overlap = self_overlap;
         }
         let rules = options.rules.bound(&bodies)?;
-        let prepare = started.elapsed().as_secs_f64();
+        let prepare = clock.seconds();
         let mut judged = judged(&bodies, &checked, &rules, &limits, monitor).await?;
         self.measure_clashes(&mut judged, &checked, &limits, monitor).await?;
         self.find_duplicates(&mut bodies, &judged, &checked, &limits).await?;
@@ -222,7 +222,7 @@ impl Engine {
             rules,
             diagonal: aabb.diagonal(),
             unit: models.first().and_then(|first| first.model.unit()),
-            seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
+            seconds: Seconds { prepare, compile: 0.0, solve: clock.seconds() - prepare },
         })
     }
 

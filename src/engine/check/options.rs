@@ -1,12 +1,12 @@
 //! The options of checks.
 
 use super::CheckRules;
+use crate::engine::clock::Clock;
 use crate::engine::options::at_least_zero;
-use crate::engine::section::{is_over, seconds_left};
-use crate::error::{Error, Result};
-use crate::tolerance::{PermittedWidth, positive};
+use crate::engine::query::CommonOptions;
+use crate::error::Result;
+use crate::model::RigidTransform;
 use serde::Deserialize;
-use web_time::Instant;
 
 /// The width of intervals, as a fraction of the diagonal, unless the options state one.
 const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-6;
@@ -60,22 +60,21 @@ impl CheckOptions {
     /// [`Error::OptionOutOfRange`] naming the option; [`Error::OptionInvalid`] for both widths.
     pub fn validate(&self) -> Result<()> {
         at_least_zero("below", self.below)?;
-        self.permitted_width().validate()?;
-        if self.max_cells == 0 {
-            return Err(Error::out_of_range("max cells", 0, "at least 1"));
-        }
-        self.max_seconds.map_or(Ok(()), |seconds| positive("max seconds", seconds))
+        self.common().validate()
     }
 
-    fn permitted_width(&self) -> PermittedWidth {
-        PermittedWidth { tolerance: self.tolerance, relative_tolerance: self.relative_tolerance }
+    /// Returns the options that a check shares with questions about two models.
+    fn common(&self) -> CommonOptions {
+        let &Self { tolerance, relative_tolerance, max_seconds, scale_units, .. } = self;
+        let (max_cells, transform) = (Some(self.max_cells), RigidTransform::IDENTITY);
+        CommonOptions { tolerance, relative_tolerance, max_seconds, max_cells, scale_units, transform }
     }
 
-    /// Returns what bodies within a box of this diagonal are judged by, in a check that started then.
-    pub(super) fn limits(&self, diagonal: f64, started: Instant) -> Limits {
-        let tolerance = self.permitted_width().in_units(diagonal, DEFAULT_RELATIVE_TOLERANCE);
-        let &Self { below, max_cells, max_seconds, .. } = self;
-        Limits { below, tolerance, max_cells, max_seconds, started }
+    /// Returns what bodies within a box of this diagonal are judged by, in a check with this clock.
+    pub(super) fn limits(&self, diagonal: f64, clock: Clock) -> Limits {
+        let tolerance = self.common().width(diagonal, DEFAULT_RELATIVE_TOLERANCE);
+        let &Self { below, max_cells, .. } = self;
+        Limits { below, tolerance, max_cells, clock }
     }
 }
 
@@ -84,8 +83,7 @@ pub(super) struct Limits {
     pub(super) below: f64,
     pub(super) tolerance: f64,
     max_cells: usize,
-    max_seconds: Option<f64>,
-    started: Instant,
+    clock: Clock,
 }
 
 impl Limits {
@@ -96,7 +94,7 @@ impl Limits {
 
     /// Returns whether the time is spent.
     pub(super) fn is_over(&self) -> bool {
-        is_over(self.started, self.max_seconds)
+        self.clock.is_over()
     }
 
     /// Returns the pairs of cells of the next search.
@@ -106,6 +104,6 @@ impl Limits {
 
     /// Returns the seconds left for a computation that has a budget of its own.
     pub(super) fn seconds(&self) -> Option<f64> {
-        seconds_left(self.started, self.max_seconds)
+        self.clock.left()
     }
 }

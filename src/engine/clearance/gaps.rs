@@ -3,8 +3,7 @@
 use super::options::GapOptions;
 use super::{run, witness};
 use crate::clearance::{Goal, Search};
-use crate::engine::direction::Direction;
-use crate::engine::hint::hint;
+use crate::engine::query::Opened;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Stop, Witness};
 use crate::error::Result;
 use crate::interval::Interval;
@@ -12,7 +11,6 @@ use crate::progress::{Monitor, Progress};
 use crate::sorting::sort_by_number;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use web_time::Instant;
 
 /// Two faces that come near each other.
 ///
@@ -89,16 +87,11 @@ impl Engine {
         options: &GapOptions,
         monitor: &mut dyn Monitor,
     ) -> Result<GapsResult> {
-        options.validate()?;
-        let hint = hint(a, b);
-        let scaled = b.in_unit_of(a, options.scale_units)?;
-        let b = scaled.as_deref().unwrap_or(b);
-        let started = Instant::now();
-        a.require_faces("gaps between faces")?;
-        b.require_faces("gaps between faces")?;
+        let opened = Opened::new([a, b], options)?;
+        let [a, b] = opened.models_with_faces("gaps between faces")?;
         let targets = [a.certified_target(), b.certified_target()];
         let bodies = [targets[0].body(a), targets[1].body(b)];
-        let direction = Direction { from: a, to: b, transform: options.transform };
+        let (direction, clock) = (opened.forward(), opened.clock());
         let diagonal = direction.diagonal();
         let goal = Goal { tolerance: options.search().width(diagonal), limit: None };
         let mut faces: BTreeMap<[usize; 2], Vec<[u32; 2]>> = BTreeMap::new();
@@ -109,12 +102,12 @@ impl Engine {
             };
             faces.entry([face(0), face(1)]).or_default().push(patches);
         }
-        let prepare = started.elapsed().as_secs_f64();
+        let prepare = clock.seconds();
         let mut progress = Progress::new(monitor, false);
         let (mut pairs, mut complete) = (Vec::new(), true);
         for patches in faces.values() {
             let mut search = Search::over(bodies, options.transform, goal, patches);
-            let stop = run(&mut search, &options.search(), started, &mut progress).await?;
+            let stop = run(&mut search, &options.search(), clock, &mut progress).await?;
             let Some(nearest) = search.nearest() else { continue };
             let Interval { lower, upper } = search.interval();
             if lower <= options.below {
@@ -129,9 +122,9 @@ impl Engine {
         progress.finish();
         sort_by_number(&mut pairs, |pair| pair.upper);
         let (unit, gap, gap_proven) = (direction.unit(), direction.gap(), direction.is_gap_proven());
-        let solve = started.elapsed().as_secs_f64() - prepare;
+        let solve = clock.seconds() - prepare;
         let seconds = Seconds { prepare, compile: 0.0, solve };
-        let (below, tolerance) = (options.below, goal.tolerance);
+        let (below, tolerance, hint) = (options.below, goal.tolerance, opened.hint());
         Ok(GapsResult { below, tolerance, pairs, complete, diagonal, unit, hint, gap, gap_proven, seconds })
     }
 }

@@ -12,16 +12,14 @@ pub(in crate::engine) use overlap::Solids;
 pub use overlap::{Overlap, OverlapUnknown};
 pub use with_gaps::ClearanceWithGaps;
 
-use super::direction::Direction;
-use super::hint::hint;
-use super::section::is_over;
+use super::clock::Clock;
+use super::query::Opened;
 use super::{Computation, Engine, PreparedModel, PreparedTarget, Seconds, Stop, Witness};
 use crate::clearance::{Body, Goal, Nearest, Search};
 use crate::error::{Error, Result};
 use crate::interval::Interval;
 use crate::progress::{Monitor, Progress};
 use serde::Serialize;
-use web_time::Instant;
 
 /// The clearance of two models.
 ///
@@ -110,27 +108,22 @@ impl Engine {
         options: &ClearanceOptions,
         monitor: &mut dyn Monitor,
     ) -> Result<ClearanceResult> {
-        options.validate()?;
-        let hint = hint(a, b);
-        let scaled = b.in_unit_of(a, options.scale_units)?;
-        let b = scaled.as_deref().unwrap_or(b);
-        let started = Instant::now();
-        a.require_faces("a clearance")?;
-        b.require_faces("a clearance")?;
+        let opened = Opened::new([a, b], options)?;
+        let [a, b] = opened.models_with_faces("a clearance")?;
         let targets = [a.certified_target(), b.certified_target()];
         let bodies = [targets[0].body(a), targets[1].body(b)];
-        let direction = Direction { from: a, to: b, transform: options.transform };
+        let (direction, clock) = (opened.forward(), opened.clock());
         let diagonal = direction.diagonal();
         let solids = Solids::new([a, b], options.transform);
-        let prepare = started.elapsed().as_secs_f64();
+        let prepare = clock.seconds();
         let goal = Goal { tolerance: options.width(diagonal), limit: options.limit };
         let mut search = Search::new(bodies, options.transform, goal);
         let mut progress = Progress::new(monitor, false);
-        let stop = run(&mut search, options, started, &mut progress).await?;
+        let stop = run(&mut search, options, clock, &mut progress).await?;
         progress.finish();
         let nearest = search.nearest().ok_or(Error::EmptyModel)?;
         let interval = search.interval();
-        let is_late = || is_over(started, options.max_seconds);
+        let is_late = || clock.is_over();
         let overlap = solids.and_then(|solids| solids.overlap(interval, goal, stop, &nearest, &is_late));
         let overlaps = overlap.is_ok_and(|overlap| overlap.is_overlap());
         let at_least = if overlaps { options.limit.map(|_| false) } else { search.at_least() };
@@ -147,13 +140,13 @@ impl Engine {
             witness: witness([a, b], [&targets[0], &targets[1]], &nearest),
             diagonal,
             unit: direction.unit(),
-            hint,
+            hint: opened.hint(),
             gap: direction.gap(),
             gap_proven: direction.is_gap_proven(),
             with_gaps: ClearanceWithGaps::new(interval, direction.gap(), options.limit, at_least),
             cells: search.pairs(),
             refuted: search.refuted(),
-            seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
+            seconds: Seconds { prepare, compile: 0.0, solve: clock.seconds() - prepare },
         })
     }
 }
@@ -162,7 +155,7 @@ impl Engine {
 async fn run(
     search: &mut Search<'_>,
     options: &ClearanceOptions,
-    started: Instant,
+    clock: Clock,
     progress: &mut Progress<'_>,
 ) -> Result<Stop> {
     let max_cells = options.max_cells.unwrap_or(usize::MAX);
@@ -173,7 +166,7 @@ async fn run(
         if search.pairs() >= max_cells && search.nearest().is_some() {
             return Ok(Stop::Cells);
         }
-        if is_over(started, options.max_seconds) && search.nearest().is_some() {
+        if clock.is_over() && search.nearest().is_some() {
             return Ok(Stop::Time);
         }
         if progress.is_due() && search.nearest().is_some() {

@@ -1,9 +1,11 @@
 //! The options of clearances.
 
+use super::{ClearanceResult, GapsResult};
 use crate::engine::options::at_least_zero;
-use crate::error::{Error, Result};
+use crate::engine::query::{CommonOptions, Query, validate_limit};
+use crate::engine::{Computation, Engine, PreparedModel};
+use crate::error::Result;
 use crate::model::RigidTransform;
-use crate::tolerance::{PermittedWidth, positive};
 use serde::Deserialize;
 
 /// The width of the interval, as a fraction of the diagonal, unless the options state one.
@@ -49,28 +51,40 @@ impl Default for ClearanceOptions {
     }
 }
 
-impl ClearanceOptions {
-    /// Checks every range.
-    ///
-    /// # Errors
-    /// [`Error::OptionOutOfRange`] naming the option; [`Error::OptionInvalid`] for both widths.
-    pub fn validate(&self) -> Result<()> {
-        self.permitted_width().validate()?;
-        self.limit.map_or(Ok(()), |limit| at_least_zero("limit", limit))?;
-        self.max_seconds.map_or(Ok(()), |seconds| positive("max seconds", seconds))?;
-        if self.max_cells == Some(0) {
-            return Err(Error::out_of_range("max cells", 0, "at least 1"));
-        }
-        Ok(())
+impl Query for ClearanceOptions {
+    type Answer = ClearanceResult;
+
+    fn common(&self) -> CommonOptions {
+        let &Self { tolerance, relative_tolerance, max_seconds, max_cells, scale_units, transform, .. } =
+            self;
+        CommonOptions { tolerance, relative_tolerance, max_seconds, max_cells, scale_units, transform }
     }
 
+    fn moved(self, transform: RigidTransform) -> Self {
+        Self { transform, ..self }
+    }
+
+    fn within(self, max_seconds: Option<f64>) -> Self {
+        Self { max_seconds: self.max_seconds.or(max_seconds), ..self }
+    }
+
+    fn validate_own(&self) -> Result<()> {
+        validate_limit(self.limit)
+    }
+
+    fn ask<'a>(
+        &'a self,
+        engine: &'a Engine,
+        [a, b]: [&'a PreparedModel; 2],
+    ) -> Computation<'a, ClearanceResult> {
+        engine.clearance(a, b, self)
+    }
+}
+
+impl ClearanceOptions {
     /// Returns the permitted width in model units, for models of this diagonal.
     pub(super) fn width(&self, diagonal: f64) -> f64 {
-        self.permitted_width().in_units(diagonal, DEFAULT_RELATIVE_TOLERANCE)
-    }
-
-    fn permitted_width(&self) -> PermittedWidth {
-        PermittedWidth { tolerance: self.tolerance, relative_tolerance: self.relative_tolerance }
+        self.common().width(diagonal, DEFAULT_RELATIVE_TOLERANCE)
     }
 }
 
@@ -112,16 +126,31 @@ impl Default for GapOptions {
     }
 }
 
-impl GapOptions {
-    /// Checks every range.
-    ///
-    /// # Errors
-    /// [`Error::OptionOutOfRange`] naming the option; [`Error::OptionInvalid`] for both widths.
-    pub fn validate(&self) -> Result<()> {
-        at_least_zero("below", self.below)?;
-        self.search().validate()
+impl Query for GapOptions {
+    type Answer = GapsResult;
+
+    fn common(&self) -> CommonOptions {
+        self.search().common()
     }
 
+    fn moved(self, transform: RigidTransform) -> Self {
+        Self { transform, ..self }
+    }
+
+    fn within(self, max_seconds: Option<f64>) -> Self {
+        Self { max_seconds: self.max_seconds.or(max_seconds), ..self }
+    }
+
+    fn validate_own(&self) -> Result<()> {
+        at_least_zero("below", self.below)
+    }
+
+    fn ask<'a>(&'a self, engine: &'a Engine, [a, b]: [&'a PreparedModel; 2]) -> Computation<'a, GapsResult> {
+        engine.gaps(a, b, self)
+    }
+}
+
+impl GapOptions {
     /// Returns the options of the search for one pair of faces.
     pub(super) fn search(&self) -> ClearanceOptions {
         ClearanceOptions {

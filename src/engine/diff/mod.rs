@@ -10,11 +10,11 @@ mod search;
 pub use counterpart::{FaceChange, FaceCounterpart};
 pub use parts::{PartDifference, PartFaces, PartMotion, PartState};
 
-use super::{PreparedModel, Seconds, Witness};
+use super::query::{CommonOptions, Query};
+use super::{Computation, Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::sorting::sort_by_number;
-use crate::tolerance::positive;
 use serde::{Deserialize, Serialize};
 
 /// The largest limit: coordinates are at most as large.
@@ -56,20 +56,33 @@ impl Default for DiffOptions {
     }
 }
 
-impl DiffOptions {
-    /// Checks every range.
-    ///
-    /// # Errors
-    /// [`Error::OptionOutOfRange`] naming the option.
-    pub fn validate(&self) -> Result<()> {
+impl Query for DiffOptions {
+    type Answer = DiffResult;
+
+    fn common(&self) -> CommonOptions {
+        let &Self { max_seconds, scale_units, transform, .. } = self;
+        let max_cells = Some(self.max_cells);
+        CommonOptions { max_seconds, max_cells, scale_units, transform, ..CommonOptions::default() }
+    }
+
+    fn moved(self, transform: RigidTransform) -> Self {
+        Self { transform, ..self }
+    }
+
+    fn within(self, max_seconds: Option<f64>) -> Self {
+        Self { max_seconds: self.max_seconds.or(max_seconds), ..self }
+    }
+
+    fn validate_own(&self) -> Result<()> {
         if !(self.limit > 0.0 && self.limit <= MAX_LIMIT) {
             let expected = "a positive number of at most 1e100";
             return Err(Error::out_of_range("limit", self.limit, expected));
         }
-        if self.max_cells == 0 {
-            return Err(Error::out_of_range("max cells", 0, "at least 1"));
-        }
-        self.max_seconds.map_or(Ok(()), |seconds| positive("max seconds", seconds))
+        Ok(())
+    }
+
+    fn ask<'a>(&'a self, engine: &'a Engine, [a, b]: [&'a PreparedModel; 2]) -> Computation<'a, DiffResult> {
+        engine.diff(a, b, self)
     }
 }
 

@@ -4,16 +4,15 @@ use super::counterpart::pair_round_faces;
 use super::face_search::{FaceSearch, Faces};
 use super::pair::PairParts;
 use super::{DiffOptions, DiffResult, FaceDifference, FaceState};
-use crate::engine::certified::deadline;
-use crate::engine::hint::hint;
-use crate::engine::section::{Section, is_over};
+use crate::engine::clock::Clock;
+use crate::engine::query::Opened;
+use crate::engine::section::Section;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::interval::{Interval, Limit};
 use crate::model::RigidTransform;
 use crate::progress::{Monitor, Progress};
 use crate::threads::parallel::map;
-use web_time::Instant;
 
 /// The part of the limit to which the distance of a face is searched while its
 /// state is undecided: a face whose distance differs from the limit by more than
@@ -64,18 +63,15 @@ impl Engine {
         options: &DiffOptions,
         monitor: &mut dyn Monitor,
     ) -> Result<DiffResult> {
-        options.validate()?;
-        let hint = hint(a, b);
-        let scaled = b.in_unit_of(a, options.scale_units)?;
-        let b = scaled.as_deref().unwrap_or(b);
-        let started = Instant::now();
+        let opened = Opened::new([a, b], options)?;
+        let [a, b] = opened.models();
         let mut result = self.diff_of_faces(a, b, options, monitor).await?;
-        result.hint = hint;
+        result.hint = opened.hint();
         pair_round_faces(&mut result, [a, b], options);
         // The progress is that of the faces.
         let mut section = Section { whole: monitor, part: [1.0, 0.0] };
-        result.parts = self.parts([a, b], options, &result, started, &mut section).await?;
-        result.seconds.solve = started.elapsed().as_secs_f64() - result.seconds.prepare;
+        result.parts = self.parts([a, b], options, &result, opened.clock(), &mut section).await?;
+        result.seconds.solve = opened.clock().seconds() - result.seconds.prepare;
         Ok(result)
     }
 
@@ -88,11 +84,11 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<DiffResult> {
         let mut progress = Progress::new(monitor, true);
-        let started = Instant::now();
+        let clock = Clock::start(options.max_seconds);
         let of_pair = PairParts::new([a, b]);
-        let prepare = started.elapsed().as_secs_f64();
+        let prepare = clock.seconds();
         let transform = options.transform;
-        let budget = Budget { started, max_cells: options.max_cells, max_seconds: options.max_seconds };
+        let budget = Budget { clock, max_cells: options.max_cells };
         let forward =
             Side { faces: of_pair.faces(0).ok_or(Error::EmptyModel)?, models: [a, b], transform, budget };
         let of_a = forward.differences(options, &mut progress).await?;
@@ -122,7 +118,7 @@ impl Engine {
             faces_of_a: of_a,
             faces_of_b: of_b,
             parts: Vec::new(),
-            seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
+            seconds: Seconds { prepare, compile: 0.0, solve: clock.seconds() - prepare },
         })
     }
 }
@@ -229,10 +225,9 @@ impl<'a> Side<'a> {
 /// What ends the search of a face.
 #[derive(Clone, Copy)]
 struct Budget {
-    /// When the comparison began.
-    started: Instant,
+    /// That of the comparison.
+    clock: Clock,
     max_cells: usize,
-    max_seconds: Option<f64>,
 }
 
 impl Budget {
@@ -242,7 +237,7 @@ impl Budget {
 
     /// Returns whether the time is over.
     fn is_over(&self) -> bool {
-        is_over(self.started, self.max_seconds)
+        self.clock.is_over()
     }
 }
 
@@ -253,7 +248,7 @@ async fn exhaust(
     fraction: f64,
     progress: &mut Progress<'_>,
 ) -> Result<()> {
-    if let Some(deadline) = deadline(budget.started, budget.max_seconds) {
+    if let Some(deadline) = budget.clock.deadline() {
         search.stop_at(deadline);
     }
     while !budget.is_spent(search) && !search.advance(FIRST_CELLS.min(budget.max_cells)) {

@@ -6,6 +6,7 @@ mod target;
 
 use super::direction::Direction;
 use super::options::{DEFAULT_SAMPLES, at_least_zero, require_samples};
+use super::query::{CommonOptions, Opened, Query};
 use super::{Computation, Engine, PreparedModel};
 use crate::bezier::BezierModel;
 use crate::closest::Status;
@@ -58,6 +59,36 @@ impl Default for FieldOptions {
     }
 }
 
+impl Query for FieldOptions {
+    type Answer = DeviationField;
+
+    fn common(&self) -> CommonOptions {
+        let &Self { scale_units, transform, .. } = self;
+        CommonOptions { scale_units, transform, ..CommonOptions::default() }
+    }
+
+    fn moved(self, transform: RigidTransform) -> Self {
+        Self { transform, ..self }
+    }
+
+    fn within(self, _: Option<f64>) -> Self {
+        self
+    }
+
+    fn validate_own(&self) -> Result<()> {
+        require_samples(self.samples)?;
+        self.upper.map_or(Ok(()), |upper| at_least_zero("upper", upper))
+    }
+
+    fn ask<'a>(
+        &'a self,
+        engine: &'a Engine,
+        [a, b]: [&'a PreparedModel; 2],
+    ) -> Computation<'a, DeviationField> {
+        engine.field(a, b, self)
+    }
+}
+
 /// The deviation of A from B at samples of A.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -98,14 +129,9 @@ impl Engine {
         options: &FieldOptions,
         monitor: &mut dyn Monitor,
     ) -> Result<DeviationField> {
-        require_samples(options.samples)?;
-        if let Some(upper) = options.upper {
-            at_least_zero("upper", upper)?;
-        }
-        let scaled = b.in_unit_of(a, options.scale_units)?;
-        let b = scaled.as_deref().unwrap_or(b);
+        let opened = Opened::new([a, b], options)?;
         let mut progress = Progress::new(monitor, false);
-        let direction = Direction { from: a, to: b, transform: options.transform };
+        let direction = opened.forward();
         let mut deviations = direction.deviations(options.samples, options.sampling, &mut progress).await?;
         if let Some(upper) = options.upper {
             deviations.iter_mut().for_each(|face| face.limit(upper));

@@ -1,6 +1,6 @@
 //! The methods, each with the options that only it has.
 
-use super::{at_least_one, require};
+use super::require;
 use crate::certified::Audit;
 use crate::closest::Projection;
 use crate::error::Result;
@@ -142,16 +142,13 @@ impl Method {
         }
     }
 
-    /// Checks every range.
+    /// Checks the ranges of the options of the papers' methods. The budgets are options of all questions.
     ///
     /// # Errors
     /// [`crate::Error::OptionOutOfRange`] naming the option.
-    pub(super) fn validate(&self) -> Result<()> {
+    pub(super) fn validate_own(&self) -> Result<()> {
         match self {
-            Self::Certified(budgets) => {
-                budgets.max_seconds.map_or(Ok(()), |seconds| positive("max seconds", seconds))?;
-                at_least_one("max cells", budgets.max_cells)
-            }
+            Self::Certified(_) => Ok(()),
             Self::Iteration(options) => {
                 let iterations = (1..=MAX_ITERATIONS).contains(&options.iterations);
                 require("iterations", iterations, options.iterations, "1 to 300")?;

@@ -3,10 +3,11 @@
 mod method;
 mod named;
 
+use super::query::{CommonOptions, Query, validate_limit};
+use super::{Computation, DistanceResult, Engine, PreparedModel};
 use crate::error::{Error, Result};
 use crate::iteration::SamplingRule;
 use crate::model::RigidTransform;
-use crate::tolerance::PermittedWidth;
 use method::COUNTS;
 pub use method::{CertifiedOptions, HierarchyOptions, IterationOptions, Method, MethodName};
 pub use named::NamedOptions;
@@ -30,7 +31,7 @@ pub enum Backend {
 /// Options of [`super::Engine::distance`]: those of all methods, and in [`Method`] those that only one
 /// has. Later versions may have more fields, so that a literal ends with `..Default::default()`.
 ///
-/// The ranges are checked by [`Self::validate`]. [`NamedOptions`] makes them from names.
+/// The ranges are checked by [`Query::validate`]. [`NamedOptions`] makes them from names.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DistanceOptions {
     /// The method that computes the distance, with its own options.
@@ -107,30 +108,64 @@ pub(super) fn require_samples(found: usize) -> Result<()> {
 
 /// # Errors
 /// [`Error::OptionOutOfRange`] for the number 0.
-fn at_least_one(option: &'static str, found: Option<usize>) -> Result<()> {
+pub(super) fn at_least_one(option: &'static str, found: Option<usize>) -> Result<()> {
     require(option, found != Some(0), 0, "at least 1")
 }
 
-impl DistanceOptions {
-    /// Checks every range.
-    ///
-    /// # Errors
-    /// [`Error::OptionOutOfRange`] naming the option.
-    pub fn validate(&self) -> Result<()> {
-        require_samples(self.samples)?;
-        self.permitted_width().validate()?;
-        if let Some(limit) = self.limit {
-            at_least_zero("limit", limit)?;
+impl Query for DistanceOptions {
+    type Answer = DistanceResult;
+
+    fn common(&self) -> CommonOptions {
+        let budgets = match self.method {
+            Method::Certified(budgets) => budgets,
+            _ => CertifiedOptions::default(),
+        };
+        CommonOptions {
+            tolerance: self.tolerance,
+            relative_tolerance: self.relative_tolerance,
+            max_seconds: budgets.max_seconds,
+            max_cells: budgets.max_cells,
+            scale_units: self.scale_units,
+            transform: self.transform,
         }
-        self.method.validate()
+    }
+
+    fn moved(self, transform: RigidTransform) -> Self {
+        Self { transform, ..self }
+    }
+
+    fn within(mut self, max_seconds: Option<f64>) -> Self {
+        if let Method::Certified(budgets) = &mut self.method {
+            budgets.max_seconds = budgets.max_seconds.or(max_seconds);
+        }
+        self
+    }
+
+    fn validate_own(&self) -> Result<()> {
+        require_samples(self.samples)?;
+        validate_limit(self.limit)?;
+        self.method.validate_own()
+    }
+
+    fn ask<'a>(
+        &'a self,
+        engine: &'a Engine,
+        [a, b]: [&'a PreparedModel; 2],
+    ) -> Computation<'a, DistanceResult> {
+        engine.distance(a, b, self)
+    }
+}
+
+impl DistanceOptions {
+    /// Returns whether a GPU is worth its initialisation. Method `certified` usually ends in float64 before.
+    #[must_use]
+    pub fn may_use_gpu(&self) -> bool {
+        let is_sampled = self.method.name() != MethodName::Certified || self.deviations;
+        self.backend == Backend::Gpu || is_sampled && self.backend == Backend::Auto
     }
 
     /// Returns the permitted width of the interval, in model units, for models of this diagonal.
     pub(super) fn width(&self, diagonal: f64) -> f64 {
-        self.permitted_width().in_units(diagonal, DEFAULT_RELATIVE_TOLERANCE)
-    }
-
-    pub(super) fn permitted_width(&self) -> PermittedWidth {
-        PermittedWidth { tolerance: self.tolerance, relative_tolerance: self.relative_tolerance }
+        self.common().width(diagonal, DEFAULT_RELATIVE_TOLERANCE)
     }
 }

@@ -8,10 +8,9 @@ pub use options::OverlapOptions;
 pub use solids::VolumesUnknown;
 pub use volumes::OverlapVolumes;
 
-use super::direction::Direction;
-use super::hint::hint;
+use super::clock::Clock;
 use super::outlook::Outlook;
-use super::section::is_over;
+use super::query::Opened;
 use super::{Computation, Engine, PreparedModel, Seconds, Stop};
 use crate::error::{Error, Result};
 use crate::interval::Interval;
@@ -19,7 +18,6 @@ use crate::overlap::{Pair, Search};
 use crate::progress::{Monitor, Progress};
 use serde::Serialize;
 use solids::Solids;
-use web_time::Instant;
 
 /// The volumes that two models have in common and apart.
 ///
@@ -117,14 +115,9 @@ impl Engine {
         patience: Patience,
         monitor: &mut dyn Monitor,
     ) -> Result<OverlapResult> {
-        options.validate()?;
-        let hint = hint(a, b);
-        let scaled = b.in_unit_of(a, options.scale_units)?;
-        let b = scaled.as_deref().unwrap_or(b);
-        let started = Instant::now();
-        a.require_faces("an overlap")?;
-        b.require_faces("an overlap")?;
-        let direction = Direction { from: a, to: b, transform: options.transform };
+        let opened = Opened::new([a, b], options)?;
+        let [a, b] = opened.models_with_faces("an overlap")?;
+        let (direction, clock) = (opened.forward(), opened.clock());
         let mut result = OverlapResult {
             volumes: None,
             ratio: None,
@@ -134,7 +127,7 @@ impl Engine {
             tolerance: options.relative_width(),
             volume_of_gap: None,
             unit: direction.unit(),
-            hint,
+            hint: opened.hint(),
             gap: direction.gap(),
             gap_proven: direction.is_gap_proven(),
             cells: 0,
@@ -147,14 +140,14 @@ impl Engine {
         let placed = || [0, 1].map(|index| solids.placed(index));
         let [first, second] = placed();
         let volumes = [first.volume, second.volume];
-        result.seconds.prepare = started.elapsed().as_secs_f64();
+        result.seconds.prepare = clock.seconds();
         let mut progress = Progress::new(monitor, false);
         // The union has at least the volume of the larger one.
         let larger = volumes[0].larger(volumes[1]).lower;
         let width = options.relative_width() * larger;
-        let is_late = || is_over(started, options.max_seconds);
+        let is_late = || clock.is_over();
         let (left, outlook) = (options.most_cells(), Outlook::new(patience.hopeless[0]));
-        let mut budget = Budget { started, max_seconds: options.max_seconds, left, outlook };
+        let mut budget = Budget { clock, left, outlook };
         let pair = Pair::new([first, second], width, false);
         let mut search = Search::new(&pair, &solids, patience.stalled[0], &is_late);
         result.stop = run(&mut search, width, &mut budget, &mut progress).await?;
@@ -178,15 +171,14 @@ impl Engine {
         result.ratio = Some(found.ratio(volumes));
         result.volumes = Some(found);
         result.cells = options.most_cells() - budget.left;
-        result.seconds.solve = started.elapsed().as_secs_f64() - result.seconds.prepare;
+        result.seconds.solve = clock.seconds() - result.seconds.prepare;
         Ok(result)
     }
 }
 
 /// What is left of the budgets.
 struct Budget {
-    started: Instant,
-    max_seconds: Option<f64>,
+    clock: Clock,
     /// The number of pieces.
     left: usize,
     outlook: Outlook,
@@ -211,7 +203,7 @@ async fn run(
         if budget.left == 0 || budget.left > search.pieces() && is_hopeless() {
             return Ok(Stop::Cells);
         }
-        if is_over(budget.started, budget.max_seconds) {
+        if budget.clock.is_over() {
             return Ok(Stop::Time);
         }
         if progress.is_due() {

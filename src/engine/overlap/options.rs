@@ -1,6 +1,9 @@
 //! The options of overlaps.
 
-use crate::error::{Error, Result};
+use super::OverlapResult;
+use crate::engine::query::{CommonOptions, Query};
+use crate::engine::{Computation, Engine, PreparedModel};
+use crate::error::Result;
 use crate::model::RigidTransform;
 use crate::tolerance::positive;
 use serde::Deserialize;
@@ -39,20 +42,37 @@ impl Default for OverlapOptions {
     }
 }
 
-impl OverlapOptions {
-    /// Checks every range.
-    ///
-    /// # Errors
-    /// [`Error::OptionOutOfRange`] naming the option.
-    pub fn validate(&self) -> Result<()> {
-        self.tolerance.map_or(Ok(()), |tolerance| positive("tolerance", tolerance))?;
-        self.max_seconds.map_or(Ok(()), |seconds| positive("max seconds", seconds))?;
-        if self.max_cells == Some(0) {
-            return Err(Error::out_of_range("max cells", 0, "at least 1"));
-        }
-        Ok(())
+impl Query for OverlapOptions {
+    type Answer = OverlapResult;
+
+    /// The tolerance is no length, and so not among them.
+    fn common(&self) -> CommonOptions {
+        let &Self { max_seconds, max_cells, scale_units, transform, .. } = self;
+        CommonOptions { max_seconds, max_cells, scale_units, transform, ..CommonOptions::default() }
     }
 
+    fn moved(self, transform: RigidTransform) -> Self {
+        Self { transform, ..self }
+    }
+
+    fn within(self, max_seconds: Option<f64>) -> Self {
+        Self { max_seconds: self.max_seconds.or(max_seconds), ..self }
+    }
+
+    fn validate_own(&self) -> Result<()> {
+        self.tolerance.map_or(Ok(()), |tolerance| positive("tolerance", tolerance))
+    }
+
+    fn ask<'a>(
+        &'a self,
+        engine: &'a Engine,
+        [a, b]: [&'a PreparedModel; 2],
+    ) -> Computation<'a, OverlapResult> {
+        engine.overlap(a, b, self)
+    }
+}
+
+impl OverlapOptions {
     /// Returns the permitted width, as a fraction of the union's volume.
     pub(super) fn relative_width(&self) -> f64 {
         self.tolerance.unwrap_or(DEFAULT_TOLERANCE)

@@ -1,15 +1,17 @@
 //! The options of a score.
 
-use super::ScoreNumber;
+use super::{Score, ScoreNumber};
 use crate::engine::options::at_least_zero;
+use crate::engine::query::{CommonOptions, Query};
+use crate::engine::{Computation, Engine, PreparedModel};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
-use crate::tolerance::{PermittedWidth, positive};
+use crate::tolerance::positive;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
 /// The default width of lengths, as a fraction of the truth's diagonal.
-pub(super) const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-3;
+const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-3;
 
 /// The default of [`ScoreOptions::part_tolerance`].
 const DEFAULT_PART_TOLERANCE: f64 = 1e-3;
@@ -108,14 +110,27 @@ impl Default for ScoreOptions {
     }
 }
 
-impl ScoreOptions {
-    /// Checks every range.
-    ///
+impl Query for ScoreOptions {
+    type Answer = Score;
+
+    fn common(&self) -> CommonOptions {
+        let &Self { tolerance, relative_tolerance, max_seconds, scale_units, transform, .. } = self;
+        let max_cells = Some(self.max_cells);
+        CommonOptions { tolerance, relative_tolerance, max_seconds, max_cells, scale_units, transform }
+    }
+
+    fn moved(self, transform: RigidTransform) -> Self {
+        Self { transform, ..self }
+    }
+
+    fn within(self, max_seconds: Option<f64>) -> Self {
+        Self { max_seconds: self.max_seconds.or(max_seconds), ..self }
+    }
+
     /// # Errors
-    /// [`Error::OptionOutOfRange`] naming the option, [`Error::OptionInvalid`] for two tolerances, and for a
-    /// transform that an alignment would replace.
-    pub fn validate(&self) -> Result<()> {
-        self.permitted().validate()?;
+    /// [`Error::OptionOutOfRange`] naming the option, [`Error::OptionInvalid`] for a transform that an alignment would
+    /// replace.
+    fn validate_own(&self) -> Result<()> {
         for &threshold in &self.thresholds {
             at_least_zero("thresholds", threshold)?;
         }
@@ -133,18 +148,22 @@ impl ScoreOptions {
         for (_, &bound) in self.at_least.iter().chain(&self.at_most) {
             at_least_zero("requirement", bound)?;
         }
-        if self.max_cells == 0 {
-            return Err(Error::out_of_range("max cells", 0, "at least 1"));
-        }
         if self.align == ScoreAlignment::Box && self.transform != RigidTransform::IDENTITY {
             let found = "found a transform and align box, expected one of them".to_owned();
             return Err(Error::OptionInvalid { found });
         }
-        self.max_seconds.map_or(Ok(()), |seconds| positive("max seconds", seconds))
+        Ok(())
     }
 
-    pub(super) fn permitted(&self) -> PermittedWidth {
-        PermittedWidth { tolerance: self.tolerance, relative_tolerance: self.relative_tolerance }
+    fn ask<'a>(&'a self, engine: &'a Engine, [a, b]: [&'a PreparedModel; 2]) -> Computation<'a, Score> {
+        engine.score(a, b, self)
+    }
+}
+
+impl ScoreOptions {
+    /// Returns the permitted width of lengths, in model units, for a truth of this diagonal.
+    pub(super) fn width(&self, diagonal: f64) -> f64 {
+        self.common().width(diagonal, DEFAULT_RELATIVE_TOLERANCE)
     }
 
     /// Returns the thresholds in model units, ascending, for a truth of this diagonal.

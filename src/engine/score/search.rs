@@ -5,9 +5,11 @@ use super::parts::{self, at_thresholds, within_least};
 use super::placement::{Placed, Placement};
 use super::requirements::{is_missed, judged, verdict};
 use super::result::{Difference, FaceCounts, HausdorffScore, Score, ScoredModel, SurfaceScore};
-use super::{ScoreNumber, ScoreOptions, options};
+use super::{ScoreNumber, ScoreOptions};
+use crate::engine::clock::Clock;
 use crate::engine::overlap::Patience;
-use crate::engine::section::{Section, is_over, seconds_left};
+use crate::engine::query::Opened;
+use crate::engine::section::Section;
 use crate::engine::statistics::{Asked, Sums};
 use crate::engine::{
     Backend, Beyond, CertifiedOptions, Computation, DiffOptions, DistanceOptions, DistanceResult, Engine,
@@ -18,7 +20,6 @@ use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::progress::Monitor;
 use glam::DVec3;
-use web_time::Instant;
 
 /// The shares of the progress: the fit, and where each further computation starts with its length.
 pub(super) const FIT_PART: f64 = 0.2;
@@ -60,14 +61,12 @@ impl Engine {
         options: &ScoreOptions,
         monitor: &mut dyn Monitor,
     ) -> Result<Score> {
-        options.validate()?;
-        let started = Instant::now();
-        let in_unit = truth.in_unit_of(candidate, options.scale_units)?;
-        let truth = in_unit.as_deref().unwrap_or(truth);
+        let opened = Opened::new([candidate, truth], options)?;
+        let [candidate, truth] = opened.models();
         let Placed { placement, scaled } = Self::placed(candidate, truth, options, monitor).await?;
         let candidate = scaled.as_ref().unwrap_or(candidate);
-        let prepare = started.elapsed().as_secs_f64();
-        let pair = Pair::new(self, [candidate, truth], placement.transform, options, started);
+        let prepare = opened.clock().seconds();
+        let pair = Pair::new(self, [candidate, truth], placement.transform, options, opened.clock());
         let mut found = pair.begun(placement);
         let mut known = pair.known_of(&found);
         let mut steps =
@@ -88,7 +87,7 @@ impl Engine {
         found.requirements = judged(options, &known);
         found.met = verdict(&found.requirements);
         found.converged &= !found.ended_early;
-        let solve = started.elapsed().as_secs_f64() - prepare;
+        let solve = opened.clock().seconds() - prepare;
         found.seconds = Seconds { prepare, compile: 0.0, solve };
         Ok(found)
     }
@@ -144,7 +143,7 @@ pub(super) struct Pair<'a> {
     /// Moves the candidate.
     pub(super) transform: RigidTransform,
     pub(super) options: &'a ScoreOptions,
-    started: Instant,
+    clock: Clock,
     /// The diagonal of the truth's box.
     pub(super) diagonal: f64,
     tolerance: f64,
@@ -158,20 +157,20 @@ impl<'a> Pair<'a> {
         [candidate, truth]: [&'a PreparedModel; 2],
         transform: RigidTransform,
         options: &'a ScoreOptions,
-        started: Instant,
+        clock: Clock,
     ) -> Self {
         let facts = truth.facts();
         let [low, high] = [facts.min, facts.max].map(|ends| DVec3::from_array(ends.map(|end| end.middle())));
         let diagonal = low.distance(high);
-        let tolerance = options.permitted().in_units(diagonal, options::DEFAULT_RELATIVE_TOLERANCE);
+        let tolerance = options.width(diagonal);
         let limits = options.limits(diagonal);
-        Self { engine, candidate, truth, transform, options, started, diagonal, tolerance, limits }
+        Self { engine, candidate, truth, transform, options, clock, diagonal, tolerance, limits }
     }
 
     /// Returns what facts say.
     fn begun(&self, placement: Placement) -> Score {
-        let (started, most) = (self.started, self.options.max_seconds);
-        let is_late = move || is_over(started, most);
+        let clock = self.clock;
+        let is_late = move || clock.is_over();
         let candidate = ScoredModel::new(self.candidate, &self.transform, &is_late);
         let truth = ScoredModel::new(self.truth, &RigidTransform::IDENTITY, &is_late);
         let compared = |one: Option<Interval>, other: Option<Interval>| Some(Difference::new(one?, other?));
@@ -362,7 +361,7 @@ impl<'a> Pair<'a> {
 
     /// Returns the seconds that are left of the budget.
     pub(super) fn seconds_left(&self) -> Option<f64> {
-        seconds_left(self.started, self.options.max_seconds)
+        self.clock.left()
     }
 }
 

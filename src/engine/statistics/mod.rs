@@ -6,12 +6,13 @@ mod pages;
 mod search;
 mod sums;
 
-use super::Seconds;
+use super::query::{CommonOptions, Query, validate_limit};
+use super::{Computation, Engine, PreparedModel, Seconds};
 use crate::certified::{Audit, AuditReport};
 use crate::error::{Error, Result};
 use crate::interval::Interval;
 use crate::model::RigidTransform;
-use crate::tolerance::{PermittedWidth, positive};
+use crate::tolerance::positive;
 pub(in crate::engine) use audited::audit;
 pub(in crate::engine) use cover::{Cells, Cover};
 pub(in crate::engine) use pages::{bounded, halve_page};
@@ -81,34 +82,45 @@ impl Default for StatisticsOptions {
     }
 }
 
-impl StatisticsOptions {
-    /// Checks every range.
-    ///
-    /// # Errors
-    /// [`Error::OptionOutOfRange`] naming the option, [`Error::OptionInvalid`] for two tolerances.
-    pub fn validate(&self) -> Result<()> {
-        self.permitted().validate()?;
+impl Query for StatisticsOptions {
+    type Answer = CertifiedStatistics;
+
+    fn common(&self) -> CommonOptions {
+        let &Self { tolerance, relative_tolerance, max_seconds, scale_units, transform, .. } = self;
+        let max_cells = Some(self.max_cells);
+        CommonOptions { tolerance, relative_tolerance, max_seconds, max_cells, scale_units, transform }
+    }
+
+    fn moved(self, transform: RigidTransform) -> Self {
+        Self { transform, ..self }
+    }
+
+    fn within(self, max_seconds: Option<f64>) -> Self {
+        Self { max_seconds: self.max_seconds.or(max_seconds), ..self }
+    }
+
+    fn validate_own(&self) -> Result<()> {
         for &part in &self.percentiles {
             if !(part > 0.0 && part < 1.0) {
                 return Err(Error::out_of_range("percentiles", part, "parts above 0 and below 1"));
             }
         }
-        if let Some(limit) = self.limit {
-            super::options::at_least_zero("limit", limit)?;
-        }
-        positive("part tolerance", self.part_tolerance)?;
-        if self.max_cells == 0 {
-            return Err(Error::out_of_range("max cells", 0, "at least 1"));
-        }
-        self.max_seconds.map_or(Ok(()), |seconds| positive("max seconds", seconds))
+        validate_limit(self.limit)?;
+        positive("part tolerance", self.part_tolerance)
     }
 
-    fn permitted(&self) -> PermittedWidth {
-        PermittedWidth { tolerance: self.tolerance, relative_tolerance: self.relative_tolerance }
+    fn ask<'a>(
+        &'a self,
+        engine: &'a Engine,
+        [a, b]: [&'a PreparedModel; 2],
+    ) -> Computation<'a, CertifiedStatistics> {
+        engine.statistics(a, b, self)
     }
+}
 
+impl StatisticsOptions {
     fn width(&self, diagonal: f64) -> f64 {
-        self.permitted().in_units(diagonal, DEFAULT_RELATIVE_TOLERANCE)
+        self.common().width(diagonal, DEFAULT_RELATIVE_TOLERANCE)
     }
 }
 

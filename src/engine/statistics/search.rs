@@ -7,10 +7,9 @@ use super::sums::Sums;
 use super::{Beyond, CertifiedStatistics, Measure, Percentile, StatisticsOptions};
 use crate::area::Area;
 use crate::certified::{AuditReport, Pair};
-use crate::engine::direction::Direction;
-use crate::engine::hint::hint;
+use crate::engine::clock::Clock;
 use crate::engine::outlook::Outlook;
-use crate::engine::section::is_over;
+use crate::engine::query::Opened;
 use crate::engine::{Computation, Engine, PreparedModel, Seconds};
 use crate::error::{Error, Result};
 use crate::facets::{Parts, PreparedFacets, Source, Spread, Start, Weighted};
@@ -18,7 +17,6 @@ use crate::interval::Interval;
 use crate::progress::{Monitor, Progress};
 use crate::sorting::sort_by_number;
 use std::ops::Range;
-use web_time::Instant;
 
 /// The part of the tolerance within which a cell is taken to lie on surfaces: it is never halved.
 const WHOLE_PART: f64 = 0.125;
@@ -93,18 +91,15 @@ impl Engine {
         monitor: &mut dyn Monitor,
     ) -> Result<(CertifiedStatistics, Vec<Beyond>)> {
         let options = asked.options;
-        options.validate()?;
-        let hint = hint(a, b);
-        let scaled = b.in_unit_of(a, options.scale_units)?;
-        let b = scaled.as_deref().unwrap_or(b);
+        let opened = Opened::new([a, b], options)?;
+        let [a, b] = opened.models();
         let mut progress = Progress::new(monitor, false);
-        let started = Instant::now();
-        let direction = Direction { from: a, to: b, transform: options.transform };
+        let (direction, clock) = (opened.forward(), opened.clock());
         let diagonal = direction.diagonal();
         let tolerance = options.width(diagonal);
         let over = if a.is_cloud() { Measure::Count } else { Measure::Area };
-        let search = Search { over, tolerance, asked, started };
-        let prepare = || started.elapsed().as_secs_f64();
+        let search = Search { over, tolerance, asked, clock };
+        let prepare = || clock.seconds();
         let (prepare, found) = if over == Measure::Area && b.facets().is_none() {
             let (from, to) = (a.certified_target(), b.certified_target());
             let pair = Pair { a: from.operand(a), b: to.operand(b), transform: options.transform };
@@ -143,11 +138,11 @@ impl Engine {
             tolerance,
             diagonal,
             unit: direction.unit(),
-            hint,
+            hint: opened.hint(),
             cells,
             audit,
             notice,
-            seconds: Seconds { prepare, compile: 0.0, solve: started.elapsed().as_secs_f64() - prepare },
+            seconds: Seconds { prepare, compile: 0.0, solve: clock.seconds() - prepare },
         };
         Ok((found, sums.beyond))
     }
@@ -167,7 +162,7 @@ struct Search<'a> {
     over: Measure,
     tolerance: f64,
     asked: Asked<'a>,
-    started: Instant,
+    clock: Clock,
 }
 
 /// Intervals, whether they are narrow enough, the number of parts, and what their audit found.
@@ -269,7 +264,7 @@ impl Search<'_> {
     }
 
     fn is_late(&self) -> bool {
-        is_over(self.started, self.asked.options.max_seconds)
+        self.clock.is_over()
     }
 
     /// Halves the parts of these indices until the time is spent, and returns how many could be.

@@ -5,7 +5,7 @@ use crate::support::trims::{circle, face, plane, rectangle, reversed};
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::internals::engine::{DiffOptions, DiffResult, DistanceOptions, Engine, FaceState};
 use nurbs_hausdorff::shapes::shape;
-use nurbs_hausdorff::{Model, ModelArrays, PreparedModel, RigidTransform, SurfaceArrays};
+use nurbs_hausdorff::{Model, ModelArrays, PreparedModel, Query, RigidTransform, SurfaceArrays};
 
 /// Rounding of the truths below, of size 0 to 10.
 const ROUNDING: f64 = 1e-12;

@@ -4,7 +4,7 @@
 use super::support::bytes::Bytes;
 use super::support::results::{assert_numbers, distance};
 use super::support::surfaces::tame_model;
-use nurbs_hausdorff::{Backend, DistanceOptions, Error, Method, NamedOptions};
+use nurbs_hausdorff::{Backend, DistanceOptions, Error, Method, NamedOptions, Query};
 
 /// The budgets: the search of a tiny model then ends in milliseconds.
 const MAX_CELLS: usize = 50;

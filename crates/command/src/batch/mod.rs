@@ -18,7 +18,7 @@ use crate::output::json::{OfAllFiles, OfFile, OfFiles, Reason, line};
 use crate::reports::Verdict;
 use answers::{Answers, key, resumed};
 use cache::Cache;
-use nurbs_hausdorff::{Backend, CheckOptions, Engine, Error, MethodName, Monitor};
+use nurbs_hausdorff::{Backend, CheckOptions, Engine, Error, Monitor, Query};
 use request::{FileInUnit, Question, Request};
 use serde::Serialize;
 use serde_json::Value;
@@ -239,51 +239,55 @@ impl Batch<'_> {
     }
 
     fn question(&self, id: &Value, a: &Input, b: &Input, question: &Question) -> Result<String, Failure> {
-        let models = (&a.prepared, &b.prepared);
         let is_whole = [a, b].iter().all(|input| input.report.read.skipped.is_empty());
-        let monitor = &mut Interrupt([self.interrupted, &self.unread]);
         let of = OfQuestion { id, question, is_whole, a, b };
         match question {
             Question::Distance(options) => {
-                let staged = options.method.name() != MethodName::Certified || options.deviations;
-                let engine = match options.backend {
-                    Backend::Cpu => &self.cpu,
-                    Backend::Auto if !staged => &self.cpu,
-                    _ => self.with_gpu()?,
-                };
-                let result = engine.distance(models.0, models.1, options).monitored(monitor).wait()?;
+                let engine = if options.may_use_gpu() { self.with_gpu()? } else { &self.cpu };
+                let result = self.ask(engine, &**options, [a, b])?;
                 of.answered(options.limit.map_or(Verdict::Passed, |limit| of_limit(&result, limit)), &result)
             }
             Question::Diff(options) => {
-                let result = self.cpu.diff(models.0, models.1, options).monitored(monitor).wait()?;
+                let result = self.ask(&self.cpu, options, [a, b])?;
                 of.answered(result.state.into(), &result)
             }
             Question::Score(options) => {
-                let result = self.cpu.score(models.0, models.1, options).monitored(monitor).wait()?;
+                let result = self.ask(&self.cpu, &**options, [a, b])?;
                 of.answered(Verdict::of(result.met), &result)
             }
             Question::Align(options) => {
-                let result = self.cpu.best_fit(models.0, models.1, options).monitored(monitor).wait()?;
+                let result = self.ask(&self.cpu, &**options, [a, b])?;
                 of.answered(Verdict::of(judged(&result, options.zone.limit)), &Aligned::new(&result))
             }
             // Nothing is judged by the next three.
             Question::Gaps(options) => {
-                let result = self.cpu.gaps(models.0, models.1, options).monitored(monitor).wait()?;
+                let result = self.ask(&self.cpu, options, [a, b])?;
                 of.answered(Verdict::Passed, &result)
             }
             Question::Statistics(options) => {
-                let result = self.cpu.statistics(models.0, models.1, options).monitored(monitor).wait()?;
+                let result = self.ask(&self.cpu, options, [a, b])?;
                 of.answered(Verdict::Passed, &result)
             }
             Question::Overlap(options) => {
-                let result = self.cpu.overlap(models.0, models.1, options).monitored(monitor).wait()?;
+                let result = self.ask(&self.cpu, options, [a, b])?;
                 of.answered(Verdict::Passed, &result)
             }
             Question::Clearance(options) => {
-                let result = self.cpu.clearance(models.0, models.1, options).monitored(monitor).wait()?;
+                let result = self.ask(&self.cpu, options, [a, b])?;
                 of.answered(Verdict::of(result.at_least), &result)
             }
         }
+    }
+
+    /// Answers a question about two models, unless nobody waits for the answer.
+    fn ask<Q: Query>(
+        &self,
+        engine: &Engine,
+        question: &Q,
+        [a, b]: [&Input; 2],
+    ) -> Result<Q::Answer, Failure> {
+        let monitor = &mut Interrupt([self.interrupted, &self.unread]);
+        Ok(question.ask(engine, [&a.prepared, &b.prepared]).monitored(monitor).wait()?)
     }
 
     /// Returns the engine with the GPU, if there is one.

@@ -7,7 +7,7 @@ use crate::reports::Verdict;
 use glam::{DQuat, DVec3};
 use nurbs_hausdorff::{
     BestFitOptions, CheckOptions, ClearanceOptions, DiffOptions, DistanceOptions, Error, GapOptions,
-    NamedOptions, OverlapOptions, Result, RigidTransform, ScoreOptions, StatisticsOptions,
+    NamedOptions, OverlapOptions, Query, Result, RigidTransform, ScoreOptions, StatisticsOptions,
 };
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -130,7 +130,7 @@ fn request(line: Line, max_seconds: Option<f64>) -> Result<Request> {
         CommandName::Check => return check(line, max_seconds),
         CommandName::Info => return info(line),
         CommandName::Distance => distance,
-        CommandName::Align => align,
+        CommandName::Align => |options| Ok(Question::Align(Box::new(options.placed()?))),
         CommandName::Diff => |options| Ok(Question::Diff(options.placed()?)),
         CommandName::Clearance => |options| Ok(Question::Clearance(options.placed()?)),
         CommandName::Score => |options| Ok(Question::Score(Box::new(options.placed()?))),
@@ -208,55 +208,20 @@ impl PairOptions {
     ///
     /// # Errors
     /// Those of [`named`], and of each range.
-    fn placed<T: Placed>(self) -> Result<T> {
-        let mut options: T = named(self.named)?;
-        options.place(self.transform, self.max_seconds);
-        options.check()?;
-        Ok(options)
+    fn placed<Q: Query + DeserializeOwned>(self) -> Result<Q> {
+        let Self { transform, named: given, max_seconds } = self;
+        let question = named::<Q>(given)?.moved(transform).within(max_seconds);
+        question.validate()?;
+        Ok(question)
     }
 }
 
 fn distance(PairOptions { transform, named: given, max_seconds }: PairOptions) -> Result<Question> {
     let named: NamedOptions = named(given)?;
-    let mut options = DistanceOptions::try_from(NamedOptions { transform, ..named })?;
-    if let nurbs_hausdorff::Method::Certified(budgets) = &mut options.method {
-        budgets.max_seconds = budgets.max_seconds.or(max_seconds);
-    }
+    let options = DistanceOptions::try_from(NamedOptions { transform, ..named })?.within(max_seconds);
     options.validate()?;
     Ok(Question::Distance(Box::new(options)))
 }
-
-fn align(PairOptions { transform, named: given, .. }: PairOptions) -> Result<Question> {
-    let options = BestFitOptions { transform, ..named(given)? };
-    options.validate()?;
-    Ok(Question::Align(Box::new(options)))
-}
-
-/// Options with a motion of A and a budget of time.
-trait Placed: DeserializeOwned {
-    /// Sets the motion, and the budget unless there is one.
-    fn place(&mut self, transform: RigidTransform, max_seconds: Option<f64>);
-
-    /// Checks every range.
-    fn check(&self) -> Result<()>;
-}
-
-macro_rules! impl_placed {
-    ($($options:ty),*) => {$(
-        impl Placed for $options {
-            fn place(&mut self, transform: RigidTransform, max_seconds: Option<f64>) {
-                self.transform = transform;
-                self.max_seconds = self.max_seconds.or(max_seconds);
-            }
-
-            fn check(&self) -> Result<()> {
-                self.validate()
-            }
-        }
-    )*};
-}
-
-impl_placed!(DiffOptions, ClearanceOptions, GapOptions, ScoreOptions, StatisticsOptions, OverlapOptions);
 
 fn no_files(command: &str, files: &str) -> Error {
     no_pair(format!("`{command}` has {files}, and neither `a`, `b`, their units nor `transform`"))

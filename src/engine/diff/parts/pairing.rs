@@ -3,15 +3,14 @@
 use super::motions::{candidates, most_matching};
 use super::part::{Part, parts_of};
 use super::{PartDifference, PartFaces, PartMotion, PartState};
+use crate::engine::clock::Clock;
 use crate::engine::diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::engine::options::{CertifiedOptions, Method};
-use crate::engine::section::{is_over, seconds_left};
 use crate::engine::{DistanceOptions, Engine, PreparedModel};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::progress::Monitor;
 use std::collections::HashSet;
-use web_time::Instant;
 
 /// The largest number of bodies of a model that are paired: a soup of triangles has one a triangle.
 const MAX_PARTS: usize = 2000;
@@ -31,7 +30,7 @@ struct Pairing<'a> {
     parts: [Vec<Part>; 2],
     open: [Vec<bool>; 2],
     options: &'a DiffOptions,
-    started: Instant,
+    clock: Clock,
     /// The comparison of the only parts in place, where both models have one with all faces.
     in_place: Option<&'a DiffResult>,
     found: Vec<(usize, PartDifference)>,
@@ -40,8 +39,8 @@ struct Pairing<'a> {
 impl Engine {
     /// Returns what became of each part of A, in their order, and then the parts of B alone.
     ///
-    /// None are returned of clouds, of models of more than 2,000 bodies, and where the budget of seconds, which counts
-    /// from `started`, is spent before; what it leaves no time for is undecided.
+    /// None are returned of clouds, of models of more than 2,000 bodies, and where the budget of seconds is spent
+    /// before; what it leaves no time for is undecided.
     ///
     /// # Errors
     /// Those of [`Engine::distance`] and [`Engine::diff`].
@@ -50,10 +49,10 @@ impl Engine {
         models: [&PreparedModel; 2],
         options: &DiffOptions,
         whole: &DiffResult,
-        started: Instant,
+        clock: Clock,
         monitor: &mut dyn Monitor,
     ) -> Result<Vec<PartDifference>> {
-        let is_late = || is_over(started, options.max_seconds);
+        let is_late = || clock.is_over();
         // Bodies are paired by their facts, and areas take the longest of those.
         let is_paired = |model: &PreparedModel| {
             !(model.is_cloud() || is_late())
@@ -68,7 +67,7 @@ impl Engine {
         let has_all = |parts: &[Part], faces: &[FaceDifference]| matches!(parts, [only] if only.faces.len() == faces.len());
         let are_whole = has_all(&parts[0], &whole.faces_of_a) && has_all(&parts[1], &whole.faces_of_b);
         let in_place = are_whole.then_some(whole);
-        let mut pairing = Pairing { parts, open, options, started, in_place, found: Vec::new() };
+        let mut pairing = Pairing { parts, open, options, clock, in_place, found: Vec::new() };
         match in_place.map(|whole| whole.state) {
             Some(FaceState::Unchanged) => {
                 let state = name_state(&pairing.parts[0][0], &pairing.parts[1][0], &pairing.parts);
@@ -228,7 +227,7 @@ impl Engine {
         let limit = pairing.options.limit;
         let certified = CertifiedOptions {
             max_cells: Some(pairing.options.max_cells.min(PROOF_CELLS)),
-            max_seconds: pairing.seconds_left(),
+            max_seconds: pairing.clock.left(),
             ..CertifiedOptions::default()
         };
         let options = DistanceOptions {
@@ -253,19 +252,15 @@ impl Engine {
         pairing: &Pairing<'_>,
         monitor: &mut dyn Monitor,
     ) -> Result<DiffResult> {
-        let max_seconds = pairing.seconds_left();
+        let max_seconds = pairing.clock.left();
         let options = DiffOptions { transform, max_seconds, ..pairing.options.clone() };
         self.diff_of_faces(&a.model, &b.model, &options, monitor).await
     }
 }
 
 impl Pairing<'_> {
-    fn seconds_left(&self) -> Option<f64> {
-        seconds_left(self.started, self.options.max_seconds)
-    }
-
     fn is_late(&self) -> bool {
-        is_over(self.started, self.options.max_seconds)
+        self.clock.is_over()
     }
 
     fn is_open(&self, [a, b]: [usize; 2]) -> bool {

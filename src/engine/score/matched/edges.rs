@@ -3,8 +3,8 @@
 use super::cuts::is_cut;
 use super::shares::{Shares, largest_open};
 use crate::engine::PreparedModel;
+use crate::engine::clock::Clock;
 use crate::engine::outlook::Outlook;
-use crate::engine::section::is_over;
 use crate::error::Result;
 use crate::facets::{Facet, PreparedFacets};
 use crate::features::{Counterparts, Faces, FeatureEdges, Piece, Sharpness};
@@ -16,7 +16,6 @@ use crate::solid::{Edges, joined_arcs};
 use crate::threads::parallel::map_ranges;
 use glam::DVec3;
 use std::ops::Range;
-use web_time::Instant;
 
 /// The pieces from which on a search ends that is not to be expected to become narrow.
 const PATIENCE: usize = 2048;
@@ -94,7 +93,7 @@ pub(super) async fn matched_edges(
     let length = boxes.iter().flatten().map(|aabb| aabb.farthest_from_origin()).sum::<f64>();
     let counterparts =
         Counterparts::new(to, Reach::new(asked.threshold, [from.error() + to.error(), length]));
-    let search = Search { from, counterparts, asked, started: Instant::now() };
+    let search = Search { from, counterparts, asked, clock: Clock::start(asked.max_seconds) };
     let (part, length, is_narrow) = search.run(&mut progress).await?;
     Ok(MatchedEdges { part, length, is_narrow })
 }
@@ -120,7 +119,7 @@ struct Search<'a> {
     from: &'a FeatureEdges<'a>,
     counterparts: Counterparts<'a>,
     asked: AskedEdges,
-    started: Instant,
+    clock: Clock,
 }
 
 /// A piece that may be of a feature edge, with what is known of its counterparts.
@@ -157,7 +156,7 @@ impl<'a> Search<'a> {
                 part.upper - part.lower <= tolerance && is_known || length.upper <= self.asked.least;
             // While no piece is certainly a feature this is 0: pieces are halved until one is, or none can be.
             let permitted = tolerance * length.lower;
-            let is_over = is_over(self.started, self.asked.max_seconds)
+            let is_over = self.clock.is_over()
                 || outlook.is_hopeless(pieces.len(), part.upper - part.lower, limits)
                 || self.counterparts.reach().is_hopeless();
             if is_narrow || is_over || !self.halve(&mut pieces, permitted, progress).await? {

@@ -4,8 +4,8 @@ use super::shares::{Shares, largest_open};
 use crate::area::Area;
 use crate::certified::{Audit, AuditReport, Pair};
 use crate::engine::PreparedModel;
+use crate::engine::clock::Clock;
 use crate::engine::outlook::Outlook;
-use crate::engine::section::is_over;
 use crate::engine::statistics::{Cells, Cover, audit, bounded, halve_page};
 use crate::error::{Error, Result};
 use crate::facets::{Parts, PreparedFacets, Source, Weighted};
@@ -14,7 +14,6 @@ use crate::model::RigidTransform;
 use crate::normals::{Likeness, Likenesses, NormalTarget, Reach};
 use crate::progress::{Monitor, Progress};
 use std::ops::Range;
-use web_time::Instant;
 
 /// The part of the threshold within which distances are not looked at more closely.
 const SUFFICIENT_PART: f64 = 0.125;
@@ -55,7 +54,7 @@ pub(super) async fn alike_part(
         return Ok(None);
     }
     let mut progress = Progress::new(monitor, false);
-    let started = Instant::now();
+    let clock = Clock::start(asked.max_seconds);
     let sufficient = SUFFICIENT_PART * asked.threshold;
     let boxes = [from, to].map(PreparedModel::bounding_box);
     let length =
@@ -70,7 +69,7 @@ pub(super) async fn alike_part(
     };
     let search = |rounding: f64| {
         let reach = Reach::new(asked.threshold, [rounding, length]);
-        Search { likenesses: Likenesses::new(&target, reach, asked.angle), asked, started }
+        Search { likenesses: Likenesses::new(&target, reach, asked.angle), asked, clock }
     };
     let found = if let Some(flat) = &flat {
         let own = from.certified_target();
@@ -93,7 +92,7 @@ pub(super) async fn alike_part(
 struct Search<'a> {
     likenesses: Likenesses<'a>,
     asked: AskedNormals,
-    started: Instant,
+    clock: Clock,
 }
 
 /// A part with what is known of it.
@@ -101,7 +100,7 @@ type Compared<P> = (P, Likeness);
 
 impl Search<'_> {
     fn is_late(&self) -> bool {
-        is_over(self.started, self.asked.max_seconds)
+        self.clock.is_over()
     }
 
     fn compared<C: Cover>(&self, cover: &C, part: C::Part) -> Compared<C::Part> {

@@ -1,31 +1,26 @@
 //! The command `align`.
 
+use super::asked::answered;
 use crate::arguments::Placement;
 use crate::arguments::align::AlignArguments;
 use crate::failure::Failure;
-use crate::input::read_both;
 use crate::output::digits::{coordinates, interval, number};
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
-use crate::output::progress::Bar;
 use crate::reports::Verdict;
 use clap::ValueEnum;
-use nurbs_hausdorff::{BestFit, DVec3, Engine, RigidTransform};
+use nurbs_hausdorff::{BestFit, DVec3, RigidTransform};
 use serde::Serialize;
 use std::fmt::Write;
+use std::path::Path;
 
 /// Other poses that are printed; `--json` has all.
 const MOST_PRINTED: usize = 6;
 
 /// Fits A to B, prints the motion and returns the exit status: 0 of a fit, 3 of none.
 pub(crate) fn run(arguments: &AlignArguments) -> Result<u8, Failure> {
-    let options = arguments.options()?;
-    options.validate()?;
-    let [a, b] = read_both([&arguments.a, &arguments.b], arguments.placement.units)?;
-    let engine = Engine::cpu();
-    let mut bar = Bar::new();
-    let fit = engine.best_fit(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
-    drop(bar);
+    let files: [&Path; 2] = [&arguments.a, &arguments.b];
+    let (fit, [a, b]) = answered(&arguments.options()?, files, arguments.placement.units)?;
     let verdict = Verdict::of(judged(&fit, arguments.limit));
     if arguments.json {
         let limit = arguments.limit;

@@ -1,27 +1,23 @@
 //! The command `clearance`.
 
+use super::asked::answered;
 use crate::arguments::clearance::ClearanceArguments;
 use crate::failure::Failure;
-use crate::input::{Input, is_judged, read_both};
+use crate::input::{Input, is_judged};
 use crate::output::digits::bounded;
 use crate::output::headline::{self, GAPS_DECIDE, place};
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
-use crate::output::progress::Bar;
 use crate::output::report::hint;
 use crate::reports::Verdict;
-use nurbs_hausdorff::{ClearanceResult, Engine, Overlap, OverlapUnknown, SurfacePoint, result::Stop};
+use nurbs_hausdorff::{ClearanceResult, Overlap, OverlapUnknown, SurfacePoint, result::Stop};
 use std::fmt::{Result, Write};
+use std::path::Path;
 
 /// Measures the clearance, prints it and returns the exit status.
 pub(crate) fn run(arguments: &ClearanceArguments) -> std::result::Result<u8, Failure> {
-    let options = arguments.options()?;
-    options.validate()?;
-    let [a, b] = read_both([&arguments.search.a, &arguments.search.b], arguments.search.placement.units)?;
-    let engine = Engine::cpu();
-    let mut bar = Bar::new();
-    let mut result = engine.clearance(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
-    drop(bar);
+    let files: [&Path; 2] = [&arguments.search.a, &arguments.search.b];
+    let (mut result, [a, b]) = answered(&arguments.options()?, files, arguments.search.placement.units)?;
     if arguments.limit.is_some() && !is_judged(&a, &b, arguments.search.allow_skipped) {
         (result.at_least, result.with_gaps.at_least) = (None, None);
     }

@@ -11,7 +11,7 @@ use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
 use nurbs_hausdorff::{
     DiffOptions, DiffResult, Engine, FaceChange, FaceCounterpart, FaceDifference, FaceState, FarthestPoint,
-    KnownDeviation,
+    KnownDeviation, Query,
 };
 use nurbs_hausdorff_pictures::PictureOptions;
 use std::fmt::Write;
@@ -47,7 +47,7 @@ impl Comparison for Diff<'_> {
 
     fn compare(&self, a: &Input, b: &Input) -> Result<(Answer, PictureOptions), Failure> {
         let mut bar = Bar::new();
-        let diff = self.engine.diff(&a.prepared, &b.prepared, &self.options);
+        let diff = self.options.ask(&self.engine, [&a.prepared, &b.prepared]);
         let mut result = diff.monitored(&mut bar).wait()?;
         drop(bar);
         let is_timed = self.options.max_seconds.is_some() && result.state == FaceState::Undecided;

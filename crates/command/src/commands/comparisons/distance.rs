@@ -11,7 +11,7 @@ use crate::output::report;
 use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
 use nurbs_hausdorff::{
-    Backend, Details, DistanceOptions, DistanceResult, Engine, FarthestPoint, KnownDeviation, MethodName,
+    Backend, Details, DistanceOptions, DistanceResult, Engine, FarthestPoint, KnownDeviation, Query,
     SurfacePoint,
 };
 use nurbs_hausdorff_pictures::PictureOptions;
@@ -20,10 +20,7 @@ use nurbs_hausdorff_pictures::PictureOptions;
 pub(crate) fn run(arguments: &DistanceArguments) -> Result<u8, Failure> {
     let options = arguments.options()?;
     options.validate()?;
-    // Method certified usually ends in float64 before a GPU could be initialised.
-    let staged = options.method.name() != MethodName::Certified || options.deviations;
-    let uses_gpu = staged || options.backend == Backend::Gpu;
-    let backend = if uses_gpu { options.backend } else { Backend::Cpu };
+    let backend = if options.may_use_gpu() { options.backend } else { Backend::Cpu };
     let comparison = Distance { arguments, options, engine: Engine::new_blocking(backend)? };
     pairs::run(&arguments.pair, &arguments.reporting, &comparison)
 }
@@ -48,7 +45,7 @@ impl Comparison for Distance<'_> {
 
     fn compare(&self, a: &Input, b: &Input) -> Result<(Answer, PictureOptions), Failure> {
         let mut bar = Bar::new();
-        let distance = self.engine.distance(&a.prepared, &b.prepared, &self.options);
+        let distance = self.options.ask(&self.engine, [&a.prepared, &b.prepared]);
         let mut result = distance.monitored(&mut bar).wait()?;
         drop(bar);
         let limit = self.arguments.limit;

@@ -1,27 +1,23 @@
 //! The command `gaps`.
 
+use super::asked::answered;
 use crate::arguments::clearance::GapsArguments;
 use crate::failure::Failure;
-use crate::input::{Input, is_judged, read_both};
+use crate::input::{Input, is_judged};
 use crate::output::digits::{bounded, number};
 use crate::output::headline::place;
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
-use crate::output::progress::Bar;
 use crate::output::report::hint;
 use crate::reports::Verdict;
-use nurbs_hausdorff::{Engine, FaceGap, GapsResult};
+use nurbs_hausdorff::{FaceGap, GapsResult};
 use std::fmt::{Result, Write};
+use std::path::Path;
 
 /// Finds the pairs of faces, prints them and returns the exit status.
 pub(crate) fn run(arguments: &GapsArguments) -> std::result::Result<u8, Failure> {
-    let options = arguments.options()?;
-    options.validate()?;
-    let [a, b] = read_both([&arguments.search.a, &arguments.search.b], arguments.search.placement.units)?;
-    let engine = Engine::cpu();
-    let mut bar = Bar::new();
-    let result = engine.gaps(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
-    drop(bar);
+    let files: [&Path; 2] = [&arguments.search.a, &arguments.search.b];
+    let (result, [a, b]) = answered(&arguments.options()?, files, arguments.search.placement.units)?;
     let is_known = is_judged(&a, &b, arguments.search.allow_skipped) && result.complete;
     if arguments.search.json {
         let asked = Asked { command: "gaps", verdict: None, limit: None, symmetric: None };

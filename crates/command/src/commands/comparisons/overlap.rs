@@ -1,25 +1,21 @@
 //! The command `overlap`.
 
+use super::asked::answered;
 use crate::arguments::OverlapArguments;
 use crate::failure::Failure;
-use crate::input::{is_judged, read_both};
+use crate::input::is_judged;
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
-use crate::output::progress::Bar;
 use crate::output::report::hint;
 use crate::reports::Verdict;
-use nurbs_hausdorff::{Engine, OverlapResult, VolumesUnknown};
+use nurbs_hausdorff::{OverlapResult, VolumesUnknown};
 use std::fmt::{Result, Write};
+use std::path::Path;
 
 /// Measures the volumes, prints them and returns the exit status.
 pub(crate) fn run(arguments: &OverlapArguments) -> std::result::Result<u8, Failure> {
-    let options = arguments.options()?;
-    options.validate()?;
-    let [a, b] = read_both([&arguments.a, &arguments.b], arguments.placement.units)?;
-    let engine = Engine::cpu();
-    let mut bar = Bar::new();
-    let result = engine.overlap(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
-    drop(bar);
+    let files: [&Path; 2] = [&arguments.a, &arguments.b];
+    let (result, [a, b]) = answered(&arguments.options()?, files, arguments.placement.units)?;
     let is_known = is_judged(&a, &b, arguments.allow_skipped) && result.volumes.is_some();
     if arguments.json {
         let asked = Asked { command: "overlap", verdict: None, limit: None, symmetric: None };

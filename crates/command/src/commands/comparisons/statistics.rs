@@ -1,24 +1,19 @@
 //! The command `statistics`.
 
+use super::asked::answered;
 use crate::arguments::StatisticsArguments;
 use crate::failure::Failure;
-use crate::input::read_both;
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
-use crate::output::progress::Bar;
 use crate::output::report::hint;
-use nurbs_hausdorff::{CertifiedStatistics, Engine, Interval, Measure};
+use nurbs_hausdorff::{CertifiedStatistics, Interval, Measure};
 use std::fmt::{Result, Write};
+use std::path::Path;
 
 /// Computes the statistics and prints them.
 pub(crate) fn run(arguments: &StatisticsArguments) -> std::result::Result<(), Failure> {
-    let options = arguments.options()?;
-    options.validate()?;
-    let [a, b] = read_both([&arguments.a, &arguments.b], arguments.placement.units)?;
-    let engine = Engine::cpu();
-    let mut bar = Bar::new();
-    let result = engine.statistics(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
-    drop(bar);
+    let files: [&Path; 2] = [&arguments.a, &arguments.b];
+    let (result, [a, b]) = answered(&arguments.options()?, files, arguments.placement.units)?;
     if arguments.json {
         // The result states the limit, by which nothing is judged.
         let asked = Asked { command: "statistics", verdict: None, limit: None, symmetric: None };

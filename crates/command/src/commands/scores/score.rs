@@ -1,25 +1,21 @@
 //! The command `score`.
 
 use crate::arguments::score::ScoreArguments;
+use crate::commands::comparisons::answered;
 use crate::failure::Failure;
-use crate::input::{is_judged, read_both};
+use crate::input::is_judged;
 use crate::output::digits::{bounded, number};
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
-use crate::output::progress::Bar;
 use crate::reports::Verdict;
-use nurbs_hausdorff::{Engine, Interval, Placement, Requirement, Score, ScoredModel};
+use nurbs_hausdorff::{Interval, Placement, Requirement, Score, ScoredModel};
 use std::fmt::{Result, Write};
+use std::path::Path;
 
 /// Scores the candidate, prints the numbers and returns the exit status.
 pub(crate) fn run(arguments: &ScoreArguments) -> std::result::Result<u8, Failure> {
-    let options = arguments.options()?;
-    options.validate()?;
-    let [a, b] = read_both([&arguments.candidate, &arguments.truth], arguments.placement.units)?;
-    let engine = Engine::cpu();
-    let mut bar = Bar::new();
-    let mut score = engine.score(&a.prepared, &b.prepared, &options).monitored(&mut bar).wait()?;
-    drop(bar);
+    let files: [&Path; 2] = [&arguments.candidate, &arguments.truth];
+    let (mut score, [a, b]) = answered(&arguments.options()?, files, arguments.placement.units)?;
     if !score.requirements.is_empty() && !is_judged(&a, &b, arguments.allow_skipped) {
         score.met = None;
     }
