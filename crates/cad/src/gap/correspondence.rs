@@ -2,6 +2,7 @@
 
 use super::local::{Ends, Local};
 use super::nearest::nearest;
+use std::array::from_fn;
 use std::f64::consts::PI;
 
 /// A polynomial on [-1, 1] that increases or decreases throughout, so that it maps the part
@@ -26,12 +27,12 @@ impl Correspondence {
     /// Returns the interpolant of the parameters of nearest points at the extrema of a
     /// Chebyshev polynomial, with the ends as they are; `None` if it may not be monotone.
     pub(super) fn nearest(local: &Local<'_>, [(t0, s0), (t1, s1)]: Ends) -> Option<Self> {
-        let angle = PI / DEGREE as f64;
+        let cosines: [f64; 2 * DEGREE] = from_fn(|k| (PI / DEGREE as f64 * k as f64).cos());
         let mut values = [s1; DEGREE + 1];
         values[DEGREE] = s0;
         let mut near = s1;
         for (k, value) in values.iter_mut().enumerate().take(DEGREE).skip(1) {
-            let x = (angle * k as f64).cos();
+            let x = cosines[k];
             let t = 0.5 * (t0 + t1) + 0.5 * (t1 - t0) * x;
             let starts = [near, local.lifted.corresponding(t)];
             near = nearest(local.on_surface(t), starts, [s0, s1], |s| local.edge_jet(s));
@@ -39,7 +40,7 @@ impl Correspondence {
         }
         let halved = |index: usize| if index == 0 || index == DEGREE { 0.5 } else { 1.0 };
         let coefficient = |j: usize| {
-            let term = |(k, value): (usize, &f64)| halved(k) * (angle * (j * k) as f64).cos() * value;
+            let term = |(k, value): (usize, &f64)| halved(k) * cosines[j * k % (2 * DEGREE)] * value;
             2.0 / DEGREE as f64 * halved(j) * values.iter().enumerate().map(term).sum::<f64>()
         };
         let coefficients: Vec<f64> = (0..=DEGREE).map(coefficient).collect();

@@ -45,7 +45,7 @@ impl<'a> LocalCurve<'a> {
                 let point = project(value);
                 [point, (slope.truncate() - slope.w * point) / value.w]
             }
-            Self::Other(curve) => [curve.point(t), curve.tangent(t)],
+            Self::Other(curve) => curve.jet(t),
         }
     }
 }

@@ -56,8 +56,8 @@ impl Lifted<'_> {
     /// Returns the parameter of a point of the edge near a point of the curve, from `s`.
     pub(super) fn nearest(&self, t: f64, s: f64, range: [f64; 2]) -> f64 {
         let jet = |s: f64| {
-            let tangent = self.edge_location.transform_vector3(self.edge.tangent(s));
-            [self.on_edge(s), tangent]
+            let [point, tangent] = self.edge.jet(s);
+            [self.edge_location.transform_point3(point), self.edge_location.transform_vector3(tangent)]
         };
         nearest(self.on_surface(t), [s, self.corresponding(t)], range, jet)
     }

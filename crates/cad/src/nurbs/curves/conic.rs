@@ -31,19 +31,26 @@ const RANGE_MARGIN: f64 = 1e-9;
 impl Conic {
     /// Returns the coefficients of x and y at a parameter.
     pub(crate) fn point(self, t: f64) -> [f64; 2] {
-        match self {
-            Self::Elliptic => [t.cos(), t.sin()],
-            Self::Parabolic => [t * t, t],
-            Self::Hyperbolic => [t.cosh(), t.sinh()],
-        }
+        self.jet(t)[0]
     }
 
     /// Returns the derivatives of [`Conic::point`].
     pub(crate) fn tangent(self, t: f64) -> [f64; 2] {
+        self.jet(t)[1]
+    }
+
+    /// Returns the coefficients of x and y at a parameter, and their derivatives.
+    pub(crate) fn jet(self, t: f64) -> [[f64; 2]; 2] {
         match self {
-            Self::Elliptic => [-t.sin(), t.cos()],
-            Self::Parabolic => [2.0 * t, 1.0],
-            Self::Hyperbolic => [t.sinh(), t.cosh()],
+            Self::Elliptic => {
+                let (sin, cos) = t.sin_cos();
+                [[cos, sin], [-sin, cos]]
+            }
+            Self::Parabolic => [[t * t, t], [2.0 * t, 1.0]],
+            Self::Hyperbolic => {
+                let (sinh, cosh) = (t.sinh(), t.cosh());
+                [[cosh, sinh], [sinh, cosh]]
+            }
         }
     }
 

@@ -133,6 +133,18 @@ impl Curve {
         }
     }
 
+    /// Returns the point and the derivative at a parameter.
+    pub(crate) fn jet(&self, t: f64) -> [DVec3; 2] {
+        match self {
+            Self::Conic { conic, center, x, y } => {
+                let [[a, b], [c, d]] = conic.jet(t);
+                [*center + a * *x + b * *y, c * *x + d * *y]
+            }
+            Self::Trimmed { basis, .. } => basis.jet(t),
+            _ => [self.point(t), self.tangent(t)],
+        }
+    }
+
     /// Returns the offset as a curve of the same kind if it is one, else as [`Curve::Offset`].
     pub(crate) fn any_offset(&self, distance: f64, normal: DVec3) -> Self {
         let inexact = || Self::Offset { distance, normal, basis: Box::new(self.clone()) };
