@@ -20,6 +20,7 @@ pub(crate) use extent::{largest, largest_of_points};
 pub(crate) use mass::{AboutCentroid, Mass};
 pub(crate) use moments::{IntervalMoments, Moments, shifted};
 pub(crate) use patch::of_patch;
+pub(crate) use principal::Principal;
 pub(crate) use triangle::{area_of_triangle, of_triangle};
 
 /// A symmetric matrix of intervals.

@@ -1,6 +1,7 @@
 //! Revisions of assemblies by known edits: what `diff` says of each part.
 
 use crate::models::{cuboid, faces, moved, prepared};
+use nurbs_hausdorff::trim::{FaceArrays, TrimCurveArrays};
 use nurbs_hausdorff::{
     DQuat, DVec3, DiffOptions, Engine, InstanceArrays, Model, ModelArrays, Monitor, PartDifference,
     PartState, PreparedModel, RigidTransform, SurfaceArrays, shapes,
@@ -106,6 +107,65 @@ fn parts_that_stay_move_turn_come_and_go_are_told_apart() {
     let turn = DQuat::from_axis_angle(axis, 40.0_f64.to_radians());
     let expected = DVec3::new(20.0, 0.0, 7.0) - turn * DVec3::new(20.0, 0.0, 0.0);
     assert!(DVec3::from_array(lever.translation).distance(expected) < 1e-6, "{lever:?}");
+}
+
+/// A plane sheet with the outline of an L, at this height; its parameters are x and y, or y and x, and it is cut along
+/// the first of them.
+fn sheet(height: f64, is_swapped: bool) -> Model {
+    let outline = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+    let swap = |[x, y]: [f64; 2]| if is_swapped { [y, x] } else { [x, y] };
+    // Material is on the left in the parameters.
+    let mut corners = outline.map(swap);
+    if is_swapped {
+        corners.reverse();
+    }
+    let line = |k: usize| TrimCurveArrays {
+        degree: 1,
+        knots: vec![0.0, 0.0, 1.0, 1.0],
+        control_points: [corners[k], corners[(k + 1) % 6]].map(|[u, v]| [u, v, 1.0]).to_vec(),
+        ..TrimCurveArrays::default()
+    };
+    let knots = vec![-1.0, -1.0, 4.0, 4.0];
+    let point = |parameters: [f64; 2]| {
+        let [x, y] = swap(parameters);
+        [x, y, height, 1.0]
+    };
+    let control_points = [[-1.0, -1.0], [-1.0, 4.0], [4.0, -1.0], [4.0, 4.0]].map(point).to_vec();
+    let surface =
+        SurfaceArrays { degree: [1, 1], knots: [knots.clone(), knots], counts: [2, 2], control_points };
+    let face = FaceArrays {
+        surface,
+        trim: Some(vec![(0..6).map(line).collect()]),
+        reversed: is_swapped,
+        face_name: None,
+        kind: None,
+        gap: 0.0,
+        gap_measured: false,
+        color: None,
+        shell: None,
+    };
+    let instances = vec![InstanceArrays { surfaces: vec![0], transform: HERE, name: None }];
+    Model::from_faces(ModelArrays { faces: vec![face], instances, ..ModelArrays::default() }).unwrap()
+}
+
+/// A sheet has no centroid and no moments of its volume, the corners of its pieces are those of its cut, and two plane
+/// ones whose heights differ in a last digit have boxes without a common point.
+#[test]
+fn sheets_that_are_cut_in_other_ways_stay_and_move() {
+    let ball = shapes::sphere(DVec3::ZERO, 1.0).unwrap();
+    let other = ("knob", &ball, moved([0.0, 20.0, 0.0]));
+    let (before, after) = (sheet(7.0, false), sheet(7.0 + 1e-10, true));
+    let axis = DVec3::new(1.0, 2.0, 2.0) / 3.0;
+    for (place, expected) in [
+        (HERE, PartState::Renamed),
+        (moved([0.5, 4.0, -3.0]), PartState::Moved),
+        (turned(axis, 40.0, [1.0, 0.0, 5.0]), PartState::Moved),
+    ] {
+        let parts = diff(&[other, ("lid", &before, HERE)], &[other, ("cover", &after, place)]);
+        let lid = parts.iter().find(|part| part.name_of_a.as_deref() == Some("lid")).unwrap();
+        assert_eq!(lid.name_of_b.as_deref(), Some("cover"), "{parts:?}");
+        assert_eq!(lid.state, expected, "{parts:?}");
+    }
 }
 
 #[test]

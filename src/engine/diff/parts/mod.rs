@@ -3,6 +3,7 @@
 mod motions;
 mod pairing;
 mod part;
+mod surface;
 mod words;
 
 use crate::model::RigidTransform;

@@ -10,6 +10,7 @@ use crate::engine::{DistanceOptions, Engine, PreparedModel};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::progress::Monitor;
+use glam::DVec3;
 use std::collections::HashSet;
 
 /// The largest number of bodies of a model that are paired: a soup of triangles has one a triangle.
@@ -142,7 +143,8 @@ impl Engine {
     async fn pair_changed(&self, pairing: &mut Pairing<'_>, monitor: &mut dyn Monitor) -> Result<()> {
         let rest = pairing.options.transform;
         let by_name = pairing.ordered(|a, b| a.given.is_some() && a.given == b.given);
-        let by_place = pairing.ordered(|a, b| common_part(a, b, &rest) >= COMMON_PART);
+        let limit = pairing.options.limit;
+        let by_place = pairing.ordered(|a, b| common_part(a, b, &rest, limit) >= COMMON_PART);
         for [a, b] in by_name.into_iter().chain(by_place) {
             if pairing.is_late() {
                 break;
@@ -349,18 +351,19 @@ fn has_place(a: &Part, b: &Part, rest: &RigidTransform, limit: f64) -> bool {
     rest.apply(a.center).distance(b.center) <= slack
 }
 
-/// Returns the part of the larger of two boxes that both have in common.
-fn common_part(a: &Part, b: &Part, rest: &RigidTransform) -> f64 {
+/// Returns the part of the larger of two boxes that both have in common, up to the limit: those of plane sheets have no
+/// thickness.
+fn common_part(a: &Part, b: &Part, rest: &RigidTransform, limit: f64) -> f64 {
     let shift = rest.apply(a.aabb.center()) - a.aabb.center();
     let low = (a.aabb.min + shift).max(b.aabb.min);
     let high = (a.aabb.max + shift).min(b.aabb.max);
-    if low.cmpgt(high).any() {
+    if low.cmpgt(high + limit).any() {
         return 0.0;
     }
     // By the diagonal, so that flat parts have one, too.
     let [one, other] = [a.aabb.diagonal(), b.aabb.diagonal()];
     let largest = if one > other { one } else { other };
-    (high - low).length() / largest
+    (high - low).max(DVec3::ZERO).length() / largest
 }
 
 /// Returns whether a motion takes a corner of the part's box farther than the limit from where another one takes it.

@@ -1,5 +1,6 @@
 //! A body with what pairs it: names, invariants and vertices.
 
+use super::surface::middle_and_axes;
 use crate::bvh::Aabb;
 use crate::engine::PreparedModel;
 use crate::engine::prepared::mirror_image;
@@ -28,9 +29,9 @@ pub(super) struct Part {
     pub(super) aabb: Aabb,
     volume: Option<f64>,
     area: f64,
-    /// The centroid, of a sheet the mean of its vertices.
+    /// The centroid, of a sheet that of its surface.
     pub(super) center: DVec3,
-    /// The principal moments, ascending, and axes of a solid.
+    /// The principal moments, ascending, and axes, of a sheet those of its surface.
     pub(super) principal: Option<([f64; 3], [DVec3; 3])>,
     /// Corners of patches or triangles, those farthest from the centre.
     pub(super) vertices: Vec<DVec3>,
@@ -46,10 +47,15 @@ pub(super) fn parts_of(model: &PreparedModel) -> Result<Vec<Part>> {
         let (body, facts): (crate::engine::Body, &crate::Facts) = (body, facts);
         let levels: Vec<String> = body.path.iter().map(|name| level(name)).collect();
         let vertices = vertices(&single);
-        let mean = vertices.iter().sum::<DVec3>() / vertices.len().max(1) as f64;
-        let center =
-            facts.centroid.map_or(mean, |centroid| DVec3::from_array(centroid.map(|one| one.middle())));
-        let axes = facts.principal_moments.zip(facts.principal_axes);
+        let solid = facts.centroid.zip(facts.principal_moments).zip(facts.principal_axes);
+        let middles = |of: [crate::interval::Interval; 3]| of.map(|one| one.middle());
+        let about = match solid {
+            Some(((centroid, moments), axes)) => {
+                Some((middles(centroid).into(), middles(moments), axes.map(DVec3::from_array)))
+            }
+            None => middle_and_axes(&single),
+        };
+        let center = about.map_or(single.control_box().center(), |(center, ..)| center);
         Part {
             name: body.full_name,
             given: (!levels.is_empty()).then(|| levels.join(" / ")),
@@ -58,8 +64,7 @@ pub(super) fn parts_of(model: &PreparedModel) -> Result<Vec<Part>> {
             volume: facts.volume.map(|volume| volume.middle()),
             area: facts.area.map_or(0.0, |area| area.middle()),
             center,
-            principal: axes
-                .map(|(moments, axes)| (moments.map(|moment| moment.middle()), axes.map(DVec3::from_array))),
+            principal: about.map(|(_, moments, axes)| (moments, axes)),
             vertices: farthest(vertices, center),
             model: single,
         }
