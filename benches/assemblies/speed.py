@@ -52,13 +52,19 @@ def main() -> None:
     print(f"after reading: {result['seconds']}; with it {wall:.2f} s, {after.ru_utime - before.ru_utime:.2f} CPU s")
 
 
-def body(rng: Random) -> TopoDS_Shape:
-    """Return a plate of 20 faces, 4 to 6 thick, with its boss 3 high."""
+def body(rng: Random, moved: float = 0.0, wider: float = 0.0) -> TopoDS_Shape:
+    """Return a plate of 20 faces, 4 to 6 thick, with its boss 3 high.
+
+    One of its bores is moved by a length along x, another has a radius larger by a length.
+    """
     thickness = rng.uniform(4, 6)
     plate = rounded_along_z(box(SIDE, SIDE, thickness), rng.uniform(1, 2))
     plate = fuse(plate, cylinder(rng.uniform(3, 4), 9 - thickness, (10, 10, thickness)))
-    places = [(3, 3), (17, 3), (3, 17), (17, 17), (10, 3), (3, 10), (17, 10)]
-    bores = [cylinder(rng.uniform(0.5, 1.5), thickness, (x, y, 0)) for x, y in places]
+    places = [(3 + moved, 3), (17, 3), (3, 17), (17, 17), (10, 3), (3, 10), (17, 10)]
+    bores = [
+        cylinder(rng.uniform(0.5, 1.5) + (wider if index == 1 else 0.0), thickness, (x, y, 0))
+        for index, (x, y) in enumerate(places)
+    ]
     solid = cut(plate, *bores, cylinder(rng.uniform(1, 2), 9, (10, 10, 0)))
     faces = TopExp_Explorer(solid, TopAbs_ShapeEnum.TopAbs_FACE)
     count = 0
