@@ -6,10 +6,11 @@ Of each STEP file with two bodies or more a copy is written for each edit: none;
 through its middle; one removed; one renamed; one hole filled. A use of a part in a sub-assembly that is used twice is edited
 in both. `diff` compares the file itself, as its own system wrote it, with each copy, to LIMIT (1e-2) in the file's unit.
 
-Its parts are matched with OpenCASCADE's solids and open shells by area and box. A word is right if the part is paired with
-itself and its state is that of the edit; `renamed` counts for `same` where the copy has another name, as OpenCASCADE writes
-some. A motion is right if it lays area, middle and second moments of the part's surface on those of the edit. A filled hole
-must be as large as points of its wall and its caps are far. Words of files of which faces are left out are counted apart.
+Its parts are matched with OpenCASCADE's solids and open shells by area and box. A word is right if its state is that of the
+edit and the part is paired with itself, or, of several that moved at once, with a copy of it; `renamed` counts for `same`
+where the copy has another name, as OpenCASCADE writes some. A motion is right if it lays area, middle and second moments of
+the part's surface on those of its partner. A filled hole must be as large as points of its wall and its caps are far. Words
+of files of which faces are left out are counted apart.
 Prints a line of JSON a comparison, and the sum.
 """
 
@@ -94,7 +95,8 @@ def judged(parts: list[dict], a: Side, b: Side, edit: shapes.Edit) -> tuple[Coun
             counts["undecided"] += 1
         else:
             fault = next(iter(wrong_of(part, keys, others, a, b, edit)), None)
-            counts["wrong" if fault else "right"] += 1
+            is_of_copy = bool(keys and others and not keys & others)
+            counts["wrong" if fault else "right, of a copy" if is_of_copy else "right"] += 1
             if fault:
                 faults.append(f"{name}: {part['state']}: {fault}")
     return counts, faults
@@ -111,7 +113,8 @@ def wrong_of(part: dict, keys: set, others: set, a: Side, b: Side, edit: shapes.
         if edit.label != "removed" or not touched:
             yield "it was not removed"
         return
-    if not keys & others:
+    key, other = next(((key, key) for key in keys & others), (next(iter(keys)), next(iter(others))))
+    if key != other and not (keys <= edit.touched and others <= edit.touched and state == "moved"):
         yield f"paired with another part, {part['nameOfB']}"
         return
     has_new_name = part["nameOfA"] not in b.names or part["nameOfB"] not in a.names
@@ -125,14 +128,13 @@ def wrong_of(part: dict, keys: set, others: set, a: Side, b: Side, edit: shapes.
             "renamed": {"renamed"},
             "filled": {"changed"},
         }[edit.label]
-    key = next(iter(keys & others))
     if state not in expected:
         # A part that its motion lays on itself has not moved.
         is_in_place = a.leaves[key].is_as(b.leaves[key], PLACE)
         if not (touched and edit.label == "turned" and state in ("same", "renamed") and is_in_place):
             yield f"expected {' or '.join(sorted(expected))}"
             return
-    if state == "moved" and not a.leaves[key].is_as(b.leaves[key], PLACE, part["motion"]):
+    if state == "moved" and not a.leaves[key].is_as(b.leaves[other], PLACE, part["motion"]):
         yield f"by another motion, {part['motion']}"
     if state == "changed" and edit.size is not None:
         sampled, spacing = edit.size
