@@ -2,10 +2,12 @@
 
 use super::piece::{Piece, Side};
 use crate::axis::Axis;
-use crate::bezier::{BezierModel, PatchGrid};
+use crate::bezier::{BezierModel, Patch, PatchGrid};
 use crate::bvh::Aabb;
+use crate::param_box::ParamBox;
 use crate::rounding::{upper_max, upper_min};
 use crate::solid::{Arc, Clusters, Curve, EdgePlace, JoinedArc, edge_width};
+use glam::DVec3;
 use std::collections::HashMap;
 
 /// A side that two patches have in common, or two sides of one patch.
@@ -41,6 +43,18 @@ pub(super) enum Touch {
     Side(Side),
 }
 
+/// A part of a side of a patch at which a trimmed face ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RimArc {
+    pub(super) sheet: usize,
+    pub(super) patch: u32,
+    pub(super) side: Side,
+    /// The parameters along the side, the lesser first.
+    pub(super) range: [f64; 2],
+    /// The corners at its ends.
+    pub(super) corners: [Option<u32>; 2],
+}
+
 /// The patches of a body, with what joined edges identify.
 #[derive(Debug)]
 pub(super) struct Complex {
@@ -54,6 +68,10 @@ pub(super) struct Complex {
     edges_with: HashMap<(u32, usize), Vec<EdgeKey>>,
     /// A place of a trimmed face at each corner that it has.
     corners_of: HashMap<(u32, usize), (u32, Place)>,
+    /// What the rims of trimmed faces consist of.
+    rims: Vec<RimArc>,
+    /// Two patches of a surface whose common side is a point, and that point.
+    pinch: Option<([u32; 2], DVec3)>,
 }
 
 /// An edge by its patches and its place among theirs.
@@ -61,16 +79,22 @@ type EdgeKey = ([u32; 2], usize);
 
 impl Complex {
     /// Makes the complex of patches whose surfaces are joined at these arcs. `sheet` names the surface of the trimmed face
-    /// that a patch lies on, if it lies on one. O(patches + arcs).
+    /// that a patch lies on, if it lies on one. Arcs of one face that are joined to each other and known to be at most `near`
+    /// apart are no rim of it. O(patches + arcs).
     pub(super) fn new(
         model: &BezierModel,
         joined: Vec<JoinedArc>,
         sheet: impl Fn(u32) -> Option<usize>,
+        near: f64,
     ) -> Self {
         let mut corners = Corners::new(model.patches.len());
         let mut edges: HashMap<[u32; 2], Vec<SharedEdge>> = HashMap::new();
+        let mut pinch = None;
         for grid in &model.grids {
             for (patches, axis) in neighbours(model, grid) {
+                if let Some(point) = pinch_of(&model.patches.patch(patches[0] as usize), axis) {
+                    pinch = Some((patches, point));
+                }
                 let sides = [Side { axis, end: 1 }, Side { axis, end: 0 }];
                 for along in [0.0, 1.0] {
                     corners.join([0, 1].map(|k| (patches[k], on_side(sides[k], along))));
@@ -78,7 +102,9 @@ impl Complex {
                 edges.entry(patches).or_default().push(SharedEdge { sides, arcs: None });
             }
         }
+        let mut rims = Vec::new();
         for JoinedArc { one, other, .. } in joined {
+            add_rims(&mut rims, [Some(&one), other.as_ref()], &sheet, near);
             corners.cover(&one);
             let Some(other) = other else { continue };
             corners.cover(&other);
@@ -110,7 +136,22 @@ impl Complex {
                 corners_of.insert((place.corner, sheet), (patch as u32, place.at));
             }
         }
-        Self { edges, places, spreads, edges_with, corners_of }
+        for rim in &mut rims {
+            let ends = rim.range.map(|along| on_side(rim.side, along));
+            let at = |end| places[rim.patch as usize].iter().find(|place| place.point() == Some(end));
+            rim.corners = ends.map(|end| Some(at(end)?.corner));
+        }
+        Self { edges, places, spreads, edges_with, corners_of, rims, pinch }
+    }
+
+    /// Returns two patches of a surface whose common side is a point, at which the surface is none, and that point.
+    pub(super) fn pinch(&self) -> Option<([u32; 2], DVec3)> {
+        self.pinch
+    }
+
+    /// Returns the arcs at which trimmed faces end.
+    pub(super) fn rims(&self) -> &[RimArc] {
+        &self.rims
     }
 
     /// Returns the edges of a patch that were joined to one of a trimmed face, with the number of the patch's side in each
@@ -276,6 +317,51 @@ fn width_of(
     }
 }
 
+/// Returns the point that the last side of a patch along an axis is, if it is one.
+pub(super) fn pinch_of(patch: &Patch<'_>, axis: Axis) -> Option<DVec3> {
+    let piece = Piece::new(patch, 0, ParamBox::UNIT, 0, std::iter::empty());
+    let side = Side { axis, end: 1 };
+    piece
+        .along_side(side)
+        .list
+        .is_empty()
+        .then(|| piece.corner([usize::from(axis == Axis::U), usize::from(axis == Axis::V)]))
+}
+
+/// Adds the arcs of an edge at which trimmed faces end, with corners that are not known yet.
+fn add_rims(
+    rims: &mut Vec<RimArc>,
+    arcs: [Option<&Arc>; 2],
+    sheet: impl Fn(u32) -> Option<usize>,
+    near: f64,
+) {
+    let sheets = arcs.map(|arc| sheet(arc?.place.index));
+    if let [Some(one), Some(other)] = arcs
+        && sheets[0] == sheets[1]
+        && is_within(one, other, near)
+    {
+        return;
+    }
+    for (arc, sheet) in arcs.into_iter().zip(sheets) {
+        let Some((arc, sheet)) = arc.zip(sheet) else { continue };
+        let range = ascending(arc.range);
+        rims.push(RimArc { sheet, patch: arc.place.index, side: side(arc.place), range, corners: [None; 2] });
+    }
+}
+
+/// Returns whether the points of two arcs that correspond are known to be at most `near` apart.
+fn is_within(one: &Arc, other: &Arc, near: f64) -> bool {
+    let widths = [[one, other], [other, one]].map(|[inner, outer]| {
+        let (_, width) = image(inner, ascending(inner.range), outer, near)?;
+        Some(width)
+    });
+    widths.into_iter().flatten().any(|width| width <= near)
+}
+
+fn ascending([from, to]: [f64; 2]) -> [f64; 2] {
+    if from > to { [to, from] } else { [from, to] }
+}
+
 fn side(place: EdgePlace) -> Side {
     Side { axis: place.axis, end: usize::from(place.end) }
 }
@@ -347,8 +433,7 @@ impl Corners {
     /// Notes that a part of a side is an arc.
     fn cover(&mut self, arc: &Arc) {
         let Side { axis, end } = side(arc.place);
-        let [from, to] = arc.range;
-        let range = if from > to { [to, from] } else { [from, to] };
+        let range = ascending(arc.range);
         self.covered[arc.place.index as usize][2 * axis.index() + end].push(range);
         for along in range {
             self.number(arc.place.index, on_side(Side { axis, end }, along));
@@ -389,7 +474,7 @@ impl Corners {
             let number = numbers.get(&(patch, on_side(side, 0.0).map(f64::to_bits)));
             let Some(corner) = number.map(|&number| classes.of(number)) else { continue };
             let of_patch = model.patches.patch(patch as usize);
-            let piece = Piece::new(&of_patch, patch, crate::param_box::ParamBox::UNIT, 0, std::iter::empty());
+            let piece = Piece::new(&of_patch, patch, ParamBox::UNIT, 0, std::iter::empty());
             let points = piece.side_points(side);
             boxes[corner as usize] = points.into_iter().fold(boxes[corner as usize], Aabb::with);
             places[patch as usize].push(CornerPlace { corner, at: Place::Side(side) });

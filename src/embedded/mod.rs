@@ -4,12 +4,14 @@
 //! of pieces of them ([`piece`]) are divided until each is decided by a lower bound on the distance, or by the directions
 //! ([`directions`]) in which both go from what they share ([`search`]); what is stated of a pair is compared with points of
 //! both ([`audit`]). Triangles are decided by signs of determinants
-//! ([`triangles`]). docs/solids.md, section 2, has the lemmas S8 and S9. Nothing here knows of files or options.
+//! ([`triangles`]). What is stated of trimmed faces holds along their surfaces, so that their rims must not meet themselves
+//! ([`rims`]). docs/solids.md, section 2, has the lemmas S8 to S10. Nothing here knows of files or options.
 
 mod audit;
 mod complex;
 mod directions;
 mod piece;
+mod rims;
 mod search;
 mod sheets;
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -17,9 +19,11 @@ mod tests;
 mod triangles;
 
 use self::complex::Complex;
+use self::rims::RimSearch;
 use self::search::Search;
 use self::sheets::SheetSearch;
 use crate::bezier::BezierModel;
+use crate::rounding::upper_max;
 use crate::solid::JoinedArc;
 use glam::DVec3;
 
@@ -67,9 +71,10 @@ pub(crate) struct Limits<'a> {
 
 /// Decides whether patches whose surfaces are joined at these arcs are embedded.
 ///
-/// Guarantee (lemma S8 of docs/solids.md): if the verdict is [`Verdict::Embedded`], every two points of the patches that
-/// are at most `nearness` apart are joined by a way on the patches of length `within` or less, apart from steps of at most
-/// the edges' widths where patches are joined. Time grows with the pairs of patches that are near each other.
+/// Guarantee (lemmas S8 and S10 of docs/solids.md): if the verdict is [`Verdict::Embedded`], every two points of the patches
+/// that are at most `nearness` apart are joined by a way on the patches and the surfaces of faces of length `within` or less,
+/// apart from steps of at most the edges' widths where patches are joined; and rims of faces do not meet themselves. Time
+/// grows with the pairs of patches that are near each other.
 pub(crate) fn verdict_on_patches(
     model: &BezierModel,
     joined: Vec<JoinedArc>,
@@ -77,6 +82,17 @@ pub(crate) fn verdict_on_patches(
     limits: &Limits<'_>,
 ) -> Verdict {
     let sheets = sheets.map(|sheets| SheetSearch::new(sheets, &model.patches));
-    let complex = Complex::new(model, joined, |patch| sheets.as_ref()?.sheet(patch));
-    Search::new(&model.patches, &complex, sheets.as_ref(), limits).run()
+    let complex = Complex::new(model, joined, |patch| sheets.as_ref()?.sheet(patch), limits.nearness);
+    if let Some((parts, point)) = complex.pinch() {
+        return Verdict::Undecided { doubt: Doubt::Contact, parts, point };
+    }
+    let search = Search::new(&model.patches, &complex, sheets.as_ref(), limits);
+    let apart = search.apart_from();
+    match search.run() {
+        Verdict::Embedded { within } => match RimSearch::new(&model.patches, &complex, limits, apart).run() {
+            Verdict::Embedded { within: of_rims } => Verdict::Embedded { within: upper_max(within, of_rims) },
+            undecided => undecided,
+        },
+        undecided => undecided,
+    }
 }

@@ -16,22 +16,22 @@ use glam::DVec3;
 use std::cell::{Cell, OnceCell};
 
 /// The largest number of divisions of a patch.
-const MAX_LEVEL: u32 = 40;
+pub(super) const MAX_LEVEL: u32 = 40;
 
 /// The ways between points that are near each other, relative to what is near, up to which pieces are not divided for shorter
 /// ones, and the divisions after which they are not.
-const GOOD_STRETCH: f64 = 64.0;
-const PATIENCE: u32 = 6;
+pub(super) const GOOD_STRETCH: f64 = 64.0;
+pub(super) const PATIENCE: u32 = 6;
 
 /// The pairs of pieces that are looked at for each patch and pair of patches that are near each other; most take one.
-const PAIRS_EACH: usize = 512;
+pub(super) const PAIRS_EACH: usize = 512;
 
 /// The pairs between two looks at the time.
-const PAIRS_AT_ONCE: usize = 1024;
+pub(super) const PAIRS_AT_ONCE: usize = 1024;
 
 /// The number of distances of computed points that an audit adds and compares. Each is off by the error of two points at
 /// most, and so by the nearness.
-const AUDITED_DISTANCES: f64 = 3.0;
+pub(super) const AUDITED_DISTANCES: f64 = 3.0;
 
 /// The roundings of the distance of two hulls (lemma C2 of docs/clearance.md).
 const HULL_ROUNDINGS: f64 = 64.0;
@@ -73,6 +73,11 @@ impl<'a> Search<'a> {
         let rounding = gamma(HULL_ROUNDINGS) * aabb.farthest_from_origin() + VANISHING_LENGTH;
         let (apart, is_refuted) = (limits.nearness + rounding, Cell::new(false));
         Self { patches, complex, sheets, limits, pieces, apart, within: 0.0, is_refuted }
+    }
+
+    /// Returns the distance up to which points count as near each other, with the rounding of distances.
+    pub(super) fn apart_from(&self) -> f64 {
+        self.apart
     }
 
     /// Decides all pairs, or returns the first that is not decided.
@@ -223,12 +228,13 @@ impl<'a> Search<'a> {
         let ways = |range: &ParamBox, directions: &[Direction], (steps, rest): (f64, f64)| {
             let image = (*image.get_or_init(|| sheets.image(on.patch, &on.range)))?;
             let ways = sheets.directions(sheet, &image.union(range))?.leaving(directions)?;
-            Some(Ways { rest: ways.rest + near + steps + rest, ..ways })
+            Some(Ways { rest: ways.rest + near + steps + 2.0 * rest, ..ways })
         };
-        let from_plane = |plane: Plane, points: &[DVec3], directions: &[Direction], rest: f64| {
-            let rest = near + plane.off() + plane.distance(points) + rest;
-            Some(Ways { margin: plane.leaving(directions)?, rest })
-        };
+        let from_plane =
+            |plane: Plane, points: &[DVec3], directions: &[Direction], (steps, rest): (f64, f64)| {
+                let rest = near + plane.off() + plane.distance(points) + steps + 2.0 * rest;
+                Some(Ways { margin: plane.leaving(directions)?, rest })
+            };
         let stated = |ways: Option<Ways>, of_off: &dyn Fn() -> Vec<FromShared>| {
             self.stated_between(ways?, most, || [points_of(on, self.patches), of_off()])
         };
@@ -239,7 +245,7 @@ impl<'a> Search<'a> {
             }
             let (directions, rest) = (off.inwards(side).collect::<Vec<_>>(), off.along(side.axis).rest);
             let found = match plane {
-                Some(plane) => from_plane(plane, &off.side_points(side), &directions, rest),
+                Some(plane) => from_plane(plane, &off.side_points(side), &directions, (0.0, rest)),
                 None => edge.image_of(off, own, self.apart).and_then(|(part, width)| {
                     let range = sheets.image_of_side(other, edge.sides[1 - own], part)?;
                     ways(&range, &directions, (width, rest))
@@ -258,7 +264,7 @@ impl<'a> Search<'a> {
             let (directions, rest) = from_corner(off, touch);
             let spread = self.complex.spread(place.corner);
             let found = match plane {
-                Some(plane) => from_plane(plane, &corner_points(off, touch), &directions, rest + spread),
+                Some(plane) => from_plane(plane, &corner_points(off, touch), &directions, (spread, rest)),
                 None => sheets
                     .image(patch, &ParamBox::new([u; 2], [v; 2]))
                     .and_then(|range| ways(&range, &directions, (spread, rest))),
@@ -281,7 +287,7 @@ impl<'a> Search<'a> {
         let (_, same) = common_side(&of(false))?;
         let (_, opposite) = common_side(&of(true))?;
         let margin = if same < opposite { same } else { opposite };
-        let ways = Ways { margin, rest: along_u.rest + along_v.rest };
+        let ways = Ways { margin, rest: 2.0 * (along_u.rest + along_v.rest) };
         self.stated(ways, most, |slack| ways.hold_on(piece.grid(self.patches), slack))
     }
 
@@ -372,8 +378,8 @@ impl<'a> Search<'a> {
         let turned = b.along(sides[1].axis).turned(sides[1].end == 0);
         let directions: Vec<Direction> = a.inwards(sides[0]).chain(turned).collect();
         let margin = cone.margin(&directions)?;
-        let rests = [a.along(sides[0].axis).rest, b.along(sides[1].axis).rest, edges[0].rest, edges[1].rest];
-        let ways = Ways { margin, rest: width + rests.iter().sum::<f64>() };
+        let inwards = a.along(sides[0].axis).rest + b.along(sides[1].axis).rest;
+        let ways = Ways { margin, rest: width + 2.0 * inwards + edges[0].rest + edges[1].rest };
         self.stated_between(ways, most, || {
             [from_side(a, sides[0], self.patches), from_side(b, sides[1], self.patches)]
         })
@@ -385,7 +391,7 @@ impl<'a> Search<'a> {
         let [(mut directions, rest), (others, other)] = [0, 1].map(|k| from_corner(pieces[k], touches[k]));
         directions.extend(others.into_iter().map(Direction::back));
         let (_, margin) = common_side(&directions)?;
-        let ways = Ways { margin, rest: spread + rest + other };
+        let ways = Ways { margin, rest: spread + 2.0 * (rest + other) };
         self.stated_between(ways, most, || [0, 1].map(|k| from_touch(pieces[k], touches[k], self.patches)))
     }
 }

@@ -1,6 +1,7 @@
 //! The surfaces that the pieces of trimmed faces lie on, beyond their ends.
 
 use super::audit::{Grid, Ways};
+use super::complex::pinch_of;
 use super::directions::{Direction, Net, PRODUCT_ROUNDINGS, common_side};
 use super::piece::{Piece, Side};
 use crate::axis::Axis;
@@ -28,6 +29,7 @@ pub(crate) struct Sheets<'a> {
 /// The directions of a surface over a rectangle of its parameters.
 pub(super) struct SheetDirections {
     along: [Vec<Direction>; 2],
+    /// An upper bound on what has no direction along both parameters together.
     rest: f64,
 }
 
@@ -74,8 +76,16 @@ impl Plane {
         points.iter().map(|point| self.normal.dot(*point - self.point).abs()).fold(0.0, upper_max)
     }
 
-    /// Returns the least part of directions away from the plane, all to one side, if they all leave it.
+    /// Returns the margin of the ways along pieces with these directions back to the plane, and in the plane from there to a
+    /// point of it, if the directions leave it all to one side: with μ their least part away from it, points at most γ apart
+    /// have ways of γ/μ on the piece and γ + γ/μ in the plane.
     pub(super) fn leaving(&self, directions: &[Direction]) -> Option<f64> {
+        let least = self.least_height(directions)?;
+        Some(least / (2.0 + least))
+    }
+
+    /// Returns the least part of directions away from the plane, all to one side, if they all leave it.
+    fn least_height(&self, directions: &[Direction]) -> Option<f64> {
         let heights = directions.iter().map(|&Direction { unit, error }| (self.normal.dot(unit), error));
         let to_side = |sign: f64| {
             let least =
@@ -196,9 +206,17 @@ impl<'a> SheetSearch<'a> {
         }
         let columns = grid.counts()[1];
         let mut found = SheetDirections { along: Default::default(), rest: 0.0 };
+        // A way along a parameter has the rests of all its spans.
+        let mut rests = [0, 1].map(|axis: usize| vec![0.0; spans[axis].len()]);
         for row in spans[0].clone() {
             for column in spans[1].clone() {
                 let patch = self.sheets.model.patches.patch(grid.first + row * columns + column);
+                let is_pinched = [(Axis::U, row), (Axis::V, column)].into_iter().any(|(axis, span)| {
+                    span + 1 < spans[axis.index()].end && pinch_of(&patch, axis).is_some()
+                });
+                if is_pinched {
+                    return None;
+                }
                 let part = [(Axis::U, row), (Axis::V, column)].map(|(axis, span)| {
                     let [from, to] = [grid.breaks[axis][span], grid.breaks[axis][span + 1]];
                     let local = |at: f64| (at - from) / (to - from);
@@ -212,11 +230,14 @@ impl<'a> SheetSearch<'a> {
                 let net = Net { controls: &controls, degree: patch.degree, rational: patch.rational, radius };
                 for axis in Axis::BOTH {
                     let along = net.along(axis);
-                    found.rest = upper_max(found.rest, along.rest);
+                    let span = [row, column][axis.index()] - spans[axis.index()].start;
+                    let rest = &mut rests[axis.index()][span];
+                    *rest = upper_max(*rest, along.rest);
                     found.along[axis.index()].extend(along.list);
                 }
             }
         }
+        found.rest = rests.iter().flatten().sum();
         Some(found)
     }
 }
@@ -282,14 +303,14 @@ mod tests {
         };
         for sign in [1.0, -1.0] {
             let margin = plane.leaving(&exact(&[at(sign * 30.0), at(sign * 90.0)])).unwrap();
-            assert!((margin - 0.5).abs() < 1e-12, "{margin}");
+            assert!((margin - 0.2).abs() < 1e-12, "{margin}");
         }
         for both in [[30.0, -30.0], [30.0, 0.0], [0.0, 180.0]] {
             assert_eq!(plane.leaving(&exact(&both.map(at))), None, "{both:?}");
         }
         let mut uncertain = exact(&[at(30.0)]);
         uncertain[0].error = 0.2;
-        assert!((plane.leaving(&uncertain).unwrap() - 0.3).abs() < 1e-12);
+        assert!((plane.least_height(&uncertain).unwrap() - 0.3).abs() < 1e-12);
         let bent = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(1.0, 1.0, 1e-6)];
         assert!(Plane::of(&bent).is_none());
     }

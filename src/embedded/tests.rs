@@ -297,7 +297,7 @@ fn complex_of(model: &Model) -> Complex {
     let bezier = extract(model);
     let edges = Edges::of_surfaces(&bezier, SurfaceOrigin::whole);
     let joined = joined_arcs(edges, &|_| [DVec3::NAN; 3], &model.bounding_box(), 0.0);
-    Complex::new(&bezier, joined, |_| None)
+    Complex::new(&bezier, joined, |_| None, 0.0)
 }
 
 /// A side that two others share in parts is within none of its arcs, and theirs are.
@@ -341,4 +341,36 @@ fn the_distance_of_pieces_from_their_surface_is_in_what_is_stated() {
     };
     let (exact, far) = (within(0.0), within(1e-3));
     assert!((1e-4..2e-4).contains(&exact) && 2e-3 <= far, "{exact:e} {far:e}");
+}
+
+/// A sheet with a last part that is shorter than what has a direction: its ways have their length too, which the audit knows.
+#[test]
+fn the_way_along_what_has_no_direction_is_in_what_is_stated() {
+    let strip = |step: f64| {
+        let row = |x: f64| [DVec3::new(x, 0.0, 0.0), DVec3::new(x, 1.0, 0.0)].to_vec();
+        let mut surface = spline([1, 1], &[row(0.0), row(1.0), row(1.0 + step)]);
+        surface.knots = [vec![0.0, 0.0, 1.0, 2.0, 2.0], vec![0.0, 0.0, 1.0, 1.0]];
+        verdict_with(&of(vec![surface]), 1e-13)
+    };
+    for step in [1e-11, -1e-11] {
+        assert!(!matches!(strip(step), Verdict::Undecided { doubt: Doubt::Refuted, .. }), "{step}");
+    }
+}
+
+/// An inner line of a surface that is a point, on one side of which it goes on as before or turned over.
+#[test]
+fn two_cones_of_one_surface_are_not_embedded() {
+    let cones = |sign: f64| {
+        let row = |z: f64, r: f64| (0..4).map(|k| in_turn(r, 30.0 * f64::from(k), z)).collect::<Vec<_>>();
+        let mut surface = spline([1, 1], &[row(-1.0, sign), row(0.0, 0.0), row(1.0, 1.0)]);
+        surface.knots = [vec![0.0, 0.0, 1.0, 2.0, 2.0], vec![0.0, 0.0, 1.0, 2.0, 3.0, 3.0]];
+        of(vec![surface])
+    };
+    let in_one = cones(1.0);
+    assert!(touches(&in_one) && touches(&cones(-1.0)));
+}
+
+fn in_turn(radius: f64, degrees: f64, z: f64) -> DVec3 {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    DVec3::new(radius * cos, radius * sin, z)
 }

@@ -64,7 +64,7 @@ pub enum EmbeddedDoubt {
 impl PreparedModel {
     /// Decides whether the boundary of a body is embedded up to its gaps, until it is late.
     ///
-    /// Guarantee: `Some(true)` by lemmas S8 and S9 of docs/solids.md, `Some(false)` by lemma S7. A body that touches itself
+    /// Guarantee: `Some(true)` by lemmas S8 to S10 of docs/solids.md, `Some(false)` by lemma S7. A body that touches itself
     /// without crossing is neither. Time grows with the pairs of patches, or triangles, that are near each other.
     pub(in crate::engine) fn embedding(&self, is_late: &dyn Fn() -> bool) -> Embedding {
         if self.is_cloud() {
@@ -141,3 +141,6 @@ fn numbered_triangles(facets: &PreparedFacets) -> Vec<([DVec3; 3], [u32; 3])> {
     });
     triangles.collect()
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests;
