@@ -178,7 +178,7 @@ impl<'a> RimSearch<'a> {
             |([of_a, of_b], spread)| {
                 let back = b.along.turned(of_b == 0);
                 let directions = a.along.turned(of_a == 1).chain(back).collect();
-                let ways = [(a, of_a), (b, of_b)].map(|(part, end)| part.from_end(end, self.patches));
+                let ways = [(a, of_a), (b, of_b)].map(|(part, end)| part.points_from(end, self.patches));
                 self.stated(directions, spread + 2.0 * (a.along.rest + b.along.rest), most, ways)
             },
         )
@@ -262,7 +262,7 @@ impl Part {
     }
 
     /// Returns the points with their ways from an end.
-    fn from_end(&self, end: usize, patches: &PatchSet) -> Vec<FromShared> {
+    fn points_from(&self, end: usize, patches: &PatchSet) -> Vec<FromShared> {
         let samples = self.samples(patches);
         samples.iter().map(|&point| FromShared { point, way: point.distance(samples[2 * end]) }).collect()
     }

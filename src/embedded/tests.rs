@@ -340,7 +340,8 @@ fn the_distance_of_pieces_from_their_surface_is_in_what_is_stated() {
         }
     };
     let (exact, far) = (within(0.0), within(1e-3));
-    assert!((1e-4..2e-4).contains(&exact) && 2e-3 <= far, "{exact:e} {far:e}");
+    // At a right angle to a plane, a way of what is near on the piece, and of twice that in the plane.
+    assert!((1e-4..3.001e-4).contains(&exact) && 2e-3 <= far, "{exact:e} {far:e}");
 }
 
 /// A sheet with a last part that is shorter than what has a direction: its ways have their length too, which the audit knows.
