@@ -25,7 +25,7 @@ def test_a_moved_bore_of_cadquery_is_named_on_both_sides():
 
 
 def test_shapes_of_cadquery_are_scored_by_the_four_lines_of_the_readme(capsys):
-    readme = Path(__file__).parents[1] / "README.md"
+    readme = Path(__file__).parents[2] / "README.md"
     if not readme.exists():
         pytest.skip("the tests are not beside the repository")
     blocks = re.findall(r"```python\n(.*?)```", readme.read_text(), re.DOTALL)

@@ -57,7 +57,7 @@ impl CheckOptions {
     /// Checks every range.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`] naming the option; [`Error::OptionInvalid`] for both widths.
+    /// [`crate::Error::OptionOutOfRange`] naming the option; [`crate::Error::OptionInvalid`] for both widths.
     pub fn validate(&self) -> Result<()> {
         at_least_zero("below", self.below)?;
         self.common().validate()

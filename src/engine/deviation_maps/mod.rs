@@ -63,8 +63,8 @@ impl Query for DeviationMapOptions {
     }
 
     /// # Errors
-    /// [`crate::Error::OptionOutOfRange`] for a bound that is not a finite number of at least 0, and those of
-    /// [`require_in_range`] for a farthest point, index 0, and its foot, 1.
+    /// [`crate::Error::OptionOutOfRange`] for a bound that is not a finite number of at least 0;
+    /// [`crate::Error::PointOutOfRange`] for a farthest point, index 0, and its foot, 1.
     fn validate_own(&self) -> Result<()> {
         for KnownDeviation { uppers, farthest } in self.a.iter().chain(&self.b) {
             uppers.iter().try_for_each(|&upper| at_least_zero("uppers", upper))?;

@@ -116,7 +116,7 @@ impl TryFrom<NamedOptions> for DistanceOptions {
 
     /// # Errors
     /// [`Error::OptionInvalid`] for an option of another method than the one named. The ranges are
-    /// those of [`DistanceOptions::validate`].
+    /// those of [`crate::Query::validate`].
     fn try_from(named: NamedOptions) -> Result<Self> {
         named.require_own()?;
         let default = Self::default();
