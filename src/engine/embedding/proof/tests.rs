@@ -161,3 +161,32 @@ fn a_rim_that_touches_itself_is_not_embedded() {
     assert_eq!(bow(1e-3).embedded, Some(true));
     assert!(is_contact(&bow(0.0)));
 }
+
+/// A plane ring that is cut at one place. The sides of the cut are joined to each other: they are nearer than edges are
+/// joined, and farther from each other than points that count as one. Where they lie in each other, the face is the whole
+/// ring: it has the points about which its loop winds.
+#[test]
+fn a_cut_ring_is_embedded_although_the_sides_of_its_cut_are_joined() {
+    let ring = |into: f64| {
+        let [left, right] = [0.5 * into, -0.5 * into];
+        let [outer, inner] = [
+            [[right, 0.0], [2.0, 0.0], [2.0, 4.0], [-2.0, 4.0], [-2.0, 0.0], [left, 0.0]],
+            [[left, 1.0], [-1.0, 1.0], [-1.0, 3.0], [1.0, 3.0], [1.0, 1.0], [right, 1.0]],
+        ];
+        let outline: Loop = outer.into_iter().chain(inner).collect();
+        embedding(&[plane([[0.0; 3], UNITS[0], UNITS[1]], 1e5, &[outline])])
+    };
+    for into in [-1e-6, 1e-6] {
+        assert_eq!(ring(into).embedded, Some(true), "{into}: {:?}", ring(into));
+    }
+}
+
+/// A plane sheet with a thin notch, whose sides are joined and come together at its end.
+#[test]
+fn sides_of_a_notch_run_along_each_other() {
+    let width = 1e-6;
+    let outline =
+        vec![[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [width, 1.0], [0.0, 0.0], [-width, 1.0], [-1.0, 1.0]];
+    let found = embedding(&[plane([[0.0; 3], UNITS[0], UNITS[1]], 3.0, &[outline])]);
+    assert_eq!(found.embedded, Some(true), "{found:?}");
+}
