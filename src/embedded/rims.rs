@@ -22,7 +22,7 @@ struct Part {
     /// The arc's number.
     arc: usize,
     rim: RimArc,
-    /// The patch over the parameters of the part, of which only the side counts.
+    /// The patch over the parameters of the part; only its side counts.
     piece: Piece,
     points: Vec<DVec3>,
     aabb: Aabb,

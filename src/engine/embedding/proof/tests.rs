@@ -9,7 +9,7 @@ type Loop = Vec<[f64; 2]>;
 
 const UNITS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// The text of the face of start + a u + b v within loops of (a, b), each of which is at most `size` from 0.
+/// The text of the face of start + a u + b v within loops of (a, b), each at most `size` from 0.
 fn plane([start, u, v]: [[f64; 3]; 3], size: f64, loops: &[Loop]) -> String {
     let at = |a: f64, b: f64| {
         let [x, y, z] = [0, 1, 2].map(|k| start[k] + a * u[k] + b * v[k]);
