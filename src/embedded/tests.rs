@@ -257,9 +257,9 @@ fn a_patch_that_folds_over_is_not_embedded() {
     }
 }
 
-/// Four squares about a point, one of which is moved by a gap along both of its edges there: it has a square of that side in
-/// common with the one across the point, with whose corner it has its own in common only. The ways from the two other
-/// corners of the common square are two sides each.
+/// Four squares about a point. One of them is moved by a gap along both of its edges there, so that it overlaps the square
+/// across the point in a small square of that side. These two squares share a corner only. The ways to it from the two
+/// other corners of the small square are two of its sides each.
 #[test]
 fn the_spread_of_a_corner_is_in_what_is_stated() {
     let gap = 1e-6;
@@ -358,7 +358,7 @@ fn the_way_along_what_has_no_direction_is_in_what_is_stated() {
     }
 }
 
-/// An inner line of a surface that is a point, on one side of which it goes on as before or turned over.
+/// A surface that narrows to a point between its ends, and goes on as a second cone, in the same direction or turned over.
 #[test]
 fn two_cones_of_one_surface_are_not_embedded() {
     let cones = |sign: f64| {

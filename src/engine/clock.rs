@@ -35,7 +35,8 @@ impl Clock {
         Some(if left > LEAST_SECONDS { left } else { LEAST_SECONDS })
     }
 
-    /// Returns the moment at which the budget is spent; `None` for one of so many seconds that there is none.
+    /// Returns the moment at which the budget is spent; `None` without a budget, and if the clock cannot represent the
+    /// moment.
     pub(super) fn deadline(self) -> Option<Instant> {
         self.started.checked_add(Duration::try_from_secs_f64(self.max_seconds?).ok()?)
     }

@@ -23,8 +23,7 @@ use std::collections::BinaryHeap;
 /// near its rounding, or the parts run out.
 const TIGHTNESS: f64 = 1.1;
 
-/// The factor above what rounding has in every bound, however short the part, at which cuts end: they cannot halve
-/// such a bound.
+/// Cuts end where the bound is at most this factor above its least rounding error: they cannot halve such a bound.
 const NEAR_ROUNDING: f64 = 2.0;
 
 /// The accuracy of the bound relative to the size of the edge, below that of any fit.

@@ -19,7 +19,7 @@ pub(super) struct GapPart {
     pub(super) lower: f64,
     /// The largest distance of corresponding points at nodes.
     sampled: f64,
-    /// What rounding has in the upper bound of any part of it, however short.
+    /// The rounding error that the upper bound of every part of it contains, however short the part is.
     pub(super) least_rounding: f64,
     cut: Cut,
 }
@@ -69,7 +69,7 @@ impl GapPart {
         };
         let discs = Discs::new(&local, ends, center, curve, &crossed);
         let affine = Correspondence::affine([s0, s1]);
-        // Distances below what rounding has in every bound cannot be told from it.
+        // Every bound contains this rounding error, so that a smaller distance need not be resolved.
         let least_rounding = discs.least_rounding();
         let enough = found.max(NEAR_ROUNDING * least_rounding);
         let found = found.max(least_rounding);
