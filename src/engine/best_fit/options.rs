@@ -3,8 +3,7 @@
 use super::zone::{Zone, ZoneOptions};
 use crate::alignment::{Datum, Loss, PointPair, Robust};
 use crate::engine::options::{at_least_zero, require_samples};
-use crate::engine::query::{CommonOptions, Query};
-use crate::engine::{Computation, Engine, PreparedModel};
+use crate::engine::query::{Query, impl_query};
 use crate::error::{Error, Result};
 use crate::iteration::SamplingRule;
 use crate::model::RigidTransform;
@@ -114,28 +113,14 @@ impl Default for BestFitOptions {
 /// The largest share of outliers: what is left determines a pose still.
 const MAX_OUTLIERS: f64 = 0.95;
 
-impl Query for BestFitOptions {
-    type Answer = BestFit;
+impl_query!(BestFitOptions, best_fit -> BestFit, [tolerance, relative_tolerance, scale_units, transform]);
 
-    fn common(&self) -> CommonOptions {
-        let &Self { tolerance, relative_tolerance, scale_units, transform, .. } = self;
-        let budgets = CommonOptions::default();
-        CommonOptions { tolerance, relative_tolerance, scale_units, transform, ..budgets }
-    }
-
-    fn moved(self, transform: RigidTransform) -> Self {
-        Self { transform, ..self }
-    }
-
-    fn within(self, _: Option<f64>) -> Self {
-        self
-    }
-
+impl BestFitOptions {
     /// # Errors
     /// [`Error::OptionOutOfRange`] naming the option; [`Error::OptionInvalid`] for outliers that no rule leaves out,
     /// for outliers or a rule in the largest distance, which is that of all points, and for a limit of a zone without
     /// that norm.
-    fn validate_own(&self) -> Result<()> {
+    fn require_own(&self) -> Result<()> {
         require_samples(self.samples)?;
         at_least_zero("outliers", self.outliers)?;
         if self.outliers > MAX_OUTLIERS {
@@ -161,12 +146,6 @@ impl Query for BestFitOptions {
         Ok(())
     }
 
-    fn ask<'a>(&'a self, engine: &'a Engine, [a, b]: [&'a PreparedModel; 2]) -> Computation<'a, BestFit> {
-        engine.best_fit(a, b, self)
-    }
-}
-
-impl BestFitOptions {
     /// Returns the length of a step that ends a fit, for models of this diagonal.
     pub(super) fn last_step(&self, diagonal: f64) -> f64 {
         self.common().width(diagonal, DEFAULT_RELATIVE_TOLERANCE)

@@ -2,8 +2,7 @@
 
 use super::{ClearanceResult, GapsResult};
 use crate::engine::options::at_least_zero;
-use crate::engine::query::{CommonOptions, Query, validate_limit};
-use crate::engine::{Computation, Engine, PreparedModel};
+use crate::engine::query::{Query, impl_query, validate_limit};
 use crate::error::Result;
 use crate::model::RigidTransform;
 use serde::Deserialize;
@@ -51,37 +50,16 @@ impl Default for ClearanceOptions {
     }
 }
 
-impl Query for ClearanceOptions {
-    type Answer = ClearanceResult;
+impl_query!(
+    ClearanceOptions, clearance -> ClearanceResult,
+    [tolerance, relative_tolerance, max_cells, scale_units, transform], max_seconds
+);
 
-    fn common(&self) -> CommonOptions {
-        let &Self { tolerance, relative_tolerance, max_seconds, max_cells, scale_units, transform, .. } =
-            self;
-        CommonOptions { tolerance, relative_tolerance, max_seconds, max_cells, scale_units, transform }
-    }
-
-    fn moved(self, transform: RigidTransform) -> Self {
-        Self { transform, ..self }
-    }
-
-    fn within(self, max_seconds: Option<f64>) -> Self {
-        Self { max_seconds: self.max_seconds.or(max_seconds), ..self }
-    }
-
-    fn validate_own(&self) -> Result<()> {
+impl ClearanceOptions {
+    fn require_own(&self) -> Result<()> {
         validate_limit(self.limit)
     }
 
-    fn ask<'a>(
-        &'a self,
-        engine: &'a Engine,
-        [a, b]: [&'a PreparedModel; 2],
-    ) -> Computation<'a, ClearanceResult> {
-        engine.clearance(a, b, self)
-    }
-}
-
-impl ClearanceOptions {
     /// Returns the permitted width in model units, for models of this diagonal.
     pub(super) fn width(&self, diagonal: f64) -> f64 {
         self.common().width(diagonal, DEFAULT_RELATIVE_TOLERANCE)
@@ -126,31 +104,16 @@ impl Default for GapOptions {
     }
 }
 
-impl Query for GapOptions {
-    type Answer = GapsResult;
+impl_query!(
+    GapOptions, gaps -> GapsResult,
+    [tolerance, relative_tolerance, max_cells, scale_units, transform], max_seconds
+);
 
-    fn common(&self) -> CommonOptions {
-        self.search().common()
-    }
-
-    fn moved(self, transform: RigidTransform) -> Self {
-        Self { transform, ..self }
-    }
-
-    fn within(self, max_seconds: Option<f64>) -> Self {
-        Self { max_seconds: self.max_seconds.or(max_seconds), ..self }
-    }
-
-    fn validate_own(&self) -> Result<()> {
+impl GapOptions {
+    fn require_own(&self) -> Result<()> {
         at_least_zero("below", self.below)
     }
 
-    fn ask<'a>(&'a self, engine: &'a Engine, [a, b]: [&'a PreparedModel; 2]) -> Computation<'a, GapsResult> {
-        engine.gaps(a, b, self)
-    }
-}
-
-impl GapOptions {
     /// Returns the options of the search for one pair of faces.
     pub(super) fn search(&self) -> ClearanceOptions {
         ClearanceOptions {

@@ -8,7 +8,7 @@ mod search;
 
 use super::options::at_least_zero;
 use super::points::require_in_range;
-use super::query::{CommonOptions, Query};
+use super::query::{Query, impl_query};
 use super::section::Section;
 use super::{Computation, Engine, PreparedModel};
 use crate::deviation::{FarthestPoint, Fineness, KnownDeviation};
@@ -46,26 +46,13 @@ pub struct DeviationMapOptions {
     pub transform: RigidTransform,
 }
 
-impl Query for DeviationMapOptions {
-    type Answer = DeviationMaps;
+impl_query!(DeviationMapOptions, deviation_maps -> DeviationMaps, [scale_units, transform]);
 
-    fn common(&self) -> CommonOptions {
-        let &Self { scale_units, transform, .. } = self;
-        CommonOptions { scale_units, transform, ..CommonOptions::default() }
-    }
-
-    fn moved(self, transform: RigidTransform) -> Self {
-        Self { transform, ..self }
-    }
-
-    fn within(self, _: Option<f64>) -> Self {
-        self
-    }
-
+impl DeviationMapOptions {
     /// # Errors
     /// [`crate::Error::OptionOutOfRange`] for a bound that is not a finite number of at least 0;
     /// [`crate::Error::PointOutOfRange`] for a farthest point, index 0, and its foot, 1.
-    fn validate_own(&self) -> Result<()> {
+    fn require_own(&self) -> Result<()> {
         for KnownDeviation { uppers, farthest } in self.a.iter().chain(&self.b) {
             uppers.iter().try_for_each(|&upper| at_least_zero("uppers", upper))?;
             if let Some(FarthestPoint { point, foot, .. }) = *farthest {
@@ -73,14 +60,6 @@ impl Query for DeviationMapOptions {
             }
         }
         Ok(())
-    }
-
-    fn ask<'a>(
-        &'a self,
-        engine: &'a Engine,
-        [a, b]: [&'a PreparedModel; 2],
-    ) -> Computation<'a, DeviationMaps> {
-        engine.deviation_maps(a, b, self)
     }
 }
 

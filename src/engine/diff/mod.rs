@@ -10,8 +10,8 @@ mod search;
 pub use counterpart::{FaceChange, FaceCounterpart};
 pub use parts::{PartDifference, PartFaces, PartMotion, PartState};
 
-use super::query::{CommonOptions, Query};
-use super::{Computation, Engine, PreparedModel, Seconds, Witness};
+use super::query::impl_query;
+use super::{PreparedModel, Seconds, Witness};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::sorting::sort_by_number;
@@ -56,33 +56,15 @@ impl Default for DiffOptions {
     }
 }
 
-impl Query for DiffOptions {
-    type Answer = DiffResult;
+impl_query!(DiffOptions, diff -> DiffResult, [max_cells, scale_units, transform], max_seconds);
 
-    fn common(&self) -> CommonOptions {
-        let &Self { max_seconds, scale_units, transform, .. } = self;
-        let max_cells = Some(self.max_cells);
-        CommonOptions { max_seconds, max_cells, scale_units, transform, ..CommonOptions::default() }
-    }
-
-    fn moved(self, transform: RigidTransform) -> Self {
-        Self { transform, ..self }
-    }
-
-    fn within(self, max_seconds: Option<f64>) -> Self {
-        Self { max_seconds: self.max_seconds.or(max_seconds), ..self }
-    }
-
-    fn validate_own(&self) -> Result<()> {
+impl DiffOptions {
+    fn require_own(&self) -> Result<()> {
         if !(self.limit > 0.0 && self.limit <= MAX_LIMIT) {
             let expected = "a positive number of at most 1e100";
             return Err(Error::out_of_range("limit", self.limit, expected));
         }
         Ok(())
-    }
-
-    fn ask<'a>(&'a self, engine: &'a Engine, [a, b]: [&'a PreparedModel; 2]) -> Computation<'a, DiffResult> {
-        engine.diff(a, b, self)
     }
 }
 

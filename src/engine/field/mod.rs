@@ -6,7 +6,7 @@ mod target;
 
 use super::direction::Direction;
 use super::options::{DEFAULT_SAMPLES, at_least_zero, require_samples};
-use super::query::{CommonOptions, Opened, Query};
+use super::query::{Opened, impl_query};
 use super::{Computation, Engine, PreparedModel};
 use crate::bezier::BezierModel;
 use crate::closest::Status;
@@ -59,33 +59,12 @@ impl Default for FieldOptions {
     }
 }
 
-impl Query for FieldOptions {
-    type Answer = DeviationField;
+impl_query!(FieldOptions, field -> DeviationField, [scale_units, transform]);
 
-    fn common(&self) -> CommonOptions {
-        let &Self { scale_units, transform, .. } = self;
-        CommonOptions { scale_units, transform, ..CommonOptions::default() }
-    }
-
-    fn moved(self, transform: RigidTransform) -> Self {
-        Self { transform, ..self }
-    }
-
-    fn within(self, _: Option<f64>) -> Self {
-        self
-    }
-
-    fn validate_own(&self) -> Result<()> {
+impl FieldOptions {
+    fn require_own(&self) -> Result<()> {
         require_samples(self.samples)?;
         self.upper.map_or(Ok(()), |upper| at_least_zero("upper", upper))
-    }
-
-    fn ask<'a>(
-        &'a self,
-        engine: &'a Engine,
-        [a, b]: [&'a PreparedModel; 2],
-    ) -> Computation<'a, DeviationField> {
-        engine.field(a, b, self)
     }
 }
 

@@ -1,8 +1,7 @@
 //! The options of overlaps.
 
 use super::OverlapResult;
-use crate::engine::query::{CommonOptions, Query};
-use crate::engine::{Computation, Engine, PreparedModel};
+use crate::engine::query::impl_query;
 use crate::error::Result;
 use crate::model::RigidTransform;
 use crate::tolerance::positive;
@@ -42,37 +41,13 @@ impl Default for OverlapOptions {
     }
 }
 
-impl Query for OverlapOptions {
-    type Answer = OverlapResult;
+impl_query!(OverlapOptions, overlap -> OverlapResult, [max_cells, scale_units, transform], max_seconds);
 
-    /// The tolerance is no length, and so not among them.
-    fn common(&self) -> CommonOptions {
-        let &Self { max_seconds, max_cells, scale_units, transform, .. } = self;
-        CommonOptions { max_seconds, max_cells, scale_units, transform, ..CommonOptions::default() }
-    }
-
-    fn moved(self, transform: RigidTransform) -> Self {
-        Self { transform, ..self }
-    }
-
-    fn within(self, max_seconds: Option<f64>) -> Self {
-        Self { max_seconds: self.max_seconds.or(max_seconds), ..self }
-    }
-
-    fn validate_own(&self) -> Result<()> {
+impl OverlapOptions {
+    fn require_own(&self) -> Result<()> {
         self.tolerance.map_or(Ok(()), |tolerance| positive("tolerance", tolerance))
     }
 
-    fn ask<'a>(
-        &'a self,
-        engine: &'a Engine,
-        [a, b]: [&'a PreparedModel; 2],
-    ) -> Computation<'a, OverlapResult> {
-        engine.overlap(a, b, self)
-    }
-}
-
-impl OverlapOptions {
     /// Returns the permitted width, as a fraction of the union's volume.
     pub(super) fn relative_width(&self) -> f64 {
         self.tolerance.unwrap_or(DEFAULT_TOLERANCE)

@@ -81,7 +81,9 @@ pub trait Query: Sized {
 
     /// Returns the same question with a budget of seconds, if it has none and takes one.
     #[must_use]
-    fn within(self, max_seconds: Option<f64>) -> Self;
+    fn within(self, _max_seconds: Option<f64>) -> Self {
+        self
+    }
 
     /// Checks the ranges of the options that only this question has.
     ///
@@ -104,6 +106,46 @@ pub trait Query: Sized {
     fn ask<'a>(&'a self, engine: &'a Engine, models: [&'a PreparedModel; 2])
     -> Computation<'a, Self::Answer>;
 }
+
+/// Implements [`Query`] for options by the method of the engine that answers. The options have these fields of
+/// [`CommonOptions`] by name, `max_seconds` beside them if they have it, and `require_own` checks all others.
+macro_rules! impl_query {
+    ($options:ty, $method:ident -> $answer:ty, [$($common:ident),*] $(, $max_seconds:ident)?) => {
+        impl $crate::engine::Query for $options {
+            type Answer = $answer;
+
+            fn common(&self) -> $crate::engine::CommonOptions {
+                $crate::engine::CommonOptions {
+                    $($common: self.$common.into(),)*
+                    $($max_seconds: self.$max_seconds,)?
+                    ..Default::default()
+                }
+            }
+
+            fn moved(self, transform: $crate::model::RigidTransform) -> Self {
+                Self { transform, ..self }
+            }
+
+            $(fn within(self, $max_seconds: Option<f64>) -> Self {
+                Self { $max_seconds: self.$max_seconds.or($max_seconds), ..self }
+            })?
+
+            fn validate_own(&self) -> $crate::error::Result<()> {
+                self.require_own()
+            }
+
+            fn ask<'a>(
+                &'a self,
+                engine: &'a $crate::engine::Engine,
+                [a, b]: [&'a $crate::engine::PreparedModel; 2],
+            ) -> $crate::engine::Computation<'a, $answer> {
+                engine.$method(a, b, self)
+            }
+        }
+    };
+}
+
+pub(super) use impl_query;
 
 /// # Errors
 /// [`crate::Error::OptionOutOfRange`] unless the limit, if there is one, is 0 or more and finite.

@@ -2,8 +2,7 @@
 
 use super::{Score, ScoreNumber};
 use crate::engine::options::at_least_zero;
-use crate::engine::query::{CommonOptions, Query};
-use crate::engine::{Computation, Engine, PreparedModel};
+use crate::engine::query::{Query, impl_query};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::tolerance::positive;
@@ -110,27 +109,16 @@ impl Default for ScoreOptions {
     }
 }
 
-impl Query for ScoreOptions {
-    type Answer = Score;
+impl_query!(
+    ScoreOptions, score -> Score,
+    [tolerance, relative_tolerance, max_cells, scale_units, transform], max_seconds
+);
 
-    fn common(&self) -> CommonOptions {
-        let &Self { tolerance, relative_tolerance, max_seconds, scale_units, transform, .. } = self;
-        let max_cells = Some(self.max_cells);
-        CommonOptions { tolerance, relative_tolerance, max_seconds, max_cells, scale_units, transform }
-    }
-
-    fn moved(self, transform: RigidTransform) -> Self {
-        Self { transform, ..self }
-    }
-
-    fn within(self, max_seconds: Option<f64>) -> Self {
-        Self { max_seconds: self.max_seconds.or(max_seconds), ..self }
-    }
-
+impl ScoreOptions {
     /// # Errors
     /// [`Error::OptionOutOfRange`] naming the option, [`Error::OptionInvalid`] for a transform that an alignment would
     /// replace.
-    fn validate_own(&self) -> Result<()> {
+    fn require_own(&self) -> Result<()> {
         for &threshold in &self.thresholds {
             at_least_zero("thresholds", threshold)?;
         }
@@ -155,12 +143,6 @@ impl Query for ScoreOptions {
         Ok(())
     }
 
-    fn ask<'a>(&'a self, engine: &'a Engine, [a, b]: [&'a PreparedModel; 2]) -> Computation<'a, Score> {
-        engine.score(a, b, self)
-    }
-}
-
-impl ScoreOptions {
     /// Returns the permitted width of lengths, in model units, for a truth of this diagonal.
     pub(super) fn width(&self, diagonal: f64) -> f64 {
         self.common().width(diagonal, DEFAULT_RELATIVE_TOLERANCE)

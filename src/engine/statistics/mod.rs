@@ -6,8 +6,8 @@ mod pages;
 mod search;
 mod sums;
 
-use super::query::{CommonOptions, Query, validate_limit};
-use super::{Computation, Engine, PreparedModel, Seconds};
+use super::Seconds;
+use super::query::{Query, impl_query, validate_limit};
 use crate::certified::{Audit, AuditReport};
 use crate::error::{Error, Result};
 use crate::interval::Interval;
@@ -82,24 +82,13 @@ impl Default for StatisticsOptions {
     }
 }
 
-impl Query for StatisticsOptions {
-    type Answer = CertifiedStatistics;
+impl_query!(
+    StatisticsOptions, statistics -> CertifiedStatistics,
+    [tolerance, relative_tolerance, max_cells, scale_units, transform], max_seconds
+);
 
-    fn common(&self) -> CommonOptions {
-        let &Self { tolerance, relative_tolerance, max_seconds, scale_units, transform, .. } = self;
-        let max_cells = Some(self.max_cells);
-        CommonOptions { tolerance, relative_tolerance, max_seconds, max_cells, scale_units, transform }
-    }
-
-    fn moved(self, transform: RigidTransform) -> Self {
-        Self { transform, ..self }
-    }
-
-    fn within(self, max_seconds: Option<f64>) -> Self {
-        Self { max_seconds: self.max_seconds.or(max_seconds), ..self }
-    }
-
-    fn validate_own(&self) -> Result<()> {
+impl StatisticsOptions {
+    fn require_own(&self) -> Result<()> {
         for &part in &self.percentiles {
             if !(part > 0.0 && part < 1.0) {
                 return Err(Error::out_of_range("percentiles", part, "parts above 0 and below 1"));
@@ -109,16 +98,6 @@ impl Query for StatisticsOptions {
         positive("part tolerance", self.part_tolerance)
     }
 
-    fn ask<'a>(
-        &'a self,
-        engine: &'a Engine,
-        [a, b]: [&'a PreparedModel; 2],
-    ) -> Computation<'a, CertifiedStatistics> {
-        engine.statistics(a, b, self)
-    }
-}
-
-impl StatisticsOptions {
     fn width(&self, diagonal: f64) -> f64 {
         self.common().width(diagonal, DEFAULT_RELATIVE_TOLERANCE)
     }
