@@ -1,37 +1,23 @@
 //! The arguments of the commands `clearance` and `gaps`, which search least distances.
 
-use super::Placement;
+use super::Compared;
 use clap::Args;
 use nurbs_hausdorff::{ClearanceOptions, GapOptions, Result};
-use std::path::PathBuf;
 
 /// Two models, and how long and how narrowly their least distances are searched.
 #[derive(Debug, Args)]
 pub(crate) struct Search {
-    /// The one model; - is standard input.
-    pub(crate) a: PathBuf,
-    /// The other model; - is standard input.
-    pub(crate) b: PathBuf,
+    #[command(flatten)]
+    pub(crate) compared: Compared,
     /// Permitted width of an interval, in model units; what is nearer than it counts as touching.
     #[arg(long, value_name = "LENGTH")]
     tolerance: Option<f64>,
     /// The same as a fraction of the larger diagonal; 1e-6 if neither is given.
     #[arg(long, value_name = "FRACTION")]
     relative_tolerance: Option<f64>,
-    /// Judges the faces that were read where others were left out; else that is undecided.
-    #[arg(long)]
-    pub(crate) allow_skipped: bool,
-    /// Seconds after which what was reached is the result.
-    #[arg(long, value_name = "SECONDS")]
-    max_seconds: Option<f64>,
     /// Pairs of cells, for each interval, after which the interval reached is taken.
     #[arg(long, hide_short_help = true, value_name = "CELLS")]
     max_cells: Option<usize>,
-    #[command(flatten)]
-    pub(crate) placement: Placement,
-    /// Prints the result as one JSON object.
-    #[arg(long)]
-    pub(crate) json: bool,
 }
 
 #[derive(Debug, Args)]
@@ -52,7 +38,8 @@ impl ClearanceArguments {
     /// # Errors
     /// As [`nurbs_hausdorff::RigidTransform::new`]; the library checks the ranges.
     pub(crate) fn options(&self) -> Result<ClearanceOptions> {
-        let Search { tolerance, relative_tolerance, max_seconds, max_cells, ref placement, .. } = self.search;
+        let Search { tolerance, relative_tolerance, max_cells, ref compared } = self.search;
+        let Compared { max_seconds, ref placement, .. } = *compared;
         Ok(ClearanceOptions {
             tolerance,
             relative_tolerance,
@@ -80,7 +67,8 @@ impl GapsArguments {
     /// # Errors
     /// As [`nurbs_hausdorff::RigidTransform::new`]; the library checks the ranges.
     pub(crate) fn options(&self) -> Result<GapOptions> {
-        let Search { tolerance, relative_tolerance, max_seconds, max_cells, ref placement, .. } = self.search;
+        let Search { tolerance, relative_tolerance, max_cells, ref compared } = self.search;
+        let Compared { max_seconds, ref placement, .. } = *compared;
         Ok(GapOptions {
             below: self.below,
             tolerance,

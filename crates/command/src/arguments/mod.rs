@@ -342,29 +342,36 @@ impl DiffArguments {
     }
 }
 
+/// Two models that are compared, until when, and the form of the result.
 #[derive(Debug, Args)]
-pub(crate) struct OverlapArguments {
+pub(crate) struct Compared {
     /// The one model; - is standard input.
     pub(crate) a: PathBuf,
     /// The other model; - is standard input.
     pub(crate) b: PathBuf,
-    /// Permitted width of the common volume, as a fraction of the union's; 1e-3 if not given.
-    #[arg(long, value_name = "FRACTION")]
-    tolerance: Option<f64>,
-    /// Takes the faces that were read where others were left out; else the exit status is 3.
+    /// Judges the faces that were read where others were left out; else that is undecided.
     #[arg(long)]
     pub(crate) allow_skipped: bool,
-    /// Seconds after which the intervals reached are the result.
+    /// Seconds after which what was reached is the result.
     #[arg(long, value_name = "SECONDS")]
     max_seconds: Option<f64>,
-    /// Pieces of faces after which the intervals reached are the result; 400,000 if not given.
-    #[arg(long, hide_short_help = true, value_name = "CELLS")]
-    max_cells: Option<usize>,
     #[command(flatten)]
     pub(crate) placement: Placement,
     /// Prints the result as one JSON object.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct OverlapArguments {
+    #[command(flatten)]
+    pub(crate) compared: Compared,
+    /// Permitted width of the common volume, as a fraction of the union's; 1e-3 if not given.
+    #[arg(long, value_name = "FRACTION")]
+    tolerance: Option<f64>,
+    /// Pieces of faces after which the intervals reached are the result; 400,000 if not given.
+    #[arg(long, hide_short_help = true, value_name = "CELLS")]
+    max_cells: Option<usize>,
 }
 
 impl OverlapArguments {
@@ -373,12 +380,13 @@ impl OverlapArguments {
     /// # Errors
     /// As [`RigidTransform::new`]; the library checks the ranges.
     pub(crate) fn options(&self) -> Result<OverlapOptions> {
+        let &Self { tolerance, max_cells, ref compared } = self;
         Ok(OverlapOptions {
-            tolerance: self.tolerance,
-            max_seconds: self.max_seconds,
-            max_cells: self.max_cells,
-            scale_units: self.placement.scales_units(),
-            transform: self.placement.transform()?,
+            tolerance,
+            max_seconds: compared.max_seconds,
+            max_cells,
+            scale_units: compared.placement.scales_units(),
+            transform: compared.placement.transform()?,
         })
     }
 }

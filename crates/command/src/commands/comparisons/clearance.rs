@@ -16,14 +16,15 @@ use std::path::Path;
 
 /// Measures the clearance, prints it and returns the exit status.
 pub(crate) fn run(arguments: &ClearanceArguments) -> std::result::Result<u8, Failure> {
-    let files: [&Path; 2] = [&arguments.search.a, &arguments.search.b];
-    let (mut result, [a, b]) = answered(&arguments.options()?, files, arguments.search.placement.units)?;
-    if arguments.limit.is_some() && !is_judged(&a, &b, arguments.search.allow_skipped) {
+    let compared = &arguments.search.compared;
+    let files: [&Path; 2] = [&compared.a, &compared.b];
+    let (mut result, [a, b]) = answered(&arguments.options()?, files, compared.placement.units)?;
+    if arguments.limit.is_some() && !is_judged(&a, &b, compared.allow_skipped) {
         (result.at_least, result.with_gaps.at_least) = (None, None);
     }
     let at_least = if arguments.strict_gaps { result.with_gaps.at_least } else { result.at_least };
     let verdict = arguments.limit.map(|_| Verdict::of(at_least));
-    if arguments.search.json {
+    if compared.json {
         let asked = Asked { command: "clearance", verdict, limit: arguments.limit, symmetric: None };
         print_json(&OfFiles::new(asked, &result, &a, &b))?;
     } else {

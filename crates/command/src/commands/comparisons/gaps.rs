@@ -16,10 +16,11 @@ use std::path::Path;
 
 /// Finds the pairs of faces, prints them and returns the exit status.
 pub(crate) fn run(arguments: &GapsArguments) -> std::result::Result<u8, Failure> {
-    let files: [&Path; 2] = [&arguments.search.a, &arguments.search.b];
-    let (result, [a, b]) = answered(&arguments.options()?, files, arguments.search.placement.units)?;
-    let is_known = is_judged(&a, &b, arguments.search.allow_skipped) && result.complete;
-    if arguments.search.json {
+    let compared = &arguments.search.compared;
+    let files: [&Path; 2] = [&compared.a, &compared.b];
+    let (result, [a, b]) = answered(&arguments.options()?, files, compared.placement.units)?;
+    let is_known = is_judged(&a, &b, compared.allow_skipped) && result.complete;
+    if compared.json {
         let asked = Asked { command: "gaps", verdict: None, limit: None, symmetric: None };
         print_json(&OfFiles::new(asked, &result, &a, &b))?;
     } else {

@@ -14,10 +14,11 @@ use std::path::Path;
 
 /// Measures the volumes, prints them and returns the exit status.
 pub(crate) fn run(arguments: &OverlapArguments) -> std::result::Result<u8, Failure> {
-    let files: [&Path; 2] = [&arguments.a, &arguments.b];
-    let (result, [a, b]) = answered(&arguments.options()?, files, arguments.placement.units)?;
-    let is_known = is_judged(&a, &b, arguments.allow_skipped) && result.volumes.is_some();
-    if arguments.json {
+    let compared = &arguments.compared;
+    let files: [&Path; 2] = [&compared.a, &compared.b];
+    let (result, [a, b]) = answered(&arguments.options()?, files, compared.placement.units)?;
+    let is_known = is_judged(&a, &b, compared.allow_skipped) && result.volumes.is_some();
+    if compared.json {
         let asked = Asked { command: "overlap", verdict: None, limit: None, symmetric: None };
         print_json(&OfFiles::new(asked, &result, &a, &b))?;
     } else {
