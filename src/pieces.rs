@@ -369,15 +369,8 @@ mod tests {
         };
         let surface = plane.clone().into_arrays();
         let face = |number: usize| FaceArrays {
-            surface: surface.clone(),
-            trim: Some(vec![(0..3).map(side).collect()]),
-            reversed: false,
             face_name: Some(format!("face {number}")),
-            kind: None,
-            gap: 0.0,
-            gap_measured: false,
-            color: None,
-            shell: None,
+            ..FaceArrays::new(surface.clone(), Some(vec![(0..3).map(side).collect()]))
         };
         Model::from_faces(ModelArrays { faces: (0..count).map(face).collect(), ..ModelArrays::default() })
             .unwrap()

@@ -80,21 +80,14 @@ pub(crate) type Quad = [DVec3; 4];
 
 /// The bilinear faces between these corners.
 pub(crate) fn of_quads(quads: &[Quad]) -> Model {
-    let face = |&[a, b, c, d]: &Quad| FaceArrays {
-        surface: nurbs_hausdorff::SurfaceArrays {
+    let face = |&[a, b, c, d]: &Quad| {
+        let surface = nurbs_hausdorff::SurfaceArrays {
             degree: [1, 1],
             knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
             counts: [2, 2],
             control_points: [a, d, b, c].map(|point| point.extend(1.0).to_array()).to_vec(),
-        },
-        trim: None,
-        reversed: false,
-        face_name: None,
-        kind: None,
-        gap: 0.0,
-        gap_measured: false,
-        color: None,
-        shell: None,
+        };
+        FaceArrays::new(surface, None)
     };
     of(quads.iter().map(face).collect())
 }

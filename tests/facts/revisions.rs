@@ -133,17 +133,8 @@ fn sheet(height: f64, is_swapped: bool) -> Model {
     let control_points = [[-1.0, -1.0], [-1.0, 4.0], [4.0, -1.0], [4.0, 4.0]].map(point).to_vec();
     let surface =
         SurfaceArrays { degree: [1, 1], knots: [knots.clone(), knots], counts: [2, 2], control_points };
-    let face = FaceArrays {
-        surface,
-        trim: Some(vec![(0..6).map(line).collect()]),
-        reversed: is_swapped,
-        face_name: None,
-        kind: None,
-        gap: 0.0,
-        gap_measured: false,
-        color: None,
-        shell: None,
-    };
+    let loops = Some(vec![(0..6).map(line).collect()]);
+    let face = FaceArrays { reversed: is_swapped, ..FaceArrays::new(surface, loops) };
     let instances = vec![InstanceArrays { surfaces: vec![0], transform: HERE, name: None }];
     Model::from_faces(ModelArrays { faces: vec![face], instances, ..ModelArrays::default() }).unwrap()
 }

@@ -87,17 +87,7 @@ pub fn plane(origin: [f64; 3], x: [f64; 3], y: [f64; 3], [u, v]: [[f64; 2]; 2]) 
 
 /// A face without names and gap.
 pub fn face(surface: SurfaceArrays, trim: Vec<Vec<TrimCurveArrays>>) -> FaceArrays {
-    FaceArrays {
-        surface,
-        trim: Some(trim),
-        reversed: false,
-        face_name: None,
-        kind: None,
-        gap: 0.0,
-        gap_measured: false,
-        color: None,
-        shell: None,
-    }
+    FaceArrays::new(surface, Some(trim))
 }
 
 /// The quarter circles of radius 1 from angle 0, as control points `[cos, sin, w]` of a

@@ -12,17 +12,7 @@ pub(crate) fn face(surface: SurfaceArrays, loops: &[&[[f64; 2]]]) -> FaceArrays 
         ..TrimCurveArrays::default()
     };
     let sides = |corners: &&[[f64; 2]]| (0..corners.len()).map(|k| side(corners, k)).collect();
-    FaceArrays {
-        surface,
-        trim: Some(loops.iter().map(sides).collect()),
-        reversed: false,
-        face_name: None,
-        kind: None,
-        gap: 0.0,
-        gap_measured: false,
-        color: None,
-        shell: None,
-    }
+    FaceArrays::new(surface, Some(loops.iter().map(sides).collect()))
 }
 
 /// The square [-1, 1]² at height 0; u and v are x and y.

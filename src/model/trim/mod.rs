@@ -65,6 +65,24 @@ pub struct FaceArrays {
     pub shell: Option<u32>,
 }
 
+impl FaceArrays {
+    /// Returns the face of a surface within these loops, or of all of it, that states nothing else.
+    #[must_use]
+    pub fn new(surface: crate::model::SurfaceArrays, trim: Option<Vec<Vec<TrimCurveArrays>>>) -> Self {
+        Self {
+            surface,
+            trim,
+            reversed: false,
+            face_name: None,
+            kind: None,
+            gap: 0.0,
+            gap_measured: false,
+            color: None,
+            shell: None,
+        }
+    }
+}
+
 /// The largest distance between the end of a curve and the start of the next, as a
 /// fraction of the domain's range in u and in v, that is always closed. A larger one is
 /// closed only if it is within the gaps that the two curves state.

@@ -40,17 +40,7 @@ fn face(corners: &[[f64; 2]]) -> FaceArrays {
 }
 
 fn plain(surface: SurfaceArrays, trim: Option<Vec<TrimCurveArrays>>) -> FaceArrays {
-    FaceArrays {
-        surface,
-        trim: trim.map(|curves| vec![curves]),
-        reversed: false,
-        face_name: None,
-        kind: None,
-        gap: 0.0,
-        gap_measured: false,
-        color: None,
-        shell: None,
-    }
+    FaceArrays::new(surface, trim.map(|curves| vec![curves]))
 }
 
 /// A square of side 1e-4 at (0, 3), moved along x.

@@ -58,17 +58,7 @@ pub fn check(bytes: &[u8]) {
         Err(Error::FaceNotCut { .. }) => {}
         Err(error) => panic!("{error}: {surface:?}, {loops:?}"),
     }
-    let face = FaceArrays {
-        surface: arrays,
-        trim: Some(loops),
-        reversed: false,
-        face_name: None,
-        kind: None,
-        gap: 0.0,
-        gap_measured: false,
-        color: None,
-        shell: None,
-    };
+    let face = FaceArrays::new(arrays, Some(loops));
     let model = Model::from_faces(ModelArrays { faces: vec![face], ..ModelArrays::default() }).unwrap();
     let text = model.to_json().unwrap();
     assert_eq!(Model::from_json(&text).unwrap().to_json().unwrap(), text);

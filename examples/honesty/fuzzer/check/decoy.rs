@@ -94,17 +94,7 @@ fn with_square(
         counts: [2, 2],
         control_points: vec![corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, -1.0), corner(1.0, 1.0)],
     };
-    let square = FaceArrays {
-        surface,
-        trim: None,
-        reversed: false,
-        face_name: None,
-        kind: None,
-        gap: 0.0,
-        gap_measured: false,
-        color: None,
-        shell: None,
-    };
+    let square = FaceArrays::new(surface, None);
     let faces = model.faces().map(|face| face.to_arrays()).chain([square]).collect();
     Model::from_faces(ModelArrays { faces, ..ModelArrays::default() }).ok()
 }

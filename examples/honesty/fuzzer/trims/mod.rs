@@ -203,17 +203,7 @@ fn model(faces: &[DrawnFace]) -> Option<Model> {
             (point[0], point[1]) = (u, v);
         }
         let surface = face.surface.clone();
-        Some(FaceArrays {
-            surface,
-            trim,
-            reversed: false,
-            face_name: None,
-            kind: None,
-            gap: 0.0,
-            gap_measured: false,
-            color: None,
-            shell: None,
-        })
+        Some(FaceArrays::new(surface, trim))
     };
     let faces = faces.iter().map(face).collect::<Option<Vec<_>>>()?;
     Model::from_faces(ModelArrays { faces, ..ModelArrays::default() }).ok()
