@@ -4,6 +4,7 @@ use super::complex::Touch;
 use super::piece::{Piece, Side};
 use crate::bezier::PatchSet;
 use glam::DVec3;
+use std::cell::Cell;
 
 /// An upper bound on the ways along pieces from two points of them to what these share, or to each other: at a distance d
 /// of the points it is `(d + rest) / margin` (lemma S8 of docs/solids.md).
@@ -27,12 +28,72 @@ impl Ways {
         pairs.into_iter().all(|(a, b)| a.way + b.way <= self.at(a.point.distance(b.point) + slack))
     }
 
+    /// Returns whether the ends and the middle of an arc do not contradict the bound on the way along it.
+    pub(super) fn hold_along(self, [from, middle, to]: [DVec3; 3], slack: f64) -> bool {
+        from.distance(middle) + middle.distance(to) <= self.at(from.distance(to) + slack)
+    }
+
     /// Returns whether no two points of a grid contradict the bound on the ways along its two parameters in turn.
     pub(super) fn hold_on(self, grid: &Grid, slack: f64) -> bool {
         let places = || (0..3).flat_map(|i| (0..3).map(move |j| [i, j]));
         places().flat_map(|from| places().map(move |to| (from, to))).all(|([i, j], [k, l])| {
             let [start, corner, end] = [grid[i][j], grid[i][l], grid[k][l]];
             start.distance(corner) + corner.distance(end) <= self.at(start.distance(end) + slack)
+        })
+    }
+}
+
+/// The number of distances of computed points that an audit adds and compares. Each is off by the error of two points at
+/// most, and so by the nearness.
+const AUDITED_DISTANCES: f64 = 3.0;
+
+/// What a search states of points that are near each other, and whether other points have contradicted it.
+#[derive(Debug)]
+pub(super) struct Audited {
+    apart: f64,
+    is_refuted: Cell<bool>,
+}
+
+impl Audited {
+    /// `apart` is the distance up to which points are near each other, with the rounding of distances of computed points.
+    pub(super) fn new(apart: f64) -> Self {
+        Self { apart, is_refuted: Cell::new(false) }
+    }
+
+    /// Returns the distance up to which points are near each other.
+    pub(super) fn apart(&self) -> f64 {
+        self.apart
+    }
+
+    /// Returns whether points contradicted what was stated.
+    pub(super) fn is_refuted(&self) -> bool {
+        self.is_refuted.get()
+    }
+
+    /// Returns the bound on the ways between points that are near each other, if it is at most `most` and no points
+    /// contradict it. `holds` compares it with points whose distances are off by a length all together.
+    pub(super) fn stated(&self, ways: Ways, most: f64, holds: impl FnOnce(f64) -> bool) -> Option<f64> {
+        let within = ways.at(self.apart);
+        if within > most {
+            return None;
+        }
+        if !holds(AUDITED_DISTANCES * self.apart) {
+            self.is_refuted.set(true);
+            return None;
+        }
+        Some(within)
+    }
+
+    /// As [`Self::stated`], of the ways from points of two pieces.
+    pub(super) fn stated_between(
+        &self,
+        ways: Ways,
+        most: f64,
+        points: impl FnOnce() -> [Vec<FromShared>; 2],
+    ) -> Option<f64> {
+        self.stated(ways, most, |slack| {
+            let [one, other] = points();
+            ways.hold_between([&one, &other], slack)
         })
     }
 }
@@ -94,6 +155,16 @@ mod tests {
         let holds = |margin: f64, rest: f64| Ways { margin, rest }.hold_between([&one, &other], 0.0);
         assert!(holds(5.0 / 7.0 - 1e-12, 0.0) && !holds(5.0 / 7.0 + 1e-12, 0.0));
         assert!(holds(1.0, 2.0) && !holds(1.0, 2.0 - 1e-9));
+    }
+
+    /// Of an arc that is bent by a right angle in its middle the way is √2 times the distance of its ends.
+    #[test]
+    fn the_bound_along_an_arc_is_attained() {
+        let arc = [DVec3::X, DVec3::ZERO, DVec3::Y];
+        let half = 0.5_f64.sqrt();
+        let holds = |margin: f64, rest: f64| Ways { margin, rest }.hold_along(arc, 0.0);
+        assert!(holds(half - 1e-12, 0.0) && !holds(half + 1e-12, 0.0));
+        assert!(holds(1.0, 0.59) && !holds(1.0, 0.58));
     }
 
     /// A quarter of a strip bent by a right angle: from one end to the other, the way through the middle is √2 times the

@@ -1,7 +1,7 @@
 //! Whether a body is embedded: whether its boundary, faces that are joined along edges, meets itself nowhere else.
 //!
 //! Patches are identified along the edges that were joined, and at the corners that follow from them ([`complex`]). Pairs
-//! of pieces of them ([`piece`]) are divided until each is decided by a lower bound on the distance, or by the directions
+//! of pieces of them ([`piece`]) are divided ([`division`]) until each is decided by a lower bound on the distance, or by the directions
 //! ([`directions`]) in which both go from what they share ([`search`]); what is stated of a pair is compared with points of
 //! both ([`audit`]). Triangles are decided by signs of determinants
 //! ([`triangles`]). What is stated of trimmed faces holds along their surfaces, so that their rims must not meet themselves
@@ -10,6 +10,7 @@
 mod audit;
 mod complex;
 mod directions;
+mod division;
 mod piece;
 mod rims;
 mod search;
@@ -86,13 +87,18 @@ pub(crate) fn verdict_on_patches(
     if let Some((parts, point)) = complex.pinch() {
         return Verdict::Undecided { doubt: Doubt::Contact, parts, point };
     }
-    let search = Search::new(&model.patches, &complex, sheets.as_ref(), limits);
-    let apart = search.apart_from();
-    match search.run() {
-        Verdict::Embedded { within } => match RimSearch::new(&model.patches, &complex, limits, apart).run() {
-            Verdict::Embedded { within: of_rims } => Verdict::Embedded { within: upper_max(within, of_rims) },
+    let search = Search::new(&model.patches, &complex, sheets.as_ref(), limits.nearness);
+    let apart = search.apart();
+    search.run(limits).and(|| RimSearch::new(&model.patches, &complex, apart).run(limits))
+}
+
+impl Verdict {
+    /// Returns the verdict on two parts of what is to be proven; the second is sought only where the first is.
+    fn and(self, second: impl FnOnce() -> Self) -> Self {
+        let Self::Embedded { within: first } = self else { return self };
+        match second() {
+            Self::Embedded { within } => Self::Embedded { within: upper_max(first, within) },
             undecided => undecided,
-        },
-        undecided => undecided,
+        }
     }
 }

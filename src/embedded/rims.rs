@@ -4,17 +4,16 @@
 //! meet itself, neither does the region within it, and what is one point of the surface is one point of the face (lemma S10
 //! of docs/solids.md).
 
-use super::audit::{FromShared, Ways};
+use super::audit::{Audited, FromShared, Ways};
 use super::complex::{Complex, RimArc};
 use super::directions::{Direction, Directions, common_side};
+use super::division::{Division, Shape, Task, decide};
 use super::piece::{Piece, Side};
-use super::search::{AUDITED_DISTANCES, GOOD_STRETCH, MAX_LEVEL, PAIRS_AT_ONCE, PAIRS_EACH, PATIENCE};
-use super::{Doubt, Limits, Verdict};
+use super::{Limits, Verdict};
 use crate::bezier::PatchSet;
-use crate::bvh::{Aabb, Bvh};
+use crate::bvh::Aabb;
 use crate::clearance::hull_distance;
 use crate::param_box::ParamBox;
-use crate::rounding::upper_max;
 use glam::DVec3;
 
 /// A part of an arc at which a face ends.
@@ -27,180 +26,92 @@ struct Part {
     points: Vec<DVec3>,
     aabb: Aabb,
     along: Directions,
-    halves: Option<[usize; 2]>,
-}
-
-/// What is to be decided.
-#[derive(Clone, Copy)]
-enum Task {
-    One(usize),
-    Two([usize; 2]),
+    halves: Option<[u32; 2]>,
 }
 
 /// The search over all pairs of parts of the rims of the same face.
 pub(super) struct RimSearch<'a> {
     patches: &'a PatchSet,
     complex: &'a Complex,
-    limits: &'a Limits<'a>,
-    /// The distance up to which points are near each other, with the rounding of distances of computed points.
-    apart: f64,
     parts: Vec<Part>,
-    within: f64,
-    is_refuted: bool,
+    audited: Audited,
 }
 
 impl<'a> RimSearch<'a> {
-    pub(super) fn new(
-        patches: &'a PatchSet,
-        complex: &'a Complex,
-        limits: &'a Limits<'a>,
-        apart: f64,
-    ) -> Self {
+    /// `apart` is the distance up to which points are near each other, with the rounding of distances of computed points.
+    pub(super) fn new(patches: &'a PatchSet, complex: &'a Complex, apart: f64) -> Self {
         let parts = complex.rims().iter().enumerate();
         let parts = parts.map(|(arc, &rim)| Part::new(patches, arc, rim, 0)).collect();
-        Self { patches, complex, limits, apart, parts, within: 0.0, is_refuted: false }
+        Self { patches, complex, parts, audited: Audited::new(apart) }
     }
 
     /// Decides all pairs, or returns the first that is not decided.
-    pub(super) fn run(mut self) -> Verdict {
-        let boxes: Vec<Aabb> = self.parts.iter().map(|part| part.aabb.grown(self.apart)).collect();
-        let mut tasks: Vec<Task> = (0..boxes.len()).map(Task::One).collect();
-        Bvh::new(&boxes).for_each_pair(|a, b| {
-            let pair = [a as usize, b as usize];
-            let [one, other] = pair.map(|index| self.parts[index].rim.sheet);
-            if one == other {
-                tasks.push(Task::Two(pair));
-            }
-        });
-        let budget = PAIRS_EACH * tasks.len();
-        let mut count = 0;
-        while let Some(task) = tasks.pop() {
-            count += 1;
-            if count > budget || (count % PAIRS_AT_ONCE == 0 && (self.limits.is_late)()) {
-                return self.undecided(task, Doubt::Budget);
-            }
-            let is_decided = self.is_decided(task);
-            if self.is_refuted {
-                return self.undecided(task, Doubt::Refuted);
-            }
-            if is_decided {
-                continue;
-            }
-            let is_small = |part: &Part| part.piece.level >= MAX_LEVEL || part.aabb.diagonal() <= self.apart;
-            if task.parts().iter().all(|&index| is_small(&self.parts[index])) {
-                return self.undecided(task, Doubt::Contact);
-            }
-            self.divide(task, &mut tasks);
-        }
-        Verdict::Embedded { within: self.within }
+    pub(super) fn run(self, limits: &Limits<'_>) -> Verdict {
+        let sheets: Vec<usize> = self.parts.iter().map(|part| part.rim.sheet).collect();
+        let is_pair = |[a, b]: [u32; 2]| sheets[a as usize] == sheets[b as usize];
+        decide(self, sheets.len() as u32, is_pair, limits)
     }
 
-    fn undecided(&self, task: Task, doubt: Doubt) -> Verdict {
-        let parts = task.parts().map(|index| &self.parts[index]);
-        let [a, b] = parts.map(|part| part.aabb);
-        let common = Aabb { min: a.min.max(b.min), max: a.max.min(b.max) };
-        Verdict::Undecided { doubt, parts: parts.map(|part| part.rim.patch), point: common.center() }
+    fn part(&self, index: u32) -> &Part {
+        &self.parts[index as usize]
     }
 
-    fn divide(&mut self, task: Task, tasks: &mut Vec<Task>) {
-        match task {
-            Task::One(index) => {
-                let [low, high] = self.halves(index);
-                tasks.extend([Task::One(low), Task::One(high), Task::Two([low, high])]);
-            }
-            Task::Two([a, b]) => {
-                let [of_a, of_b] = [a, b].map(|index| {
-                    let part = &self.parts[index];
-                    if part.piece.level < MAX_LEVEL { part.aabb.diagonal() } else { -1.0 }
-                });
-                let (divided, other) = if of_a >= of_b { (a, b) } else { (b, a) };
-                tasks.extend(self.halves(divided).map(|half| Task::Two([half, other])));
-            }
-        }
-    }
-
-    /// Returns the two parts of a part.
-    fn halves(&mut self, index: usize) -> [usize; 2] {
-        let part = &self.parts[index];
-        if let Some(halves) = part.halves {
-            return halves;
-        }
-        let RimArc { range: [from, to], corners: [start, end], .. } = part.rim;
-        let middle = 0.5 * (from + to);
-        let ends = [([from, middle], [start, None]), ([middle, to], [None, end])];
-        let (arc, level) = (part.arc, part.piece.level + 1);
-        let rims = ends.map(|(range, corners)| RimArc { range, corners, ..part.rim });
-        let first = self.parts.len();
-        self.parts.extend(rims.map(|rim| Part::new(self.patches, arc, rim, level)));
-        let halves = [first, first + 1];
-        self.parts[index].halves = Some(halves);
-        halves
-    }
-
-    fn is_decided(&mut self, task: Task) -> bool {
-        let is_early = task.parts().iter().any(|&index| self.parts[index].piece.level < PATIENCE);
-        let most = if is_early { GOOD_STRETCH * self.apart } else { self.limits.most };
-        let found = match task {
-            Task::One(index) => {
-                let part = &self.parts[index];
-                let along: Vec<Direction> = part.along.turned(false).collect();
-                // The way between two points of a part begins at one of them, and so does that of the middle to both ends.
-                let [from, middle, to] = part.samples(self.patches);
-                let ways = [from, to].map(|end| vec![FromShared { point: end, way: end.distance(middle) }]);
-                self.stated(along, 2.0 * part.along.rest, most, ways)
-            }
-            Task::Two([a, b]) => self.apart([a, b], most),
-        };
-        match found {
-            Some(Ok(within)) => self.within = upper_max(self.within, within),
-            Some(Err(Refuted)) => self.is_refuted = true,
-            None => {}
-        }
-        found.is_some()
+    /// Returns an upper bound on the ways along a part between points of it that are near each other.
+    fn alone(&self, part: &Part, most: f64) -> Option<f64> {
+        let directions: Vec<Direction> = part.along.turned(false).collect();
+        let ways = Ways { margin: common_side(&directions)?.1, rest: 2.0 * part.along.rest };
+        self.audited.stated(ways, most, |slack| ways.hold_along(part.samples(self.patches), slack))
     }
 
     /// Returns an upper bound on the ways along the rim between points of two parts that are near each other, 0 if there are
     /// none.
-    fn apart(&self, pair: [usize; 2], most: f64) -> Option<Result<f64, Refuted>> {
-        let [a, b] = pair.map(|index| &self.parts[index]);
-        if !a.aabb.grown(self.apart).meets(&b.aabb) {
-            return Some(Ok(0.0));
+    fn of_two(&self, [a, b]: [&Part; 2], most: f64) -> Option<f64> {
+        let apart = self.audited.apart();
+        if !a.aabb.grown(apart).meets(&b.aabb) {
+            return Some(0.0);
         }
         let start = a.aabb.center() - b.aabb.center();
-        if hull_distance(&a.points, &b.points, start, 2.0 * self.apart, 0.0).lower > self.apart {
-            return Some(Ok(0.0));
+        if hull_distance(&a.points, &b.points, start, 2.0 * apart, 0.0).lower > apart {
+            return Some(0.0);
         }
         if let Some(found) = self.along_edge([a, b], most) {
             return Some(found);
         }
         let ends = (0..2).flat_map(|of_a| (0..2).map(move |of_b| [of_a, of_b]));
-        ends.filter_map(|[of_a, of_b]| Some(([of_a, of_b], self.spread([a, b], [of_a, of_b])?))).find_map(
-            |([of_a, of_b], spread)| {
-                let back = b.along.turned(of_b == 0);
-                let directions = a.along.turned(of_a == 1).chain(back).collect();
-                let ways = [(a, of_a), (b, of_b)].map(|(part, end)| part.points_from(end, self.patches));
-                self.stated(directions, spread + 2.0 * (a.along.rest + b.along.rest), most, ways)
-            },
-        )
+        let mut stated = ends.filter_map(|ends| self.about([a, b], ends, most));
+        stated.next()
+    }
+
+    /// Returns an upper bound on the ways from points of two parts that are near each other to the ends that they share.
+    fn about(&self, [a, b]: [&Part; 2], [of_a, of_b]: [usize; 2], most: f64) -> Option<f64> {
+        let spread = self.spread([a, b], [of_a, of_b])?;
+        let back = b.along.turned(of_b == 0);
+        let directions: Vec<Direction> = a.along.turned(of_a == 1).chain(back).collect();
+        let rest = spread + 2.0 * (a.along.rest + b.along.rest);
+        let ways = Ways { margin: common_side(&directions)?.1, rest };
+        self.audited.stated_between(ways, most, || {
+            [(a, of_a), (b, of_b)].map(|(part, end)| part.points_from(end, self.patches))
+        })
     }
 
     /// Returns an upper bound on the ways between points of two parts that are near each other, along both and with a step
     /// between them, if these are of arcs that are joined to each other.
-    fn along_edge(&self, [a, b]: [&Part; 2], most: f64) -> Option<Result<f64, Refuted>> {
-        let (edges, is_swapped) = self.complex.edges([a.rim.patch, b.rim.patch]);
-        let orders = if is_swapped { [[b, a], [a, b]] } else { [[a, b], [b, a]] };
-        let count = if a.rim.patch == b.rim.patch { 2 } else { 1 };
-        let all = edges.iter().flat_map(|edge| orders[..count].iter().map(move |&order| (order, edge)));
+    fn along_edge(&self, [a, b]: [&Part; 2], most: f64) -> Option<f64> {
+        let all = self.complex.edges([a.rim.patch, b.rim.patch], [a, b]);
         let own = all.filter(|(parts, edge)| (0..2).all(|k| parts[k].rim.side == edge.sides[k]));
         let found = own.flat_map(|(parts, edge)| {
             let pieces = parts.map(|part| &part.piece);
-            let widths = [0, 1].map(|first| edge.width(pieces, first, self.apart));
+            let widths = [0, 1].map(|first| edge.width(pieces, first, self.audited.apart()));
             widths.into_iter().flatten().map(move |width| (parts, width))
         });
-        let mut stated = found.filter_map(|([one, other], (width, is_reversed))| {
-            let directions = one.along.turned(false).chain(other.along.turned(is_reversed)).collect();
-            let rest = width + 2.0 * (one.along.rest + other.along.rest);
-            self.stated(directions, rest, most, [Vec::new(), Vec::new()])
+        let mut stated = found.filter_map(|(parts, (width, is_reversed))| {
+            let [one, other] = parts.map(|part| &part.along);
+            let directions: Vec<Direction> = one.turned(false).chain(other.turned(is_reversed)).collect();
+            let rest = width + 2.0 * (one.rest + other.rest);
+            let ways = Ways { margin: common_side(&directions)?.1, rest };
+            self.audited.stated(ways, most, |slack| {
+                parts.iter().all(|part| ways.hold_along(part.samples(self.patches), slack))
+            })
         });
         stated.next()
     }
@@ -213,30 +124,42 @@ impl<'a> RimSearch<'a> {
         let corner = a.rim.corners[of_a].filter(|_| a.rim.corners[of_a] == b.rim.corners[of_b])?;
         Some(self.complex.spread(corner))
     }
-
-    /// Returns the bound on the ways between points that are near each other, whose difference is a sum of these directions
-    /// and of a rest, if it is at most `most`; an error if these points contradict it.
-    fn stated(
-        &self,
-        directions: Vec<Direction>,
-        rest: f64,
-        most: f64,
-        [one, other]: [Vec<FromShared>; 2],
-    ) -> Option<Result<f64, Refuted>> {
-        let (_, margin) = common_side(&directions)?;
-        let ways = Ways { margin, rest };
-        let within = ways.at(self.apart);
-        if within > most {
-            return None;
-        }
-        let holds = ways.hold_between([&one, &other], AUDITED_DISTANCES * self.apart);
-        Some(if holds { Ok(within) } else { Err(Refuted) })
-    }
 }
 
-/// Points contradicted what was stated.
-#[derive(Clone, Copy)]
-struct Refuted;
+impl Division for RimSearch<'_> {
+    fn shape(&self, index: u32) -> Shape {
+        let Part { rim, piece, aabb, .. } = self.part(index);
+        Shape { patch: rim.patch, aabb: *aabb, level: piece.level, is_first: false, gain: aabb.diagonal() }
+    }
+
+    fn halves(&mut self, index: u32) -> [u32; 2] {
+        let part = self.part(index);
+        if let Some(halves) = part.halves {
+            return halves;
+        }
+        let RimArc { range: [from, to], corners: [start, end], .. } = part.rim;
+        let middle = 0.5 * (from + to);
+        let ends = [([from, middle], [start, None]), ([middle, to], [None, end])];
+        let (arc, level) = (part.arc, part.piece.level + 1);
+        let rims = ends.map(|(range, corners)| RimArc { range, corners, ..part.rim });
+        let first = self.parts.len() as u32;
+        self.parts.extend(rims.map(|rim| Part::new(self.patches, arc, rim, level)));
+        let halves = [first, first + 1];
+        self.parts[index as usize].halves = Some(halves);
+        halves
+    }
+
+    fn within(&self, task: Task, most: f64) -> Option<f64> {
+        match task {
+            Task::One(index) => self.alone(self.part(index), most),
+            Task::Two(pair) => self.of_two(pair.map(|index| self.part(index)), most),
+        }
+    }
+
+    fn audited(&self) -> &Audited {
+        &self.audited
+    }
+}
 
 impl Part {
     fn new(patches: &PatchSet, arc: usize, rim: RimArc, level: u32) -> Self {
@@ -268,11 +191,85 @@ impl Part {
     }
 }
 
-impl Task {
-    fn parts(self) -> [usize; 2] {
-        match self {
-            Self::One(index) => [index; 2],
-            Self::Two(pair) => pair,
-        }
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use crate::bezier::extract;
+    use crate::embedded::Doubt;
+    use crate::embedded::tests::{of, quads, spline};
+    use crate::model::Model;
+    use crate::solid::{Edges, SurfaceOrigin, joined_arcs};
+
+    /// How near points are near to each other.
+    const NEAR: f64 = 1e-9;
+
+    /// The verdict on the rim of one face that consists of these surfaces.
+    fn of_model(model: &Model) -> Verdict {
+        let (bezier, aabb) = (extract(model), model.bounding_box());
+        let edges = Edges::of_surfaces(&bezier, SurfaceOrigin::whole);
+        let joined = joined_arcs(edges, &|_| [DVec3::NAN; 3], &aabb, 0.5 * NEAR);
+        let complex = Complex::new(&bezier, joined, |_| Some(0), NEAR);
+        let limits = Limits { nearness: NEAR, most: 1e-3 * aabb.diagonal(), is_late: &|| false };
+        RimSearch::new(&bezier.patches, &complex, NEAR).run(&limits)
+    }
+
+    /// Up to which distance the rim of quadrilaterals is said to be embedded: none where it is not.
+    fn within(corners: &[[[f64; 3]; 4]]) -> Option<f64> {
+        let Verdict::Embedded { within } = of_model(&quads(corners)) else { return None };
+        Some(within)
+    }
+
+    /// At a right angle, the ways to the corner are √2 times as long as its points are far apart.
+    #[test]
+    fn ways_to_a_corner_are_attained() {
+        let found = within(&[[[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]]);
+        let expected = 2.0_f64.sqrt() * NEAR;
+        assert!(found.is_some_and(|found| (found - expected).abs() < 1e-6 * expected), "{found:?}");
+    }
+
+    /// Three squares about a reflex corner. One is moved, so that its rim crosses that of the square across the corner: the
+    /// ways from there to both corners are as long as the move, one each.
+    #[test]
+    fn the_spread_of_a_corner_is_in_the_ways_to_it() {
+        let gap = 1e-6;
+        let square = |x: f64, y: f64, [right, down]: [f64; 2]| {
+            let at = |s: f64, t: f64| [x + s + right, y + t - down, 0.0];
+            [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)]
+        };
+        let still = [0.0; 2];
+        let found =
+            within(&[square(-1.0, -1.0, still), square(0.0, -1.0, still), square(-1.0, 0.0, [gap; 2])]);
+        assert!(found.is_some_and(|found| 2.0 * gap <= found && found < 2.1 * gap), "{found:?}");
+    }
+
+    /// Two sheets whose sides are joined to each other: one is straight, and the other crosses it in the middle of both. The
+    /// sides of their parts there are a step apart: the slope of 1.5 bends over the 64th that a part is long. The width of an
+    /// edge exceeds that by less than the step.
+    #[test]
+    fn the_width_of_a_joined_edge_is_in_the_ways_along_it() {
+        let bend = 3e-5;
+        let sides = |xs: [[f64; 4]; 2]| {
+            let row =
+                |xs: [f64; 4]| (0..4).map(|k| DVec3::new(xs[k], k as f64 / 3.0, 0.0)).collect::<Vec<_>>();
+            let mut sheet = spline([1, 3], &xs.map(row));
+            sheet.knots = [vec![0.0, 0.0, 1.0, 1.0], [[0.0; 4], [1.0; 4]].concat()];
+            sheet
+        };
+        let bent = sides([[-1.0; 4], [0.0, bend, -bend, 0.0]]);
+        let found = of_model(&of(vec![bent, sides([[0.0; 4], [1.0; 4]])]));
+        let Verdict::Embedded { within } = found else { panic!("{found:?}") };
+        let step = 1.5 * bend / 64.0;
+        assert!(0.9 * step < within && within < 2.0 * step, "{within:e} for {step:e}");
+    }
+
+    /// A sheet that is folded onto itself: the sides across from the fold cross each other, and are not those that are
+    /// joined.
+    #[test]
+    fn sides_that_cross_are_not_taken_for_those_that_are_joined() {
+        let found = of_model(&quads(&[
+            [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+            [[0.0, 1.0, 0.0], [0.9, 1.0, 0.0], [1.1, 0.0, 0.0], [0.0; 3]],
+        ]));
+        assert!(matches!(found, Verdict::Undecided { doubt: Doubt::Contact, .. }), "{found:?}");
     }
 }

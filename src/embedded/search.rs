@@ -1,63 +1,31 @@
 //! Pairs of pieces, divided until each is decided.
 
-use super::audit::{FromShared, Ways, from_side, from_touch, points_of};
+use super::audit::{Audited, FromShared, Ways, from_side, from_touch, points_of};
 use super::complex::{Complex, Place, SharedEdge, Touch};
 use super::directions::{Direction, EdgeCone, common_side};
+use super::division::{Division, Shape, Task, decide};
 use super::piece::{Piece, Side};
 use super::sheets::{Plane, SheetSearch};
-use super::{Doubt, Limits, Verdict};
+use super::{Limits, Verdict};
 use crate::axis::Axis;
 use crate::bezier::PatchSet;
-use crate::bvh::{Aabb, Bvh};
+use crate::bvh::Aabb;
 use crate::clearance::hull_distance;
 use crate::param_box::ParamBox;
-use crate::rounding::{VANISHING_LENGTH, gamma, upper_max};
+use crate::rounding::{VANISHING_LENGTH, gamma};
 use glam::DVec3;
-use std::cell::{Cell, OnceCell};
-
-/// The largest number of divisions of a patch.
-pub(super) const MAX_LEVEL: u32 = 40;
-
-/// The ways between points that are near each other, relative to what is near, up to which pieces are not divided for shorter
-/// ones, and the divisions after which they are not.
-pub(super) const GOOD_STRETCH: f64 = 64.0;
-pub(super) const PATIENCE: u32 = 6;
-
-/// The pairs of pieces that are looked at for each patch and pair of patches that are near each other; most take one.
-pub(super) const PAIRS_EACH: usize = 512;
-
-/// The pairs between two looks at the time.
-pub(super) const PAIRS_AT_ONCE: usize = 1024;
-
-/// The number of distances of computed points that an audit adds and compares. Each is off by the error of two points at
-/// most, and so by the nearness.
-pub(super) const AUDITED_DISTANCES: f64 = 3.0;
+use std::cell::OnceCell;
 
 /// The roundings of the distance of two hulls (lemma C2 of docs/clearance.md).
 const HULL_ROUNDINGS: f64 = 64.0;
-
-/// What is to be decided.
-#[derive(Debug, Clone, Copy)]
-enum Task {
-    /// That a piece does not meet itself.
-    One(u32),
-    /// That two pieces meet nowhere but beside what they share.
-    Two([u32; 2]),
-}
 
 /// The search over all pairs of pieces of a body.
 pub(super) struct Search<'a> {
     patches: &'a PatchSet,
     complex: &'a Complex,
     sheets: Option<&'a SheetSearch<'a>>,
-    limits: &'a Limits<'a>,
     pieces: Vec<Piece>,
-    /// The distance up to which points are near each other, with the rounding of distances of computed points.
-    apart: f64,
-    /// The number that the verdict states.
-    within: f64,
-    /// Whether points contradicted what was stated of a pair.
-    is_refuted: Cell<bool>,
+    audited: Audited,
 }
 
 impl<'a> Search<'a> {
@@ -65,145 +33,28 @@ impl<'a> Search<'a> {
         patches: &'a PatchSet,
         complex: &'a Complex,
         sheets: Option<&'a SheetSearch<'a>>,
-        limits: &'a Limits<'a>,
+        nearness: f64,
     ) -> Self {
         let whole = |index: usize| new_piece(complex, patches, index as u32, UNIT, 0);
         let pieces: Vec<Piece> = (0..patches.len()).map(whole).collect();
         let aabb = pieces.iter().fold(Aabb::EMPTY, |aabb, piece| aabb.union(piece.aabb));
         let rounding = gamma(HULL_ROUNDINGS) * aabb.farthest_from_origin() + VANISHING_LENGTH;
-        let (apart, is_refuted) = (limits.nearness + rounding, Cell::new(false));
-        Self { patches, complex, sheets, limits, pieces, apart, within: 0.0, is_refuted }
-    }
-
-    /// Returns the distance up to which points count as near each other, with the rounding of distances.
-    pub(super) fn apart_from(&self) -> f64 {
-        self.apart
+        Self { patches, complex, sheets, pieces, audited: Audited::new(nearness + rounding) }
     }
 
     /// Decides all pairs, or returns the first that is not decided.
-    pub(super) fn run(mut self) -> Verdict {
-        let boxes: Vec<Aabb> = self.pieces.iter().map(|piece| piece.aabb.grown(self.apart)).collect();
-        let mut tasks: Vec<Task> = (0..boxes.len() as u32).map(Task::One).collect();
-        Bvh::new(&boxes).for_each_pair(|a, b| tasks.push(Task::Two([a, b])));
-        let budget = PAIRS_EACH * tasks.len();
-        let mut count = 0;
-        while let Some(task) = tasks.pop() {
-            count += 1;
-            let is_late = count % PAIRS_AT_ONCE == 0 && (self.limits.is_late)();
-            if count > budget || is_late {
-                return self.undecided(task, Doubt::Budget);
-            }
-            let is_decided = self.is_decided(task);
-            if self.is_refuted.get() {
-                return self.undecided(task, Doubt::Refuted);
-            }
-            if is_decided {
-                continue;
-            }
-            if self.is_small(task) {
-                return self.undecided(task, Doubt::Contact);
-            }
-            self.divide(task, &mut tasks);
-        }
-        Verdict::Embedded { within: self.within }
+    pub(super) fn run(self, limits: &Limits<'_>) -> Verdict {
+        let wholes = self.pieces.len() as u32;
+        decide(self, wholes, |_| true, limits)
     }
 
     fn piece(&self, index: u32) -> &Piece {
         &self.pieces[index as usize]
     }
 
-    /// Returns the verdict without an answer for two pieces.
-    fn undecided(&self, task: Task, doubt: Doubt) -> Verdict {
-        let pieces = task.pieces().map(|index| self.piece(index));
-        let [a, b] = pieces.map(|piece| piece.aabb);
-        // Where the boxes come near each other.
-        let common = Aabb { min: a.min.max(b.min), max: a.max.min(b.max) };
-        Verdict::Undecided { doubt, parts: pieces.map(|piece| piece.patch), point: common.center() }
-    }
-
-    /// Returns whether what is to be decided is about smaller than what is known of points.
-    fn is_small(&self, task: Task) -> bool {
-        let pieces = task.pieces().map(|index| self.piece(index));
-        pieces.iter().all(|piece| piece.level >= MAX_LEVEL || piece.aabb.diagonal() <= self.apart)
-    }
-
-    /// Divides a piece, or the one of two that gains more by it.
-    fn divide(&mut self, task: Task, tasks: &mut Vec<Task>) {
-        match task {
-            Task::One(index) => {
-                let [low, high] = self.halves(index);
-                tasks.extend([Task::One(low), Task::One(high), Task::Two([low, high])]);
-            }
-            Task::Two([a, b]) => {
-                // A piece with a corner of others on a side is no neighbour of theirs before.
-                let [of_a, of_b] = [a, b].map(|index| {
-                    let piece = self.piece(index);
-                    (piece.has_place, if piece.level < MAX_LEVEL { piece.size } else { 0.0 })
-                });
-                let (divided, other) = if of_a >= of_b { (a, b) } else { (b, a) };
-                tasks.extend(self.halves(divided).map(|half| Task::Two([half, other])));
-            }
-        }
-    }
-
-    /// Returns the two parts of a piece.
-    fn halves(&mut self, index: u32) -> [u32; 2] {
-        if let Some(halves) = self.piece(index).halves {
-            return halves;
-        }
-        let piece = self.piece(index);
-        let (patch, level) = (piece.patch, piece.level + 1);
-        let (axis, at) = piece.division;
-        let [mut low, mut high] = [piece.range; 2];
-        (low[axis][1], high[axis][0]) = (at, at);
-        let first = self.pieces.len() as u32;
-        let new = |range: ParamBox| new_piece(self.complex, self.patches, patch, range, level);
-        self.pieces.extend([low, high].map(new));
-        let halves = [first, first + 1];
-        self.pieces[index as usize].halves = Some(halves);
-        halves
-    }
-
-    fn is_decided(&mut self, task: Task) -> bool {
-        let is_early = task.pieces().into_iter().any(|index| self.piece(index).level < PATIENCE);
-        let most = if is_early { GOOD_STRETCH * self.apart } else { self.limits.most };
-        let within = match task {
-            Task::One(index) => {
-                let piece = self.piece(index);
-                self.on_one_sheet([piece; 2], most).or_else(|| self.alone(piece, most))
-            }
-            Task::Two(pieces) => self.apart(pieces.map(|index| self.piece(index)), most),
-        };
-        let Some(within) = within else { return false };
-        self.within = upper_max(self.within, within);
-        true
-    }
-
-    /// Returns the bound on the ways between points that are near each other, if it is at most `most`; notes if points of
-    /// the pieces contradict it.
-    fn stated(&self, ways: Ways, most: f64, holds: impl FnOnce(f64) -> bool) -> Option<f64> {
-        let within = ways.at(self.apart);
-        if within > most {
-            return None;
-        }
-        if !holds(AUDITED_DISTANCES * self.apart) {
-            self.is_refuted.set(true);
-            return None;
-        }
-        Some(within)
-    }
-
-    /// As [`Self::stated`], of the ways from points of two pieces.
-    fn stated_between(
-        &self,
-        ways: Ways,
-        most: f64,
-        points: impl FnOnce() -> [Vec<FromShared>; 2],
-    ) -> Option<f64> {
-        self.stated(ways, most, |slack| {
-            let [one, other] = points();
-            ways.hold_between([&one, &other], slack)
-        })
+    /// Returns the distance up to which points are near each other, with the rounding of distances.
+    pub(super) fn apart(&self) -> f64 {
+        self.audited.apart()
     }
 
     /// Returns an upper bound on the way, on the surface of their face, between points of two pieces that are near each other
@@ -214,7 +65,7 @@ impl<'a> Search<'a> {
         let sheet = one.filter(|_| one == other)?;
         let (ways, grid) = sheets.together(sheet, pieces)?;
         let ways = Ways { rest: ways.rest + 2.0 * sheets.off(), ..ways };
-        self.stated(ways, most, |slack| ways.hold_on(&grid, slack))
+        self.audited.stated(ways, most, |slack| ways.hold_on(&grid, slack))
     }
 
     /// Returns an upper bound on the ways from points of two pieces that are near each other to an edge or a corner, if the
@@ -236,7 +87,7 @@ impl<'a> Search<'a> {
                 Some(Ways { margin: plane.leaving(directions)?, rest })
             };
         let stated = |ways: Option<Ways>, of_off: &dyn Fn() -> Vec<FromShared>| {
-            self.stated_between(ways?, most, || [points_of(on, self.patches), of_off()])
+            self.audited.stated_between(ways?, most, || [points_of(on, self.patches), of_off()])
         };
         for (edge, own, other) in self.complex.edges_with(off.patch, sheet) {
             let side = edge.sides[own];
@@ -246,7 +97,7 @@ impl<'a> Search<'a> {
             let (directions, rest) = (off.inwards(side).collect::<Vec<_>>(), off.along(side.axis).rest);
             let found = match plane {
                 Some(plane) => from_plane(plane, &off.side_points(side), &directions, (0.0, rest)),
-                None => edge.image_of(off, own, self.apart).and_then(|(part, width)| {
+                None => edge.image_of(off, own, self.apart()).and_then(|(part, width)| {
                     let range = sheets.image_of_side(other, edge.sides[1 - own], part)?;
                     ways(&range, &directions, (width, rest))
                 }),
@@ -288,13 +139,13 @@ impl<'a> Search<'a> {
         let (_, opposite) = common_side(&of(true))?;
         let margin = if same < opposite { same } else { opposite };
         let ways = Ways { margin, rest: 2.0 * (along_u.rest + along_v.rest) };
-        self.stated(ways, most, |slack| ways.hold_on(piece.grid(self.patches), slack))
+        self.audited.stated(ways, most, |slack| ways.hold_on(piece.grid(self.patches), slack))
     }
 
     /// Returns an upper bound on the way between points of two pieces that are near each other, 0 if there are none, if one
     /// of at most `most` is found (lemma S8).
-    fn apart(&self, [a, b]: [&Piece; 2], most: f64) -> Option<f64> {
-        if !a.aabb.grown(self.apart).meets(&b.aabb) {
+    fn of_two(&self, [a, b]: [&Piece; 2], most: f64) -> Option<f64> {
+        if !a.aabb.grown(self.apart()).meets(&b.aabb) {
             return Some(0.0);
         }
         let on_sheets = || {
@@ -310,8 +161,8 @@ impl<'a> Search<'a> {
         let corners = self.corners([a, b]);
         if halves.is_empty() && joined.is_empty() && corners.is_empty() {
             let start = a.aabb.center() - b.aabb.center();
-            let found = hull_distance(&a.points, &b.points, start, 2.0 * self.apart, 0.0);
-            return (found.lower > self.apart).then_some(0.0);
+            let found = hull_distance(&a.points, &b.points, start, 2.0 * self.apart(), 0.0);
+            return (found.lower > self.apart()).then_some(0.0);
         }
         let beside_halves =
             halves.into_iter().filter_map(|(pieces, sides)| self.beside(pieces, sides, (0.0, false), most));
@@ -338,10 +189,7 @@ impl<'a> Search<'a> {
 
     /// Returns the edges of patches that two pieces have sides of, with the pieces in the order of these sides.
     fn joined_sides<'p>(&self, [a, b]: [&'p Piece; 2]) -> Vec<([&'p Piece; 2], &SharedEdge)> {
-        let (edges, is_reversed) = self.complex.edges([a.patch, b.patch]);
-        let orders = if is_reversed { [[b, a], [a, b]] } else { [[a, b], [b, a]] };
-        let count = if a.patch == b.patch { 2 } else { 1 };
-        let all = edges.iter().flat_map(|edge| orders[..count].iter().map(move |&order| (order, edge)));
+        let all = self.complex.edges([a.patch, b.patch], [a, b]);
         all.filter(|(pieces, edge)| (0..2).all(|k| pieces[k].touches(edge.sides[k]))).collect()
     }
 
@@ -359,7 +207,7 @@ impl<'a> Search<'a> {
 
     /// Returns what [`Self::beside`] does for two pieces at a joined edge.
     fn beside_edge(&self, pieces: [&Piece; 2], edge: &SharedEdge, most: f64) -> Option<f64> {
-        let widths = [0, 1].map(|first| edge.width(pieces, first, self.apart));
+        let widths = [0, 1].map(|first| edge.width(pieces, first, self.apart()));
         widths.into_iter().flatten().find_map(|width| self.beside(pieces, edge.sides, width, most))
     }
 
@@ -380,7 +228,7 @@ impl<'a> Search<'a> {
         let margin = cone.margin(&directions)?;
         let inwards = a.along(sides[0].axis).rest + b.along(sides[1].axis).rest;
         let ways = Ways { margin, rest: width + 2.0 * inwards + edges[0].rest + edges[1].rest };
-        self.stated_between(ways, most, || {
+        self.audited.stated_between(ways, most, || {
             [from_side(a, sides[0], self.patches), from_side(b, sides[1], self.patches)]
         })
     }
@@ -392,7 +240,48 @@ impl<'a> Search<'a> {
         directions.extend(others.into_iter().map(Direction::back));
         let (_, margin) = common_side(&directions)?;
         let ways = Ways { margin, rest: spread + 2.0 * (rest + other) };
-        self.stated_between(ways, most, || [0, 1].map(|k| from_touch(pieces[k], touches[k], self.patches)))
+        self.audited
+            .stated_between(ways, most, || [0, 1].map(|k| from_touch(pieces[k], touches[k], self.patches)))
+    }
+}
+
+impl Division for Search<'_> {
+    fn shape(&self, index: u32) -> Shape {
+        let piece = self.piece(index);
+        let &Piece { patch, aabb, level, size, .. } = piece;
+        // A piece with a corner of others on a side is no neighbour of theirs before it is divided there.
+        Shape { patch, aabb, level, is_first: piece.has_place, gain: size }
+    }
+
+    fn halves(&mut self, index: u32) -> [u32; 2] {
+        if let Some(halves) = self.piece(index).halves {
+            return halves;
+        }
+        let piece = self.piece(index);
+        let (patch, level) = (piece.patch, piece.level + 1);
+        let (axis, at) = piece.division;
+        let [mut low, mut high] = [piece.range; 2];
+        (low[axis][1], high[axis][0]) = (at, at);
+        let first = self.pieces.len() as u32;
+        let new = |range: ParamBox| new_piece(self.complex, self.patches, patch, range, level);
+        self.pieces.extend([low, high].map(new));
+        let halves = [first, first + 1];
+        self.pieces[index as usize].halves = Some(halves);
+        halves
+    }
+
+    fn within(&self, task: Task, most: f64) -> Option<f64> {
+        match task {
+            Task::One(index) => {
+                let piece = self.piece(index);
+                self.on_one_sheet([piece; 2], most).or_else(|| self.alone(piece, most))
+            }
+            Task::Two(pieces) => self.of_two(pieces.map(|index| self.piece(index)), most),
+        }
+    }
+
+    fn audited(&self) -> &Audited {
+        &self.audited
     }
 }
 
@@ -419,15 +308,6 @@ fn corner_points(piece: &Piece, touch: Touch) -> Vec<DVec3> {
     match touch {
         Touch::Corner(ends) => vec![piece.corner(ends)],
         Touch::Side(side) => piece.side_points(side),
-    }
-}
-
-impl Task {
-    fn pieces(self) -> [u32; 2] {
-        match self {
-            Self::One(index) => [index; 2],
-            Self::Two(pieces) => pieces,
-        }
     }
 }
 

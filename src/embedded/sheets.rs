@@ -5,7 +5,7 @@ use super::complex::pinch_of;
 use super::directions::{Direction, Net, PRODUCT_ROUNDINGS, common_side};
 use super::piece::{Piece, Side};
 use crate::axis::Axis;
-use crate::bezier::{BezierModel, PatchSet};
+use crate::bezier::{BezierModel, Patch, PatchSet};
 use crate::bvh::Aabb;
 use crate::certified::OnSheet;
 use crate::param_box::ParamBox;
@@ -41,6 +41,8 @@ pub(super) struct SheetSearch<'a> {
     whole: Vec<OnceCell<Option<(Ways, Grid)>>>,
     boxes: Vec<Option<ParamBox>>,
     planes: Vec<OnceCell<Option<Plane>>>,
+    /// For each patch of a surface, whether its last side along either axis is a point.
+    pinched: Vec<OnceCell<Vec<[bool; 2]>>>,
 }
 
 /// A plane that a surface lies in.
@@ -110,6 +112,7 @@ impl<'a> SheetSearch<'a> {
             whole: vec![OnceCell::new(); count],
             boxes: vec![None; count],
             planes: vec![OnceCell::new(); count],
+            pinched: vec![OnceCell::new(); count],
         };
         for patch in 0..patches.len() as u32 {
             if let Some((sheet, image)) = found.sheet(patch).zip(found.image(patch, &ParamBox::UNIT)) {
@@ -131,14 +134,18 @@ impl<'a> SheetSearch<'a> {
         self.sheets.off
     }
 
+    /// Returns the patches of a surface, by their rows.
+    fn patches_of(&self, sheet: usize) -> impl Iterator<Item = Patch<'_>> {
+        let grid = &self.sheets.model.grids[sheet];
+        let count: usize = grid.counts().iter().product();
+        (grid.first..grid.first + count).map(|index| self.sheets.model.patches.patch(index))
+    }
+
     /// Returns the plane of a surface, if it is plane.
     pub(super) fn plane(&self, sheet: usize) -> Option<Plane> {
         *self.planes[sheet].get_or_init(|| {
-            let grid = &self.sheets.model.grids[sheet];
-            let count: usize = grid.counts().iter().product();
-            let patches =
-                (grid.first..grid.first + count).map(|index| self.sheets.model.patches.patch(index));
-            let points: Vec<DVec3> = patches
+            let points: Vec<DVec3> = self
+                .patches_of(sheet)
                 .flat_map(|patch| patch.local_points().map(|point| patch.center + point).collect::<Vec<_>>())
                 .collect();
             Plane::of(&points)
@@ -187,6 +194,14 @@ impl<'a> SheetSearch<'a> {
         })
     }
 
+    /// Returns, for each patch of a surface, whether its last side along either axis is a point.
+    fn pinched(&self, sheet: usize) -> &[[bool; 2]] {
+        self.pinched[sheet].get_or_init(|| {
+            let is_point = |patch: Patch<'_>| Axis::BOTH.map(|axis| pinch_of(&patch, axis).is_some());
+            self.patches_of(sheet).map(is_point).collect()
+        })
+    }
+
     /// Returns the directions of a surface over a rectangle.
     pub(super) fn directions(&self, sheet: usize, range: &ParamBox) -> Option<SheetDirections> {
         let grid = &self.sheets.model.grids[sheet];
@@ -211,10 +226,9 @@ impl<'a> SheetSearch<'a> {
         for row in spans[0].clone() {
             for column in spans[1].clone() {
                 let patch = self.sheets.model.patches.patch(grid.first + row * columns + column);
-                let is_pinched = [(Axis::U, row), (Axis::V, column)].into_iter().any(|(axis, span)| {
-                    span + 1 < spans[axis.index()].end && pinch_of(&patch, axis).is_some()
-                });
-                if is_pinched {
+                let pinched = self.pinched(sheet)[row * columns + column];
+                let has_inner_end = [0, 1].map(|axis: usize| [row, column][axis] + 1 < spans[axis].end);
+                if (0..2).any(|axis| has_inner_end[axis] && pinched[axis]) {
                     return None;
                 }
                 let part = [(Axis::U, row), (Axis::V, column)].map(|(axis, span)| {

@@ -37,14 +37,14 @@ fn touches(model: &Model) -> bool {
 }
 
 /// The surface over whole steps of knots: closed and smooth along an axis whose first controls come again at the end.
-fn spline(degree: [usize; 2], net: &[Vec<DVec3>]) -> SurfaceArrays {
+pub(super) fn spline(degree: [usize; 2], net: &[Vec<DVec3>]) -> SurfaceArrays {
     let counts = [net.len(), net[0].len()];
     let knots = [0, 1].map(|axis| (0..=counts[axis] + degree[axis]).map(|k| k as f64).collect());
     let control_points = net.iter().flatten().map(|point| point.extend(1.0).to_array()).collect();
     SurfaceArrays { degree, knots, counts, control_points }
 }
 
-fn of(surfaces: Vec<SurfaceArrays>) -> Model {
+pub(super) fn of(surfaces: Vec<SurfaceArrays>) -> Model {
     Model::from_arrays(None, surfaces).unwrap()
 }
 
@@ -72,7 +72,7 @@ fn eight(rise: f64) -> impl Fn(f64) -> DVec3 {
 }
 
 /// The bilinear surfaces between four corners each.
-fn quads(corners: &[[[f64; 3]; 4]]) -> Model {
+pub(super) fn quads(corners: &[[[f64; 3]; 4]]) -> Model {
     let surface = |&[a, b, c, d]: &[[f64; 3]; 4]| {
         let row = |points: [[f64; 3]; 2]| points.map(DVec3::from_array).to_vec();
         let mut surface = spline([1, 1], &[row([a, d]), row([b, c])]);
@@ -311,12 +311,12 @@ fn a_side_is_within_its_arc_only_if_all_of_it_is() {
     ]);
     let (complex, bezier) = (complex_of(&model), extract(&model));
     for other in [1, 2] {
-        let (edges, is_reversed) = complex.edges([0, other]);
-        assert!(edges.len() == 1 && !is_reversed);
+        let edges: Vec<_> = complex.edges([0, other], [0, other]).collect();
+        assert!(edges.len() == 1 && edges[0].0 == [0, other]);
         let has = [0, other].map(|patch| {
             let whole = bezier.patches.patch(patch as usize);
             let piece = Piece::new(&whole, patch, ParamBox::UNIT, 0, std::iter::empty());
-            edges[0].has_side(&piece, usize::from(patch != 0))
+            edges[0].1.has_side(&piece, usize::from(patch != 0))
         });
         assert_eq!(has, [false, true]);
     }
