@@ -1,6 +1,7 @@
 //! Bodies that are embedded by construction, and bodies that meet themselves.
 
 use super::draw::mapped;
+use super::frames::frame;
 use fastrand::Rng;
 use glam::DVec3;
 use nurbs_hausdorff::internals::engine::{Engine, PreparedModel};
@@ -25,12 +26,16 @@ pub(super) fn violations(rng: &mut Rng, embedded: &PreparedModel) -> Vec<String>
     };
     judge("a shape", embedded, true);
     let depth = MIN_DEPTH.powf(rng.f64());
-    let (model, is_embedded) = match rng.u8(0..3) {
+    let (model, is_embedded) = match rng.u8(0..5) {
         0 => (tube(rng, 1.0 - depth), false),
         1 => (tube(rng, 1.0 + depth), true),
-        _ => (shapes::torus(1.0, 1.0 + 2.0 * depth).ok(), false),
+        2 => (shapes::torus(1.0, 1.0 + 2.0 * depth).ok(), false),
+        3 => (frame(rng, depth), false),
+        _ => (frame(rng, -depth), true),
     };
-    if let Some(prepared) = model.and_then(|model| PreparedModel::new(&mapped(rng, &model)?).ok()) {
+    // Maps are of untrimmed surfaces; frames have one of their own.
+    let model = model.and_then(|model| if model.is_trimmed() { Some(model) } else { mapped(rng, &model) });
+    if let Some(prepared) = model.and_then(|model| PreparedModel::new(&model).ok()) {
         judge("a body made to meet itself, or not to", &prepared, is_embedded);
     }
     found

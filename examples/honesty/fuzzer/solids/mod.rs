@@ -5,6 +5,7 @@ mod draw;
 mod embedding;
 mod facts;
 mod forms;
+mod frames;
 mod grids;
 mod moments;
 mod overlap;
