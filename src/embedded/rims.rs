@@ -194,9 +194,10 @@ impl Part {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
+    use crate::axis::Axis;
     use crate::bezier::extract;
     use crate::embedded::Doubt;
-    use crate::embedded::tests::{of, quads, spline};
+    use crate::embedded::tests::{BACK, back_and_forth, of, quads, spline};
     use crate::model::Model;
     use crate::solid::{Edges, SurfaceOrigin, joined_arcs};
 
@@ -205,12 +206,17 @@ mod tests {
 
     /// The verdict on the rim of one face that consists of these surfaces.
     fn of_model(model: &Model) -> Verdict {
+        let aabb = model.bounding_box();
+        let limits = Limits { nearness: NEAR, most: 1e-3 * aabb.diagonal(), is_late: &|| false };
+        with_search(model, |search| search.run(&limits))
+    }
+
+    fn with_search<T>(model: &Model, ask: impl FnOnce(RimSearch<'_>) -> T) -> T {
         let (bezier, aabb) = (extract(model), model.bounding_box());
         let edges = Edges::of_surfaces(&bezier, SurfaceOrigin::whole);
         let joined = joined_arcs(edges, &|_| [DVec3::NAN; 3], &aabb, 0.5 * NEAR);
         let complex = Complex::new(&bezier, joined, |_| Some(0), NEAR);
-        let limits = Limits { nearness: NEAR, most: 1e-3 * aabb.diagonal(), is_late: &|| false };
-        RimSearch::new(&bezier.patches, &complex, NEAR).run(&limits)
+        ask(RimSearch::new(&bezier.patches, &complex, NEAR))
     }
 
     /// Up to which distance the rim of quadrilaterals is said to be embedded: none where it is not.
@@ -225,6 +231,28 @@ mod tests {
         let found = within(&[[[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]]);
         let expected = 2.0_f64.sqrt() * NEAR;
         assert!(found.is_some_and(|found| (found - expected).abs() < 1e-6 * expected), "{found:?}");
+    }
+
+    /// A corner of one square is nearer to a side of the other than what is near.
+    #[test]
+    fn parts_that_are_near_each_other_are_not_apart() {
+        let x = 1.0 + 0.8 * NEAR;
+        let found = of_model(&quads(&[
+            [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+            [[x, 0.4, 0.0], [x + 1.0, -0.6, 0.0], [x + 2.0, 0.4, 0.0], [x + 1.0, 1.4, 0.0]],
+        ]));
+        assert!(matches!(found, Verdict::Undecided { doubt: Doubt::Contact, .. }), "{found:?}");
+    }
+
+    #[test]
+    fn what_has_no_direction_is_in_the_ways_along_a_part() {
+        let of_side = |search: RimSearch<'_>| {
+            let side = Side { axis: Axis::V, end: 0 };
+            let rim = RimArc { sheet: 0, patch: 0, side, range: [0.0, 1.0], corners: [None; 2] };
+            search.alone(&Part::new(search.patches, 0, rim, 0), 1.0)
+        };
+        let within = with_search(&back_and_forth(), of_side);
+        assert!(within.is_some_and(|within| within >= BACK), "{within:?}");
     }
 
     /// Three squares about a reflex corner. One is moved, so that its rim crosses that of the square across the corner: the

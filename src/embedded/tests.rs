@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 
+use super::division::{Division, Task};
 use super::piece::Piece;
 use super::*;
 use crate::bezier::extract;
@@ -342,6 +343,33 @@ fn the_distance_of_pieces_from_their_surface_is_in_what_is_stated() {
     let (exact, far) = (within(0.0), within(1e-3));
     // At a right angle to a plane, a way of what is near on the piece, and of twice that in the plane.
     assert!((1e-4..3.001e-4).contains(&exact) && 2e-3 <= far, "{exact:e} {far:e}");
+}
+
+/// The length of a leg that is too short to have a direction, 1,000 from the middle of a surface.
+const LEG: f64 = 4e-8;
+
+/// The way forth and back along a line of [`back_and_forth`].
+pub(super) const BACK: f64 = 12.0 * LEG;
+
+/// A sheet whose lines go forth by one leg and back by eight that have no direction. With s = 1 − u they are at
+/// 9 (s − s⁹) legs, which is at most 8 · 9^(−1/8) > 6, from where they return to their beginning.
+pub(super) fn back_and_forth() -> Model {
+    let row = |k: usize| {
+        let x = if k == 0 { 0.0 } else { (9 - k) as f64 * LEG };
+        [-1e3, 1e3].map(|y| DVec3::new(x, y, 0.0)).to_vec()
+    };
+    let mut sheet = spline([9, 1], &(0..10).map(row).collect::<Vec<_>>());
+    sheet.knots = [[[0.0; 10], [1.0; 10]].concat(), vec![0.0, 0.0, 1.0, 1.0]];
+    of(vec![sheet])
+}
+
+#[test]
+fn what_has_no_direction_is_in_the_ways_along_a_piece() {
+    let bezier = extract(&back_and_forth());
+    let complex = Complex::new(&bezier, Vec::new(), |_| None, NEARNESS);
+    let search = Search::new(&bezier.patches, &complex, None, NEARNESS);
+    let within = search.within(Task::One(0), 1.0);
+    assert!(within.is_some_and(|within| within >= BACK), "{within:?}");
 }
 
 /// A sheet with a last part that is shorter than what has a direction: its ways have their length too, which the audit knows.
