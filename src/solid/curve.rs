@@ -9,6 +9,10 @@ const PARTS_PER_DEGREE: usize = 4;
 /// The largest number of steps of the search for a closest point from one start.
 const MAX_STEPS: usize = 16;
 
+/// The step of the iteration, in parameters, up to which a point with no nearer one beside it is the closest one but for
+/// rounding.
+const STATIONARY: f64 = 1e-12;
+
 /// A rational Bézier curve: `center + (x, y, z) / w` with the Bernstein sum of the controls.
 #[derive(Debug, Clone)]
 pub(crate) struct Curve {
@@ -76,6 +80,9 @@ impl Curve {
             let next =
                 next.into_iter().fold((t, best), |least, next| if next.1 < least.1 { next } else { least });
             if next.0 == t {
+                if (newton - t).abs() <= STATIONARY {
+                    break;
+                }
                 step *= 0.25;
             }
             (t, best) = next;
