@@ -21,7 +21,7 @@
 
 mod cuts;
 mod facets;
-#[path = "../../crates/command/src/arguments/motion.rs"]
+#[path = "../../crates/command/src/arguments/models/motion.rs"]
 mod motion;
 #[allow(dead_code, reason = "the fuzzer compares with parts of models")]
 mod proof;

@@ -1,7 +1,7 @@
 //! The arguments of the command `grid`.
 
-use super::PrecisionName;
-use super::motion::Translation;
+use super::models::motion::Translation;
+use super::names::PrecisionName;
 use clap::Args;
 use nurbs_hausdorff::{GridOptions, SignedDistanceOptions};
 use std::path::PathBuf;

@@ -1,6 +1,6 @@
 //! The arguments of the command `closest-points`.
 
-use super::motion::{Rotation, Translation};
+use super::models::motion::{Rotation, Translation};
 use clap::Args;
 use nurbs_hausdorff::{ClosestPointOptions, Result, RigidTransform};
 use std::path::PathBuf;

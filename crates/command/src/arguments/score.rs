@@ -1,6 +1,7 @@
 //! The arguments of the commands `score` and `summary`.
 
-use super::Placement;
+use super::models::Placement;
+use super::names::named;
 use clap::{Args, ValueEnum};
 use nurbs_hausdorff::{Result, ScoreAlignment, ScoreNumber, ScoreOptions};
 use std::path::PathBuf;

@@ -7,7 +7,7 @@ mod answers;
 mod cache;
 mod request;
 
-use crate::arguments::BatchArguments;
+use crate::arguments::batch::BatchArguments;
 use crate::commands::align::{Aligned, judged};
 use crate::commands::check::{levels, named};
 use crate::commands::distance::of_limit;

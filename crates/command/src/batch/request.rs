@@ -1,6 +1,6 @@
 //! One line of the input: files, a command and its options.
 
-use crate::arguments::Unit;
+use crate::arguments::models::Unit;
 use crate::commands::info::InfoOptions;
 use crate::output::json::Asked;
 use crate::reports::Verdict;

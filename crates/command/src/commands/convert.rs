@@ -1,6 +1,6 @@
 //! The command `convert`.
 
-use crate::arguments::ConvertArguments;
+use crate::arguments::files::ConvertArguments;
 use crate::failure::Failure;
 use crate::input::{CadReport, Input, STANDARD_STREAM, read};
 use crate::output::file::write_file;

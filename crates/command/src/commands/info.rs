@@ -1,6 +1,7 @@
 //! The command `info`.
 
-use crate::arguments::{InfoArguments, Unit};
+use crate::arguments::files::InfoArguments;
+use crate::arguments::models::Unit;
 use crate::failure::Failure;
 use crate::input::{Input, read};
 use crate::output::digits::held;

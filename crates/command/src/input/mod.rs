@@ -3,7 +3,7 @@
 mod bytes;
 mod rhino;
 
-use crate::arguments::{Unit, UnitsOfFiles};
+use crate::arguments::models::{Unit, UnitsOfFiles};
 use crate::failure::Failure;
 pub(crate) use bytes::{STANDARD_STREAM, Source, hexadecimal};
 use nurbs_hausdorff::{Error, FaceId, Facets, Model, PreparedModel, ReadReport, Result, one_line};

@@ -3,7 +3,7 @@
 mod earlier;
 mod tree;
 
-use crate::arguments::{Pair, Reporting, UnitsOfFiles};
+use crate::arguments::models::{Pair, Reporting, UnitsOfFiles};
 use crate::failure::Failure;
 use crate::input::{File, Input, STANDARD_STREAM, in_units};
 use crate::output::{json::print_json, print};

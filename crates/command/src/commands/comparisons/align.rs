@@ -1,8 +1,8 @@
 //! The command `align`.
 
 use super::asked::answered;
-use crate::arguments::Placement;
-use crate::arguments::align::AlignArguments;
+use crate::arguments::comparisons::align::AlignArguments;
+use crate::arguments::models::Placement;
 use crate::failure::Failure;
 use crate::output::digits::{coordinates, interval, number};
 use crate::output::json::{Asked, OfFiles, print_json};

@@ -1,6 +1,6 @@
 //! Questions about two files.
 
-use crate::arguments::UnitsOfFiles;
+use crate::arguments::models::UnitsOfFiles;
 use crate::failure::Failure;
 use crate::input::{Input, read_both};
 use crate::output::progress::Bar;

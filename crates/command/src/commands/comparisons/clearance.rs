@@ -1,7 +1,7 @@
 //! The command `clearance`.
 
 use super::asked::answered;
-use crate::arguments::clearance::ClearanceArguments;
+use crate::arguments::comparisons::clearance::ClearanceArguments;
 use crate::failure::Failure;
 use crate::input::{Input, is_judged};
 use crate::output::digits::bounded;

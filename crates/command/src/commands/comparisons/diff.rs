@@ -1,6 +1,7 @@
 //! The command `diff`.
 
-use crate::arguments::{DiffArguments, UnitsOfFiles};
+use crate::arguments::comparisons::DiffArguments;
+use crate::arguments::models::UnitsOfFiles;
 use crate::failure::Failure;
 use crate::input::{Input, is_judged};
 use crate::output::digits::{bounded, coordinates, held};

@@ -1,6 +1,7 @@
 //! The command `distance`.
 
-use crate::arguments::{DistanceArguments, UnitsOfFiles};
+use crate::arguments::comparisons::DistanceArguments;
+use crate::arguments::models::UnitsOfFiles;
 use crate::failure::Failure;
 use crate::input::{Input, is_judged};
 use crate::output::digits::number;

@@ -1,7 +1,7 @@
 //! The command `gaps`.
 
 use super::asked::answered;
-use crate::arguments::clearance::GapsArguments;
+use crate::arguments::comparisons::clearance::GapsArguments;
 use crate::failure::Failure;
 use crate::input::{Input, is_judged};
 use crate::output::digits::{bounded, number};

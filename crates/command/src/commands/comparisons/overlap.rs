@@ -1,7 +1,7 @@
 //! The command `overlap`.
 
 use super::asked::answered;
-use crate::arguments::OverlapArguments;
+use crate::arguments::comparisons::OverlapArguments;
 use crate::failure::Failure;
 use crate::input::is_judged;
 use crate::output::json::{Asked, OfFiles, print_json};

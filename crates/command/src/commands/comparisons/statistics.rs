@@ -1,7 +1,7 @@
 //! The command `statistics`.
 
 use super::asked::answered;
-use crate::arguments::StatisticsArguments;
+use crate::arguments::comparisons::StatisticsArguments;
 use crate::failure::Failure;
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;

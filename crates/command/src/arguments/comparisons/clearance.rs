@@ -1,6 +1,6 @@
 //! The arguments of the commands `clearance` and `gaps`, which search least distances.
 
-use super::Compared;
+use crate::arguments::models::Compared;
 use clap::Args;
 use nurbs_hausdorff::{ClearanceOptions, GapOptions, Result};
 

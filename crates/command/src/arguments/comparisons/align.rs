@@ -1,7 +1,8 @@
 //! The arguments of the command `align`.
 
 use super::by_hand::{DatumText, read_pairs};
-use super::{Placement, SamplingName};
+use crate::arguments::models::Placement;
+use crate::arguments::names::{SamplingName, named};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
 use nurbs_hausdorff::{BestFitOptions, FitNorm, FitStart, Robust, ZoneOptions};

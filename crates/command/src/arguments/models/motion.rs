@@ -36,7 +36,7 @@ impl FromStr for Rotation {
 }
 
 /// N finite numbers, separated by commas.
-pub(super) fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
+pub(crate) fn numbers<const N: usize>(text: &str) -> Result<[f64; N], String> {
     let numbers: Vec<f64> = text.split(',').map(number).collect::<Result<_, _>>()?;
     let found = numbers.len();
     numbers.try_into().map_err(|_| format!("found {found} numbers, expected {N}"))

@@ -1,6 +1,6 @@
 //! The arguments of motions by hand: pairs of points in a file, and datums.
 
-use super::motion::numbers;
+use crate::arguments::models::motion::numbers;
 use crate::failure::Failure;
 use nurbs_hausdorff::{Datum, Error, Feature, PointPair};
 use std::path::Path;
