@@ -13,9 +13,8 @@ from . import testing
 from ._calls.check import check
 from ._calls.fit import BestFit, FitPose, LeftOut, Zone, best_fit
 from ._calls.maps import deviation_maps
-from ._calls.measure import (
-    clearance, closest_points, diff, distance, field, gaps, overlap, signed_distances, statistics,
-)  # fmt: skip
+from ._calls.measure import clearance, diff, distance, field, gaps, overlap, statistics
+from ._calls.points import closest_points, signed_distances
 from ._calls.score import score
 from ._errors import NurbsHausdorffError
 from ._model import FreeEdge, Mesh, MeshReport, Model, ReadReport, Remark, Shell, Solid
