@@ -265,7 +265,11 @@ impl Cover for Cells<'_> {
         if part.cell.half[part.axis as usize] < MIN_HALF_WIDTH {
             return None;
         }
-        let mut halves = part.cell.halves(is_halved).map(|cell| self.bounded(cell, &part.start));
+        let Spread { lower, upper, .. } = part.spread;
+        let mut halves = part.cell.halves(is_halved).map(|cell| {
+            let half = self.bounded(cell, &part.start);
+            WeightedCell { spread: half.spread.within([lower, upper]), ..half }
+        });
         Some([halves.next()?, halves.next()?])
     }
 

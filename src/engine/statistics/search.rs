@@ -48,6 +48,10 @@ const OPEN_ROUNDINGS: f64 = 2.5;
 /// the search then ends without convergence.
 const LEAST_ROOM: f64 = 0.125;
 
+/// The share of the largest urgency below which parts wait. Some parts are wider than others by orders of magnitude: they
+/// are halved many times before all the others are halved once.
+const URGENT_SHARE: f64 = 0.125;
+
 /// The parts from which on none is halved for a limit whose part beyond is not to be expected to become narrow: where faces
 /// are just as far as the limit.
 const PATIENCE: usize = 8192;
@@ -313,7 +317,7 @@ impl Search<'_> {
         sums.beyond.iter().zip(outlooks).filter_map(limit).collect()
     }
 
-    /// Returns the parts that widen the intervals which are too wide, those that widen them most first. Any
+    /// Returns the parts that widen the intervals which are too wide most, the widest first. Any
     /// choice is valid: it decides only the number of parts. Parts near percentiles are left alone where they have
     /// `level` of the tolerance of parts together.
     fn halved<T: Weighted>(
@@ -369,7 +373,8 @@ impl Search<'_> {
         let mut halved: Vec<(f64, usize)> =
             urgency.into_iter().zip(0..).filter(|(urgency, _)| *urgency > 0.0).collect();
         sort_by_number(&mut halved, |one| -one.0);
-        halved.into_iter().map(|(_, index)| index).collect()
+        let least = halved.first().map_or(0.0, |widest| URGENT_SHARE * widest.0);
+        halved.into_iter().take_while(|one| one.0 >= least).map(|(_, index)| index).collect()
     }
 
     /// Returns the permitted width that is left to the parts where so much of it is taken.

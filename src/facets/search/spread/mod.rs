@@ -5,7 +5,7 @@ mod refutation;
 mod triangle;
 
 use crate::area::Area;
-use crate::rounding::{lower_min, upper_max};
+use crate::rounding::{lower_min, upper_max, upper_min};
 
 pub(crate) use parts::{PartOf, Parts, WeightedPart};
 
@@ -36,6 +36,16 @@ impl Spread {
     /// Returns bounds that hold for all points of both.
     fn union(self, other: Self) -> Self {
         Self::exact([lower_min(self.lower, other.lower), upper_max(self.upper, other.upper)])
+    }
+
+    /// Returns the bounds of a set all of whose distances are in a range.
+    pub(crate) fn within(self, [lower, upper]: [f64; 2]) -> Self {
+        let clipped = |[low, high]: [f64; 2], [least, most]: [f64; 2]| {
+            [if low < least { least } else { low }, upper_min(high, most)]
+        };
+        let [lower, upper] = clipped([self.lower, self.upper], [lower, upper]);
+        let (mean, square) = ([lower, upper], [lower * lower, upper * upper]);
+        Self { lower, upper, mean: clipped(self.mean, mean), square: clipped(self.square, square) }
     }
 
     /// Returns bounds that hold where distances are off by this.

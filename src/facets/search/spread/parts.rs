@@ -204,7 +204,10 @@ impl<'a> Parts<'a> {
             }
             _ => return None,
         };
-        Some([one?, other?])
+        let Spread { lower, upper, .. } = part.spread;
+        let clipped =
+            |half: WeightedPart| WeightedPart { spread: half.spread.within([lower, upper]), ..half };
+        Some([clipped(one?), clipped(other?)])
     }
 
     /// Returns what a part is a part of.
