@@ -205,7 +205,8 @@ impl FacePieces {
     /// Returns where a piece comes from.
     pub(crate) fn origin(&self, piece: usize) -> SurfaceOrigin {
         let face = self.face(piece);
-        SurfaceOrigin { face, is_turned: self.turns_over(piece), shell: self.of_faces[face].shell }
+        let (is_turned, is_reversed) = (self.turns_over(piece), self.is_turned(piece));
+        SurfaceOrigin { face, is_turned, is_reversed, shell: self.of_faces[face].shell }
     }
 
     /// Returns the name of a face, if it has one.

@@ -6,6 +6,7 @@
 mod support;
 
 mod bodies;
+mod branched;
 mod check;
 mod coincidence;
 mod embedding;

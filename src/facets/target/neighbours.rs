@@ -72,6 +72,7 @@ fn by_least_vertex(
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
+    use crate::solid::Joined;
 
     #[test]
     fn triangles_of_an_edge_are_neighbours_of_each_other() {
@@ -92,6 +93,35 @@ mod tests {
         assert_eq!(alike, [1, 0]);
         let three: Vec<u32> = neighbours(&fan[..3], 6).iter().map(|found| found[0]).collect();
         assert_eq!(three, [2, NONE, 0]);
+    }
+
+    /// Two tetrahedra that share the edge from 0 to 1, with faces turned over: all turn as those of the first one do
+    /// that are not turned over, or nothing is stated of their sides.
+    #[test]
+    fn tetrahedra_that_share_an_edge_turn_to_sides_that_agree_or_to_none() {
+        let outward =
+            [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0], [1, 0, 4], [0, 1, 5], [1, 4, 5], [4, 0, 5]];
+        let mut stated = 0;
+        for turned in 0..1_u32 << outward.len() {
+            let is_turned = |index: usize| turned >> index & 1 == 1;
+            let turn =
+                |(index, [a, b, c]): (usize, [u32; 3])| if is_turned(index) { [a, c, b] } else { [a, b, c] };
+            let triangles: Vec<[u32; 3]> = outward.into_iter().enumerate().map(turn).collect();
+            let joined = Joined::of_neighbours(&triangles, &neighbours(&triangles, 6), NONE);
+            assert!(joined.of_shell.iter().all(|shell| shell.free == 0));
+            if joined.of_shell.iter().any(|shell| shell.is_one_sided) {
+                continue;
+            }
+            stated += 1;
+            let first = |index: usize| joined.shells.iter().position(|&shell| shell == joined.shells[index]);
+            let agrees = |index: usize| {
+                let first = first(index).unwrap_or_default();
+                joined.turned[index] == (is_turned(index) != is_turned(first))
+            };
+            assert!((0..outward.len()).all(agrees), "{turned:b}");
+        }
+        // Of the sides that the mesh states without a contradiction, and of their opposites, at least.
+        assert!(stated >= 2, "{stated}");
     }
 
     #[test]

@@ -50,12 +50,13 @@ pub(crate) fn joined_arcs(
         let is_turned = one.forward == other.forward;
         JoinedArc { one: one.into(), other: Some(other.into()), is_turned }
     });
-    let equal = equal.into_iter().map(|EqualEdges { surfaces: [first, second], runs_alike, side }| {
-        let place = EdgePlace { index: first, axis: Axis::U, end: side };
-        let one = Arc { place, range: [0.0, 1.0], curve: side_of(first, side) };
-        let other = Arc { place: EdgePlace { index: second, ..place }, ..one.clone() };
-        JoinedArc { one, other: Some(other), is_turned: runs_alike }
-    });
+    let equal =
+        equal.into_iter().map(|EqualEdges { surfaces: [first, second], runs_alike, side, .. }| {
+            let place = EdgePlace { index: first, axis: Axis::U, end: side };
+            let one = Arc { place, range: [0.0, 1.0], curve: side_of(first, side) };
+            let other = Arc { place: EdgePlace { index: second, ..place }, ..one.clone() };
+            JoinedArc { one, other: Some(other), is_turned: runs_alike }
+        });
     let free = free.into_iter().map(|part| JoinedArc { one: part.into(), other: None, is_turned: false });
     equal.chain(of_pairs).chain(free).collect()
 }

@@ -25,6 +25,8 @@ pub(super) struct EqualEdges {
     pub(super) surfaces: [u32; 2],
     /// Whether both run the same way round their surfaces.
     pub(super) runs_alike: bool,
+    /// Whether others are equal to them.
+    pub(super) are_of_several: bool,
     /// The side of the first triangle.
     pub(super) side: u8,
 }
@@ -48,6 +50,8 @@ pub(crate) struct SurfaceOrigin {
     pub(crate) face: usize,
     /// Whether its normal is opposite to that of the face; none where that is not known.
     pub(crate) is_turned: Option<bool>,
+    /// Whether its normal is opposite to the one that the source states, as far as that is known.
+    pub(crate) is_reversed: bool,
     /// The shell of the face in its source, if that is known.
     pub(crate) shell: Option<u32>,
 }
@@ -56,7 +60,7 @@ impl SurfaceOrigin {
     /// The origin of a whole face.
     #[cfg(all(test, not(target_arch = "wasm32")))]
     pub(crate) fn whole(face: usize) -> Self {
-        Self { face, is_turned: Some(false), shell: None }
+        Self { face, is_turned: Some(false), is_reversed: false, shell: None }
     }
 }
 
@@ -79,6 +83,17 @@ pub(crate) struct Edges {
     pub(super) single: Vec<Edge>,
     /// Pieces of faces, each with the one before it.
     pub(super) pieces: Vec<Pieces>,
+    /// Whether the source turns a surface over, for each; none for triangles, which it does not.
+    pub(super) reversed: Vec<bool>,
+}
+
+/// The equal edges of triangles that have no partner yet.
+#[derive(Debug, Default)]
+struct OpenEdges {
+    /// The numbers of their places, with their ends.
+    open: Vec<(usize, [DVec3; 2])>,
+    /// The number of all equal edges.
+    count: u32,
 }
 
 impl Edges {
@@ -92,20 +107,22 @@ impl Edges {
             Pieces { surfaces: [index - 1, index], is_turned }
         });
         let pieces = pieces.collect();
-        Self { surfaces: origins.len(), equal: Vec::new(), single: edges(model, &origins), pieces }
+        let reversed = origins.iter().map(|origin| origin.is_reversed).collect();
+        Self { surfaces: origins.len(), equal: Vec::new(), single: edges(model, &origins), pieces, reversed }
     }
 
     /// Returns the edges of triangles, each a surface, in the order of their file, with the number of
     /// the surface. Edges between the same two corners are equal, and those without length, which are
     /// points, are left out. O(n).
     ///
-    /// Of more than two equal edges those of triangles that follow each other are paired, and copies of
-    /// triangles after all others: so bodies that follow each other in a file, or a mesh that stands in
-    /// it twice, are shells of their own. No sum of faces depends on the pairs.
+    /// Of more than two equal edges those are paired that run opposite ways, of triangles that follow each other, and
+    /// copies of triangles after all others: so the mesh keeps its own orientation where it has one, and bodies that
+    /// follow each other in a file, or a mesh that stands in it twice, are shells of their own.
     pub(crate) fn of_triangles(triangles: impl Iterator<Item = (usize, [DVec3; 3])>) -> Self {
         let mut edges = Self::default();
         // By the bits of both ends.
-        let mut open: HashMap<[Bits; 2], (usize, [DVec3; 2])> = HashMap::new();
+        let mut open: HashMap<[Bits; 2], OpenEdges> = HashMap::new();
+        let mut pairs = Vec::new();
         for (triangle, [a, b, c]) in copies_last(triangles) {
             edges.surfaces += 1;
             for (side, ends) in [[a, b], [b, c], [c, a]].into_iter().enumerate() {
@@ -114,17 +131,30 @@ impl Edges {
                     continue;
                 }
                 let key = if first < second { [first, second] } else { [second, first] };
-                match open.remove(&key) {
-                    Some((place, other)) => {
-                        let runs_alike = bits(other[0]) == first;
-                        let surfaces = [(place / 3) as u32, triangle as u32];
-                        edges.equal.push(EqualEdges { surfaces, runs_alike, side: (place % 3) as u8 });
-                    }
-                    None => _ = open.insert(key, (3 * triangle + side, ends)),
+                let place = 3 * triangle + side;
+                let all = open.entry(key).or_default();
+                all.count += 1;
+                match all.open.iter().rposition(|(_, other)| bits(other[0]) == second) {
+                    Some(index) => pairs.push((key, [all.open.remove(index).0, place], false)),
+                    None => all.open.push((place, ends)),
                 }
             }
         }
-        let mut single: Vec<_> = open.into_values().collect();
+        let mut single = Vec::new();
+        let mut alike = Vec::new();
+        for (&key, OpenEdges { open, .. }) in &open {
+            let both = open.chunks_exact(2);
+            single.extend(both.remainder().iter().copied());
+            alike.extend(both.map(|both| (key, [both[0].0, both[1].0], true)));
+        }
+        alike.sort_unstable_by_key(|&(_, places, _)| places);
+        let equal = pairs.into_iter().chain(alike).map(|(key, places, runs_alike)| EqualEdges {
+            surfaces: places.map(|place| (place / 3) as u32),
+            runs_alike,
+            are_of_several: open.get(&key).is_some_and(|all| all.count > 2),
+            side: (places[0] % 3) as u8,
+        });
+        edges.equal = equal.collect();
         // A table has no order of its own.
         sort_by_number(&mut single, |&(place, _)| place as f64);
         let edge = |(place, ends): (usize, [DVec3; 2])| {

@@ -16,7 +16,8 @@ pub(crate) struct Joined {
 /// What is known of the surfaces of a shell together.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ShellState {
-    /// Whether no choice of sides agrees at all joined edges.
+    /// Whether no choice of sides agrees at all joined edges; or none agrees with the source, and there was a choice of
+    /// edges to join.
     pub(crate) is_one_sided: bool,
     /// The number of its edges without a partner.
     pub(crate) free: usize,
@@ -32,13 +33,39 @@ pub(super) struct Orientations {
     turned: Vec<bool>,
     /// Whether the group of each root has a contradiction.
     one_sided: Vec<bool>,
+    /// Whether edges of the group of each root were joined that others are as near to.
+    branched: Vec<bool>,
+    /// Whether the source turns a surface over, for each.
+    reversed: Vec<bool>,
 }
 
 impl Orientations {
     /// Makes `count` groups of one surface each.
     pub(super) fn separate(count: usize) -> Self {
         let parents = (0..count as u32).collect();
-        Self { parents, turned: vec![false; count], one_sided: vec![false; count] }
+        let [turned, one_sided, branched, reversed] = [0; 4].map(|_| vec![false; count]);
+        Self { parents, turned, one_sided, branched, reversed }
+    }
+
+    /// The same of surfaces that the source turns over, or not.
+    pub(super) fn of_source(mut self, reversed: Vec<bool>) -> Self {
+        self.reversed = reversed;
+        self
+    }
+
+    /// Returns whether the source turns over one of two surfaces and not the other.
+    pub(super) fn differ_in_source(&self, a: usize, b: usize) -> bool {
+        self.is_reversed(a) != self.is_reversed(b)
+    }
+
+    fn is_reversed(&self, surface: usize) -> bool {
+        self.reversed.get(surface).is_some_and(|&reversed| reversed)
+    }
+
+    /// States that there was a choice of edges to join, in the group of a surface.
+    pub(super) fn branch(&mut self, surface: u32) {
+        let (root, _) = self.of(surface);
+        self.branched[root as usize] = true;
     }
 
     /// Makes one group of those of two surfaces, of which the second one is to be turned over where
@@ -54,6 +81,7 @@ impl Orientations {
         self.parents[child] = root as u32;
         self.turned[child] = turned;
         self.one_sided[root] |= self.one_sided[child];
+        self.branched[root] |= self.branched[child];
     }
 
     /// Makes one group of those of two surfaces whose sides are not known of each other, if they are in two.
@@ -94,6 +122,11 @@ impl Orientations {
         let mut joined = Joined::default();
         for surface in 0..self.parents.len() as u32 {
             let (root, turned) = self.of(surface);
+            let agrees = (turned != self.is_reversed(surface as usize)) == self.is_reversed(root as usize);
+            self.one_sided[root as usize] |= !agrees && self.branched[root as usize];
+        }
+        for surface in 0..self.parents.len() as u32 {
+            let (root, turned) = self.of(surface);
             let shell = *numbers.entry(root).or_insert(joined.of_shell.len() as u32);
             if shell as usize == joined.of_shell.len() {
                 let is_one_sided = self.one_sided[root as usize];
@@ -126,16 +159,34 @@ impl Joined {
                 orientations.join(triangle as u32, other, runs_alike);
             }
         }
+        branches(triangles, &edge).for_each(|triangle| orientations.branch(triangle));
         let mut joined = orientations.shells();
         for (triangle, others) in neighbours.iter().enumerate() {
-            let [a, b, c] = triangles[triangle];
-            if a != b && b != c && c != a {
+            if is_whole(&triangles[triangle]) {
                 let free = others.iter().filter(|&&other| other == none).count();
                 joined.of_shell[joined.shells[triangle] as usize].free += free;
             }
         }
         joined
     }
+}
+
+fn is_whole([a, b, c]: &[u32; 3]) -> bool {
+    a != b && b != c && c != a
+}
+
+/// Returns a triangle of each edge that more than two have.
+fn branches(triangles: &[[u32; 3]], edge: impl Fn([u32; 3], usize) -> [u32; 2]) -> impl Iterator<Item = u32> {
+    let whole = (0..).zip(triangles).filter(|(_, triangle)| is_whole(triangle));
+    let of = |(number, &triangle): (u32, &[u32; 3])| [0, 1, 2].map(|place| (edge(triangle, place), number));
+    let mut edges: Vec<_> = whole.flat_map(of).map(|([a, b], number)| (a.min(b), a.max(b), number)).collect();
+    edges.sort_unstable();
+    let several: Vec<u32> = edges
+        .chunk_by(|a, b| (a.0, a.1) == (b.0, b.1))
+        .filter(|same| same.len() > 2)
+        .map(|same| same[0].2)
+        .collect();
+    several.into_iter()
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]

@@ -50,10 +50,13 @@ pub(super) struct Pairs {
 
 /// Joins the edges of surfaces; also returns the sides to which the surfaces turn, and the equal edges.
 pub(super) fn joined(edges: Edges, reach: Reach) -> (Pairs, Orientations, Vec<EqualEdges>) {
-    let Edges { surfaces, equal, single, pieces } = edges;
-    let mut orientations = Orientations::separate(surfaces);
-    for &EqualEdges { surfaces: [a, b], runs_alike, .. } in &equal {
+    let Edges { surfaces, equal, single, pieces, reversed } = edges;
+    let mut orientations = Orientations::separate(surfaces).of_source(reversed);
+    for &EqualEdges { surfaces: [a, b], runs_alike, are_of_several, .. } in &equal {
         orientations.join(a, b, runs_alike);
+        if are_of_several {
+            orientations.branch(a);
+        }
     }
     // The sides of the pieces of a face help to tell apart the edges of thin ones.
     for Pieces { surfaces: [a, b], is_turned } in &pieces {
@@ -131,10 +134,13 @@ fn paired(
     for mut group in groups {
         while let Some(arc) = group.pop() {
             match partner(&arc, &group, level, orientations) {
-                Some(index) => {
+                Some(Partner { index, is_one_of_several }) => {
                     let pair = in_one_direction([arc, group.swap_remove(index)]);
                     let [a, b] = &pair;
                     orientations.join(a.surface as u32, b.surface as u32, a.forward == b.forward);
+                    if is_one_of_several {
+                        orientations.branch(a.surface as u32);
+                    }
                     pairs.push(pair);
                 }
                 None => left.push(arc),
@@ -144,8 +150,21 @@ fn paired(
     left
 }
 
-/// Returns the index of the arc nearest to the middle of this one, if it is near enough; of several that are as near,
-/// that of the surface nearest in the file, as a body's faces follow each other. Arcs that run the wrong way round for the
+/// The partner of an arc.
+struct Partner {
+    index: usize,
+    /// Whether others are as near.
+    is_one_of_several: bool,
+}
+
+/// Returns whether two arcs from one end to the other run the same way round their surfaces, as the source orients these.
+fn run_alike(a: &EdgePart, b: &EdgePart, orientations: &Orientations) -> bool {
+    (a.forward == b.forward) != orientations.differ_in_source(a.surface, b.surface)
+}
+
+/// Returns the arc nearest to the middle of this one, if it is near enough; of several that are as near, one that runs the
+/// other way round its surface, as the source orients that, and of these that of the surface nearest in the file, as a
+/// body's faces follow each other. Arcs that run the wrong way round for the
 /// sides of their surfaces, as far as these are known, come after all others, and only at the last level: a face thinner
 /// than the reach has both its edges near those of its neighbours. Of two parts that are no longer than an overlap, of
 /// surfaces whose sides are not known of each other, one has to be a whole edge before that.
@@ -154,7 +173,7 @@ fn partner(
     others: &[EdgePart],
     Level { reach, tie, overlap, is_last }: Level,
     orientations: &mut Orientations,
-) -> Option<usize> {
+) -> Option<Partner> {
     let middle = arc.curve.point(0.5);
     let distances: Vec<f64> = others.iter().map(|other| other.curve.closest(middle).1).collect();
     let is_sure = arc.extent() > overlap || arc.is_whole();
@@ -176,7 +195,14 @@ fn partner(
         let nearest = indices.iter().map(|&index| distances[index]).fold(f64::INFINITY, lower_min);
         let farthest = reach.min(nearest + tie);
         let near = indices.into_iter().filter(|&index| nearest <= reach && distances[index] <= farthest);
-        near.min_by_key(|&index| others[index].surface.abs_diff(arc.surface))
+        let near: Vec<usize> = near.collect();
+        let preference = |&index: &usize| {
+            let other = &others[index];
+            let is_alike = arc.ends[0] != arc.ends[1] && run_alike(arc, other, orientations);
+            (is_alike, other.surface.abs_diff(arc.surface))
+        };
+        let is_one_of_several = near.len() > 1;
+        near.into_iter().min_by_key(preference).map(|index| Partner { index, is_one_of_several })
     })
 }
 
