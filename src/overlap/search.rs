@@ -178,14 +178,15 @@ impl<'a> Search<'a> {
         self.has_stalled
     }
 
-    /// Returns an interval that contains the volume.
-    pub(crate) fn volume(&self) -> Interval {
+    /// Returns an interval that contains the volume; none where the sum is certainly negative, or larger than the volume
+    /// of one of both: then a boundary is not as it is taken to be.
+    pub(crate) fn volume(&self) -> Option<Interval> {
         let undecided: Vec<&Undecided<'_>> = self.queue.iter().chain(&self.stuck).collect();
         let volumes = map(undecided.len(), |index| self.looking.value(undecided[index]));
         let sum = volumes.into_iter().fold(self.decided, |sum, volume| sum + volume);
         let [a, b] = &self.looking.pair.solids;
         let most = if a.volume.upper < b.volume.upper { a.volume.upper } else { b.volume.upper };
-        sum.clamped(0.0, most)
+        (sum.lower <= most && sum.upper >= 0.0).then(|| sum.clamped(0.0, most))
     }
 }
 

@@ -22,6 +22,13 @@ const STEPS: [f64; 4] = [0.5, 0.25, 0.125, 0.03];
 /// between them.
 const MIN_SUM: f64 = 0.05;
 
+/// The number of places of sheets, beside those where they cross, at which points on both sides are tried: a sheet that
+/// lies on itself crosses none.
+const MAX_MIDDLES: usize = 16;
+
+/// The distance of these points from the sheet, as a part of the body's diagonal.
+const RELATIVE_DEPTH: f64 = 1e-2;
+
 /// The gap of distances, as a part of the body's diagonal.
 const RELATIVE_GAP: f64 = 1e-9;
 
@@ -49,17 +56,28 @@ impl PreparedModel {
     /// Returns a place at which the boundary of a body encloses space twice or turned over; `None` where none is
     /// found, which is no proof, and for a body that is open or has one side.
     ///
-    /// Places are looked for where triangles of the faces cross, deeper than a thousandth of the body. O(n log n +
-    /// crossings) in general position.
+    /// Places are looked for where triangles of the faces cross, deeper than a thousandth of the body, and about some
+    /// triangles. O(n log n + crossings) in general position.
     pub(in crate::engine) fn self_overlap(&self) -> Option<SelfOverlap> {
         if !self.boundary().is_closed() {
             return None;
         }
         let (triangles, tolerance) = sheets(self);
-        let mut places = crossings(&triangles, tolerance).into_iter().peekable();
-        places.peek()?;
         let outwards = self.outward_signs(&triangles);
+        let crossings = crossings(&triangles, tolerance).into_iter();
+        let mut places = crossings.chain(self.middles(&triangles));
         places.find_map(|crossing| self.overlap_at(&crossing, &outwards))
+    }
+
+    /// Returns the middles of some triangles, as places where a sheet may lie on itself.
+    fn middles(&self, triangles: &[SheetTriangle]) -> impl Iterator<Item = Crossing> {
+        let depth = RELATIVE_DEPTH * self.control_box().diagonal();
+        let chosen = triangles.iter().step_by(triangles.len().div_ceil(MAX_MIDDLES).max(1));
+        chosen.filter_map(move |&SheetTriangle { corners: [a, b, c], surface }| {
+            let normal = (b - a).cross(c - a).try_normalize()?;
+            let point = (a + b + c) / 3.0;
+            Some(Crossing { point, normals: [normal; 2], surfaces: [surface; 2], depth })
+        })
     }
 
     /// Returns, for each shell, 1 or -1: the sign of the volume that triangles near it enclose, as its first surface

@@ -157,9 +157,12 @@ impl Engine {
             let pair = Pair::new(placed(), width, true);
             let mut search = Search::new(&pair, &solids, patience.stalled[1], &is_late);
             result.stop = run(&mut search, width, &mut budget, &mut progress).await?;
-            common = common.within(search.volume());
+            common = common.zip(search.volume()).map(|(one, other)| one.within(other));
         }
         progress.finish();
+        let Some(common) = common.filter(|common| common.lower <= common.upper) else {
+            return Ok(OverlapResult { volumes_unknown: Some(VolumesUnknown::Refuted), ..result });
+        };
         let found = OverlapVolumes::new(volumes, common);
         let permitted = options.relative_width() * found.union.lower;
         result.converged = found.intersection.width() <= permitted;

@@ -31,6 +31,12 @@ pub enum VolumesUnknown {
     ABodies,
     /// Bodies of B meet or overlap, or it is not known whether they do.
     BBodies,
+    /// The boundary of a body of A certainly meets itself, so that its sides are not those of its faces.
+    ACrossed,
+    /// The boundary of a body of B certainly does.
+    BCrossed,
+    /// The volume found is certainly none of a common part: a boundary meets itself, or a fault of the library.
+    Refuted,
 }
 
 /// Two closed models, the first one moved.
@@ -63,6 +69,11 @@ impl<'a> Solids<'a> {
         }
         for (model, why) in models.into_iter().zip([VolumesUnknown::ABodies, VolumesUnknown::BBodies]) {
             if !are_bodies_apart(model) {
+                return Err(why);
+            }
+        }
+        for (model, why) in models.into_iter().zip([VolumesUnknown::ACrossed, VolumesUnknown::BCrossed]) {
+            if model.self_overlap().is_some() {
                 return Err(why);
             }
         }

@@ -28,6 +28,9 @@ const UNKNOWN: Record<VolumesUnknown, string> = {
   "b-volume": texts.bodies.aBodyOfBHas,
   "a-bodies": texts.bodies.bodiesOfAMeetOr,
   "b-bodies": texts.bodies.bodiesOfBMeetOr,
+  "a-crossed": texts.bodies.aBodyOfAMeetsItself,
+  "b-crossed": texts.bodies.aBodyOfBMeetsItself,
+  refuted: texts.bodies.volumesContradict,
 };
 /** Why intervals are wider than requested. */
 const STOPS: Record<OverlapResult["stop"], string> = {

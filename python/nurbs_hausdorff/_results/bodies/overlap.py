@@ -9,7 +9,8 @@ from ..._values.interval import Interval
 from ..common import Seconds, Stop, table
 
 VolumesUnknown = Literal[
-    "a-open", "b-open", "both-open", "too-large", "a-volume", "b-volume", "a-bodies", "b-bodies"
+    "a-open", "b-open", "both-open", "too-large", "a-volume", "b-volume", "a-bodies", "b-bodies",
+    "a-crossed", "b-crossed", "refuted",
 ]
 
 

@@ -23,7 +23,8 @@ export interface OverlapOptions {
 /**
  * Why there are no volumes. `a-open`, `b-open`, `both-open`: a model is not closed. `too-large`: a mesh has more
  * than 250,000 triangles, which are not joined. `a-volume`, `b-volume`: a body has none, as its facts say.
- * `a-bodies`, `b-bodies`: bodies of one model meet or overlap.
+ * `a-bodies`, `b-bodies`: bodies of one model meet or overlap. `a-crossed`, `b-crossed`: the boundary of a body
+ * certainly meets itself. `refuted`: what was found contradicts the volumes of both models.
  */
 export type VolumesUnknown =
   | "a-open"
@@ -33,7 +34,10 @@ export type VolumesUnknown =
   | "a-volume"
   | "b-volume"
   | "a-bodies"
-  | "b-bodies";
+  | "b-bodies"
+  | "a-crossed"
+  | "b-crossed"
+  | "refuted";
 
 /** The volumes that two solids have in common and apart. Guarantee: every number is in its interval. */
 export interface OverlapResult {

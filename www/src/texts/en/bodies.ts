@@ -70,6 +70,9 @@ export const bodies = {
   aBodyOfBHas: "A body of B has no volume that is known.",
   bodiesOfAMeetOr: "Bodies of A meet or overlap each other.",
   bodiesOfBMeetOr: "Bodies of B meet or overlap each other.",
+  aBodyOfAMeetsItself: "A body of A meets itself.",
+  aBodyOfBMeetsItself: "A body of B meets itself.",
+  volumesContradict: "What was found contradicts the volumes of both models.",
   theTimeWasOverMore: "The time was over: more of it narrows them.",
   theLimitOnPiecesWas: "The limit on pieces was reached.",
   narrowerOnesWouldNeedFiner:

@@ -65,6 +65,9 @@ fn reason(unknown: VolumesUnknown) -> &'static str {
         VolumesUnknown::BVolume => "a body of B has none",
         VolumesUnknown::ABodies => "bodies of A meet or overlap",
         VolumesUnknown::BBodies => "bodies of B meet or overlap",
+        VolumesUnknown::ACrossed => "a body of A meets itself",
+        VolumesUnknown::BCrossed => "a body of B meets itself",
+        VolumesUnknown::Refuted => "what was found contradicts the volumes of both models",
         _ => "",
     }
 }
