@@ -1,7 +1,9 @@
 //! Bodies of which more than two faces meet at an edge: what is said of them is the same in every order of their faces,
 //! or nothing.
 
-use crate::models::{Quad, box_of_faces, cube_with_pocket, mesh, of_quads, prepared, quads_of_box};
+use crate::models::{
+    Quad, box_of_faces, cube_with_pocket, faces, mesh, of, of_quads, prepared, quads_of_box,
+};
 use crate::overlap::{assert_holds, overlap};
 use nurbs_hausdorff::{CheckOptions, DVec3, Engine, NamedModel, PreparedModel, VolumesUnknown};
 
@@ -61,6 +63,24 @@ fn cubes_that_share_an_edge_have_the_volume_of_both() {
     }
 }
 
+/// Half of the faces are turned over by their parameters, and back by what the file says of them.
+#[test]
+fn sides_are_those_that_the_file_states() {
+    for seed in 0..40 {
+        let random = &mut fastrand::Rng::with_seed(seed);
+        let mut quads = beside_an_edge();
+        random.shuffle(&mut quads);
+        let reversed: Vec<bool> = quads.iter().map(|_| random.bool()).collect();
+        let turned = |(&[a, b, c, d], &reversed): (&Quad, &bool)| {
+            if reversed { [d, c, b, a] } else { [a, b, c, d] }
+        };
+        let turned: Vec<Quad> = quads.iter().zip(&reversed).map(turned).collect();
+        let mut faces = faces(&of_quads(&turned));
+        faces.iter_mut().zip(&reversed).for_each(|(face, &reversed)| face.reversed = reversed);
+        assert_volume(&prepared(&of(faces)), 2.0, seed);
+    }
+}
+
 /// Their common sides lie on each other.
 #[test]
 fn flush_cubes_have_the_volume_of_both() {
@@ -109,6 +129,21 @@ fn a_cube_that_stands_twice_shares_no_volume() {
             assert!(found.volumes.is_none(), "{found:?} of order {seed}");
         }
     }
+}
+
+/// The same of triangles that are no copies of each other: the sides of one cube are cut along the other diagonals.
+#[test]
+fn a_cube_that_stands_twice_in_other_triangles_shares_no_volume() {
+    let mut crossed = 0;
+    for seed in 0..40 {
+        let random = &mut fastrand::Rng::with_seed(seed);
+        let other = cube([0.0; 3], 1.0).map(|[a, b, c, d]| [b, c, d, a]);
+        let model = triangles_of(&[cube([0.0; 3], 1.0), other].concat(), random);
+        let found = overlap(&model, &around(), TOLERANCE);
+        assert!(found.volumes.is_none(), "{found:?} of order {seed}");
+        crossed += usize::from(found.volumes_unknown == Some(VolumesUnknown::ACrossed));
+    }
+    assert!(crossed > 0, "all are bodies of their own");
 }
 
 /// A pocket through the floor winds -1 times about what is below: no set has the sum of the fluxes as its volume.
