@@ -3,6 +3,7 @@
 mod neighbours;
 
 pub(super) use neighbours::NONE;
+use neighbours::{Neighbours, neighbours};
 
 use super::facet::Nearest;
 use super::{Facet, Group, PointCloud, TriangleMesh};
@@ -36,7 +37,7 @@ pub(crate) struct FacetTarget {
     /// The indices of the corners of each triangle, equal for equal points; none of a cloud.
     vertices: Vec<[u32; 3]>,
     /// The triangles along the edges of each, made at their first use.
-    neighbours: OnceLock<Vec<[u32; 3]>>,
+    neighbours: OnceLock<Neighbours>,
 }
 
 /// Facets of one kind.
@@ -123,15 +124,20 @@ impl FacetTarget {
     /// Returns the neighbours of each triangle along its edges, by their places; those of a cloud are
     /// none. O(n) at first use.
     pub(super) fn neighbours(&self) -> &[[u32; 3]] {
-        computed::<Vec<[u32; 3]>>(&self.neighbours, || {
+        &self.known_neighbours().along
+    }
+
+    fn known_neighbours(&self) -> &Neighbours {
+        computed(&self.neighbours, || {
             let largest = self.vertices.iter().flatten().max();
-            neighbours::neighbours(&self.vertices, largest.map_or(0, |&vertex| vertex as usize + 1))
+            neighbours(&self.vertices, largest.map_or(0, |&vertex| vertex as usize + 1))
         })
     }
 
     /// Returns the triangles that share edges of the same two vertices. O(n).
     pub(super) fn joined(&self) -> Joined {
-        Joined::of_neighbours(&self.vertices, self.neighbours(), NONE)
+        let Neighbours { along, branched } = self.known_neighbours();
+        Joined::of_neighbours(&self.vertices, along, branched, NONE)
     }
 
     /// Returns the indices of the vertices of a triangle, equal for equal points.

@@ -3,14 +3,23 @@
 /// The place of no triangle.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// Returns the neighbour of each triangle along each edge, that from a corner to the next one, or
-/// [`NONE`]. Triangles are given by the indices of their corners, which are below `vertices`.
+/// The neighbours of the triangles of a mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Neighbours {
+    /// For each triangle, that along each of its edges, from a corner to the next one, or [`NONE`].
+    pub(super) along: Vec<[u32; 3]>,
+    /// The triangles of edges that more than two have.
+    pub(super) branched: Vec<u32>,
+}
+
+/// Returns the neighbours of triangles that are given by the indices of their corners, which are below `vertices`.
 ///
 /// Neighbours are mutual: edges of the same two vertices are joined in pairs, of opposite directions
 /// first, and where their number is odd one is left over. Triangles with two equal corners have no
 /// neighbours. O(n) where vertices have few triangles.
-pub(super) fn neighbours(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 3]> {
+pub(super) fn neighbours(triangles: &[[u32; 3]], vertices: usize) -> Neighbours {
     let mut found = vec![[NONE; 3]; triangles.len()];
+    let mut branched = Vec::new();
     let ends = |edge: u32| {
         let (corners, start) = (triangles[edge as usize / 3], edge as usize % 3);
         [corners[start], corners[(start + 1) % 3]]
@@ -25,6 +34,9 @@ pub(super) fn neighbours(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 3
         };
         around.sort_unstable_by_key(key);
         for equal in around.chunk_by(|one, other| key(one).0 == key(other).0) {
+            if equal.len() > 2 {
+                branched.extend(equal.iter().map(|edge| edge / 3));
+            }
             let (along, against) = equal.split_at(equal.partition_point(|edge| !key(edge).1));
             let pairs = along.len().min(against.len());
             let opposite = along.iter().zip(against).map(|(&one, &other)| [one, other]);
@@ -35,7 +47,7 @@ pub(super) fn neighbours(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 3
             }
         }
     }
-    found
+    Neighbours { along: found, branched }
 }
 
 /// Returns the edges of all triangles with three different corners in the order of their least
@@ -79,7 +91,7 @@ mod tests {
         // A tetrahedron, a loose triangle, and one that has collapsed along an edge of it.
         let triangles = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0], [4, 5, 6], [4, 5, 4]];
         let expected = [[1, 2, 3], [3, 2, 0], [1, 3, 0], [2, 1, 0], [NONE; 3], [NONE; 3]];
-        assert_eq!(neighbours(&triangles, 7), expected);
+        assert_eq!(neighbours(&triangles, 7).along, expected);
     }
 
     /// At an edge of several triangles pairs have opposite directions where they can; of three one is
@@ -87,11 +99,11 @@ mod tests {
     #[test]
     fn the_edges_of_several_triangles_are_joined_in_pairs() {
         let fan = [[0, 1, 2], [0, 1, 3], [1, 0, 4], [1, 0, 5]];
-        let along: Vec<u32> = neighbours(&fan, 6).iter().map(|found| found[0]).collect();
+        let along: Vec<u32> = neighbours(&fan, 6).along.iter().map(|found| found[0]).collect();
         assert_eq!(along, [2, 3, 0, 1]);
-        let alike: Vec<u32> = neighbours(&fan[..2], 6).iter().map(|found| found[0]).collect();
+        let alike: Vec<u32> = neighbours(&fan[..2], 6).along.iter().map(|found| found[0]).collect();
         assert_eq!(alike, [1, 0]);
-        let three: Vec<u32> = neighbours(&fan[..3], 6).iter().map(|found| found[0]).collect();
+        let three: Vec<u32> = neighbours(&fan[..3], 6).along.iter().map(|found| found[0]).collect();
         assert_eq!(three, [2, NONE, 0]);
     }
 
@@ -107,7 +119,8 @@ mod tests {
             let turn =
                 |(index, [a, b, c]): (usize, [u32; 3])| if is_turned(index) { [a, c, b] } else { [a, b, c] };
             let triangles: Vec<[u32; 3]> = outward.into_iter().enumerate().map(turn).collect();
-            let joined = Joined::of_neighbours(&triangles, &neighbours(&triangles, 6), NONE);
+            let Neighbours { along, branched } = neighbours(&triangles, 6);
+            let joined = Joined::of_neighbours(&triangles, &along, &branched, NONE);
             assert!(joined.of_shell.iter().all(|shell| shell.free == 0));
             if joined.of_shell.iter().any(|shell| shell.is_one_sided) {
                 continue;
@@ -131,7 +144,7 @@ mod tests {
             let count = random.u32(3..12);
             let triangles: Vec<[u32; 3]> =
                 (0..random.usize(1..40)).map(|_| [0; 3].map(|_| random.u32(0..count))).collect();
-            let found = neighbours(&triangles, count as usize);
+            let found = neighbours(&triangles, count as usize).along;
             for (triangle, of) in found.iter().enumerate() {
                 for (edge, &other) in of.iter().enumerate().filter(|(_, other)| **other != NONE) {
                     let ends = |triangle: usize, edge: usize| {

@@ -5,7 +5,7 @@ use crate::bezier::{BezierModel, Patch};
 use crate::solid::curve::Curve;
 use crate::sorting::sort_by_number;
 use glam::DVec3;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// A side of a patch, or of a triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,7 +50,7 @@ pub(crate) struct SurfaceOrigin {
     pub(crate) face: usize,
     /// Whether its normal is opposite to that of the face; none where that is not known.
     pub(crate) is_turned: Option<bool>,
-    /// Whether its normal is opposite to the one that the source states, as far as that is known.
+    /// Whether the source turns its normal over. It is false where the source states no side.
     pub(crate) is_reversed: bool,
     /// The shell of the face in its source, if that is known.
     pub(crate) shell: Option<u32>,
@@ -148,10 +148,12 @@ impl Edges {
             alike.extend(both.map(|both| (key, [both[0].0, both[1].0], true)));
         }
         alike.sort_unstable_by_key(|&(_, places, _)| places);
+        let several: HashSet<[Bits; 2]> =
+            open.iter().filter(|(_, all)| all.count > 2).map(|(&key, _)| key).collect();
         let equal = pairs.into_iter().chain(alike).map(|(key, places, runs_alike)| EqualEdges {
             surfaces: places.map(|place| (place / 3) as u32),
             runs_alike,
-            are_of_several: open.get(&key).is_some_and(|all| all.count > 2),
+            are_of_several: several.contains(&key),
             side: (places[0] % 3) as u8,
         });
         edges.equal = equal.collect();

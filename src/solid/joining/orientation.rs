@@ -141,10 +141,16 @@ impl Orientations {
 
 impl Joined {
     /// Returns the triangles of a mesh that share edges exactly, by the neighbour of each along its edges
-    /// from a corner to the next, or `none`; triangles with two equal corners have no edges. O(n).
+    /// from a corner to the next, or `none`; triangles with two equal corners have no edges. `branched` has the
+    /// triangles of edges that more than two have. O(n).
     ///
     /// No edges are joined that only lie near each other, so that this takes meshes of any size.
-    pub(crate) fn of_neighbours(triangles: &[[u32; 3]], neighbours: &[[u32; 3]], none: u32) -> Self {
+    pub(crate) fn of_neighbours(
+        triangles: &[[u32; 3]],
+        neighbours: &[[u32; 3]],
+        branched: &[u32],
+        none: u32,
+    ) -> Self {
         let mut orientations = Orientations::separate(triangles.len());
         let edge = |[a, b, c]: [u32; 3], place: usize| [[a, b], [b, c], [c, a]][place];
         for (triangle, others) in neighbours.iter().enumerate() {
@@ -159,34 +165,17 @@ impl Joined {
                 orientations.join(triangle as u32, other, runs_alike);
             }
         }
-        branches(triangles, &edge).for_each(|triangle| orientations.branch(triangle));
+        branched.iter().for_each(|&triangle| orientations.branch(triangle));
         let mut joined = orientations.shells();
         for (triangle, others) in neighbours.iter().enumerate() {
-            if is_whole(&triangles[triangle]) {
+            let [a, b, c] = triangles[triangle];
+            if a != b && b != c && c != a {
                 let free = others.iter().filter(|&&other| other == none).count();
                 joined.of_shell[joined.shells[triangle] as usize].free += free;
             }
         }
         joined
     }
-}
-
-fn is_whole([a, b, c]: &[u32; 3]) -> bool {
-    a != b && b != c && c != a
-}
-
-/// Returns a triangle of each edge that more than two have.
-fn branches(triangles: &[[u32; 3]], edge: impl Fn([u32; 3], usize) -> [u32; 2]) -> impl Iterator<Item = u32> {
-    let whole = (0..).zip(triangles).filter(|(_, triangle)| is_whole(triangle));
-    let of = |(number, &triangle): (u32, &[u32; 3])| [0, 1, 2].map(|place| (edge(triangle, place), number));
-    let mut edges: Vec<_> = whole.flat_map(of).map(|([a, b], number)| (a.min(b), a.max(b), number)).collect();
-    edges.sort_unstable();
-    let several: Vec<u32> = edges
-        .chunk_by(|a, b| (a.0, a.1) == (b.0, b.1))
-        .filter(|same| same.len() > 2)
-        .map(|same| same[0].2)
-        .collect();
-    several.into_iter()
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
@@ -225,7 +214,7 @@ mod tests {
             [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 3, 0], [4, 6, 5], [4, 5, 7], [5, 6, 7], [4, 4, 5]];
         let neighbours =
             [[3, 2, 1], [0, 2, 3], [0, 3, 1], [2, 1, 0], [NONE, 6, 5], [4, 6, NONE], [4, NONE, 5], [NONE; 3]];
-        let joined = Joined::of_neighbours(&triangles, &neighbours, NONE);
+        let joined = Joined::of_neighbours(&triangles, &neighbours, &[], NONE);
         assert_eq!(joined.shells, [0, 0, 0, 0, 1, 1, 1, 2]);
         assert_eq!(joined.turned[..4], [false, false, false, true]);
         let free: Vec<usize> = joined.of_shell.iter().map(|shell| shell.free).collect();
