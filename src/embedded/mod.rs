@@ -1,11 +1,11 @@
 //! Whether a body is embedded: whether its boundary, faces that are joined along edges, meets itself nowhere else.
 //!
 //! Patches are identified along the edges that were joined, and at the corners that follow from them ([`complex`]). Pairs
-//! of pieces of them ([`piece`]) are divided ([`division`]) until each is decided by a lower bound on the distance, or by the directions
-//! ([`directions`]) in which both go from what they share ([`search`]); what is stated of a pair is compared with points of
-//! both ([`audit`]). Triangles are decided by signs of determinants
-//! ([`triangles`]). What is stated of trimmed faces holds along their surfaces, so that their rims must not meet themselves
-//! ([`rims`]). docs/solids.md, section 2, has the lemmas S8 to S10. Nothing here knows of files or options.
+//! of pieces of them ([`piece`]) are divided ([`division`]) until each is decided by a lower bound on the distance, or by
+//! the directions ([`directions`]) in which both go from what they share ([`search`]); what is stated of a pair is compared
+//! with points of both ([`audit`]). Triangles are decided by signs of determinants ([`triangles`]). What is stated of
+//! trimmed faces holds along their surfaces, so that their rims must not meet themselves ([`rims`]). docs/solids.md,
+//! section 2, has the lemmas S8 to S10. Nothing here knows of files or options.
 
 mod audit;
 mod complex;
@@ -14,6 +14,7 @@ mod division;
 mod piece;
 mod rims;
 mod search;
+mod self_overlap;
 mod sheets;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests;
@@ -28,6 +29,7 @@ use crate::rounding::upper_max;
 use crate::solid::JoinedArc;
 use glam::DVec3;
 
+pub use self_overlap::SelfOverlap;
 pub(crate) use sheets::Sheets;
 pub(crate) use triangles::verdict_on_triangles;
 

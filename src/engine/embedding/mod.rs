@@ -4,6 +4,7 @@ mod crossings;
 mod proof;
 mod sheets;
 
+pub use crate::embedded::SelfOverlap;
 pub use proof::{EmbeddedDoubt, EmbeddedUnknown, Embedding};
 
 use self::crossings::{Crossing, crossings};
@@ -13,7 +14,6 @@ use crate::closest::closest;
 use crate::flatness::Flatness;
 use crate::solid::Joined;
 use glam::DVec3;
-use serde::Serialize;
 
 /// The distances from a place where sheets cross at which points are tried, relative to the depth of the crossing.
 const STEPS: [f64; 4] = [0.5, 0.25, 0.125, 0.03];
@@ -32,33 +32,17 @@ const RELATIVE_DEPTH: f64 = 1e-2;
 /// The gap of distances, as a part of the body's diagonal.
 const RELATIVE_GAP: f64 = 1e-9;
 
-/// A place at which the boundary of a body encloses space twice, or turned over.
-///
-/// Guarantee (lemma S7 of docs/solids.md): the closed boundary of the body, with the strips that close its gaps, meets
-/// itself: it winds about points of the ball and about others near by with numbers that differ by 2 or more. The gaps
-/// of the body are smaller than the ball.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
-#[non_exhaustive]
-pub struct SelfOverlap {
-    /// The middle of the ball.
-    pub point: [f64; 3],
-    /// The radius of the ball, which has no points of the boundary.
-    pub radius: f64,
-    /// The number of times that the boundary winds about it, 1 or 0 in a body that does not meet itself: 2 or more in
-    /// matter that counts twice, -1 or less where walls have passed through each other.
-    pub winding: i32,
-    /// The indices of the two faces that cross near by, in the body; none of a mesh.
-    pub faces: Vec<usize>,
-}
-
 impl PreparedModel {
     /// Returns a place at which the boundary of a body encloses space twice or turned over; `None` where none is
     /// found, which is no proof, and for a body that is open or has one side.
     ///
-    /// Places are looked for where triangles of the faces cross, deeper than a thousandth of the body, and about some
-    /// triangles. O(n log n + crossings) in general position.
-    pub(in crate::engine) fn self_overlap(&self) -> Option<SelfOverlap> {
+    /// Places are looked for at first use, where triangles of the faces cross, deeper than a thousandth of the body, and
+    /// about some triangles. O(n log n + crossings) in general position.
+    pub(in crate::engine) fn self_overlap(&self) -> Option<&SelfOverlap> {
+        self.kept_self_overlap(|| self.found_self_overlap())
+    }
+
+    fn found_self_overlap(&self) -> Option<SelfOverlap> {
         if !self.boundary().is_closed() {
             return None;
         }

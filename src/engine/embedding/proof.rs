@@ -83,7 +83,7 @@ impl PreparedModel {
         };
         match if is_late() { None } else { self.self_overlap() } {
             Some(found) => {
-                Embedding { embedded: Some(false), self_overlap: Some(found), ..Embedding::default() }
+                Embedding { embedded: Some(false), self_overlap: Some(found.clone()), ..Embedding::default() }
             }
             None => Embedding { embedded_unknown: Some(unknown), ..Embedding::default() },
         }

@@ -9,6 +9,7 @@ use crate::bezier::{LocalDerivativeBounds, PatchSet};
 use crate::certified::{Operand, SheetCache, Sheets};
 use crate::closest::Target;
 use crate::deviation::Map;
+use crate::embedded::SelfOverlap;
 use crate::error::Result;
 use crate::facts::Facts;
 use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Places, flatten, recut};
@@ -53,6 +54,7 @@ pub(super) struct Kept {
     pub(super) measured: OnceLock<Vec<MeasuredBody>>,
     pub(super) facts: OnceLock<Facts>,
     pub(super) shells: KnownShells,
+    self_overlap: OnceLock<Option<SelfOverlap>>,
 }
 
 /// Flat patches, with their copy on the GPU.
@@ -147,6 +149,14 @@ pub(crate) struct PreparedCells {
 }
 
 impl PreparedModel {
+    /// Returns the place at which the boundary meets itself, if one was found at first use.
+    pub(in crate::engine) fn kept_self_overlap(
+        &self,
+        find: impl FnOnce() -> Option<SelfOverlap>,
+    ) -> Option<&SelfOverlap> {
+        computed::<Option<SelfOverlap>>(&self.kept.self_overlap, find).as_ref()
+    }
+
     /// Returns whether method `certified` does not cut the model into flat patches.
     pub(in crate::engine) fn is_left_uncut(&self) -> bool {
         self.facets.is_some() || self.bezier.patches.len() >= MIN_UNCUT_PATCHES
