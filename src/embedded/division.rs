@@ -57,8 +57,8 @@ pub(super) trait Division {
     fn audited(&self) -> &Audited;
 }
 
-/// Decides every whole part, and every pair of them whose boxes are near each other and of which `is_pair` is true, or
-/// returns the first that is not decided.
+/// Decides every whole part, and every two whole parts whose boxes are near each other if `is_pair` accepts them. Returns
+/// the first part or pair that is not decided, if there is one.
 pub(super) fn decide(
     mut division: impl Division,
     wholes: u32,

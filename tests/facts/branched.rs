@@ -1,5 +1,5 @@
-//! Bodies of which more than two faces meet at an edge: what is said of them is the same in every order of their faces,
-//! or nothing.
+//! Bodies with edges at which more than two faces meet. Their volumes do not depend on the order of their faces, or no
+//! volume is stated.
 
 use crate::models::{
     Quad, box_of_faces, cube_with_pocket, faces, mesh, of, of_quads, prepared, quads_of_box,
@@ -117,8 +117,8 @@ fn no_volume_is_stated_where_sides_are_guessed() {
     assert!(stated < 80, "all are stated");
 }
 
-/// The same cube twice encloses its space twice: nothing is said of the volume that it shares with another body, or its
-/// copies are bodies of their own, of which nothing is said either.
+/// A cube that stands twice in a model encloses its space twice. No volume in common is stated: the boundary meets itself,
+/// or both copies are bodies that overlap.
 #[test]
 fn a_cube_that_stands_twice_shares_no_volume() {
     for seed in 0..40 {
