@@ -18,7 +18,7 @@ mod winding;
 pub(crate) use curve::Curve;
 pub(crate) use enclosing::{Enclosing, Relation};
 pub(crate) use joining::{
-    Arc, Boundary, Clusters, EdgePlace, Edges, Joined, JoinedArc, SurfaceOrigin, joined_arcs,
+    Arc, Boundary, Clusters, EdgePlace, Edges, Joined, JoinedArc, ShellState, SurfaceOrigin, joined_arcs,
 };
 pub(crate) use pseudonormal::pseudonormal;
 pub use side::Side;

@@ -16,3 +16,4 @@ mod hints;
 mod models;
 mod overlap;
 mod revisions;
+mod voids;

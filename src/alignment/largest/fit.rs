@@ -1,6 +1,6 @@
 //! The fit in the largest distance near a pose: linear programs within a distance that adapts.
 
-use super::program::{Row, solve};
+use super::program::{Row, solve, without_idle};
 use crate::alignment::field::{Field, Place, Residual, residuals};
 use crate::alignment::freedoms::{COORDINATES, Coordinates, Freedoms};
 use crate::alignment::mean::Step;
@@ -151,7 +151,8 @@ impl<F: Field> LargestFit<F> {
     pub(crate) fn advance(&mut self) -> Step {
         let mut half: Coordinates = [0.0; COORDINATES];
         half[..self.freedoms.count()].fill(self.trust);
-        let Some(solution) = solve(&self.rows(), &half) else { return Step::Converged };
+        let rows = self.rows();
+        let Some(solution) = solve(&rows, &half) else { return Step::Converged };
         let predicted = self.largest - solution.value;
         if !(predicted > LEAST_GAIN * self.largest) || self.trust < self.smallest {
             return match self.rounds < MAX_ROUNDS && self.join() == Some(true) {
@@ -159,7 +160,8 @@ impl<F: Field> LargestFit<F> {
                 false => Step::Converged,
             };
         }
-        let motion = self.freedoms.followed(&self.motion, &solution.step, (self.center(), self.radius));
+        let step = without_idle(&rows, solution.step);
+        let motion = self.freedoms.followed(&self.motion, &step, (self.center(), self.radius));
         let next = residuals(&self.field, &self.counted, &self.places, &motion);
         let Some((found, places)) = next else { return Step::Converged };
         let gained = self.largest - largest(&found).unwrap_or(f64::INFINITY);

@@ -16,6 +16,9 @@ const LEAST_EXCESS: f64 = 1e-12;
 /// The least pivot of a ratio: below it the quotient is rounding.
 const LEAST_PIVOT: f64 = 1e-11;
 
+/// The square of the part of the longest slope below which the rest of another one is rounding.
+const IDLE_SQUARED: f64 = 1e-16;
+
 /// A row: value + slope · x is at most t.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Row {
@@ -73,6 +76,29 @@ pub(crate) fn solve(rows: &[Row], half: &Coordinates) -> Option<Solution> {
         _ => None,
     });
     Some(Solution { step: solved.step, value: solved.value, weights: weights.collect() })
+}
+
+/// Returns a step without the part that moves no row: its projection on the span of the slopes. The simplex method leaves
+/// that part at a corner of the box: turns of a plane about its normal. O(rows).
+pub(crate) fn without_idle(rows: &[Row], step: Coordinates) -> Coordinates {
+    let dot = |a: &Coordinates, b: &Coordinates| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let mut rests: Vec<Coordinates> = rows.iter().map(|row| row.slope).collect();
+    let mut kept = [0.0; COORDINATES];
+    let mut least = f64::MIN_POSITIVE;
+    for _ in 0..COORDINATES {
+        let lengths = rests.iter().map(|rest| dot(rest, rest));
+        let longest = lengths.enumerate().max_by(|one, other| one.1.total_cmp(&other.1));
+        let Some((index, squared)) = longest.filter(|&(_, squared)| squared > least) else { break };
+        least = upper_max(least, IDLE_SQUARED * squared);
+        let axis = rests[index].map(|value| value / squared.sqrt());
+        let along = dot(&axis, &step);
+        kept.iter_mut().zip(axis).for_each(|(kept, axis)| *kept += along * axis);
+        for rest in &mut rests {
+            let part = dot(&axis, rest);
+            rest.iter_mut().zip(axis).for_each(|(rest, axis)| *rest -= part * axis);
+        }
+    }
+    kept
 }
 
 struct Program<'a> {
@@ -207,6 +233,19 @@ mod tests {
         // The box ends the step.
         let found = solve(&rows, &[0.2; COORDINATES]).unwrap();
         assert!((found.value - 0.8).abs() < 1e-12, "{found:?}");
+    }
+
+    /// Two of the coordinates move no row, and a third one only together with a fourth.
+    #[test]
+    fn what_moves_no_row_stays() {
+        let slopes = [[1.0, 0.0, 2.0, 2.0], [-1.0, 0.0, 1.0, 1.0], [0.0, 0.0, -3.0, -3.0]];
+        let rows: Vec<Row> = slopes.iter().map(|slope| row(1.0, slope)).collect();
+        let found = solve(&rows, &[0.5; COORDINATES]).unwrap();
+        let step = without_idle(&rows, found.step);
+        assert_eq!((step[1], step[4], step[5]), (0.0, 0.0, 0.0));
+        assert!((step[2] - step[3]).abs() < 1e-12, "{step:?}");
+        let height = |row: &Row| row.value + row.slope.iter().zip(step).map(|(a, b)| a * b).sum::<f64>();
+        assert!(rows.iter().all(|row| height(row) <= found.value + 1e-12), "{found:?} {step:?}");
     }
 
     /// No step in the box is better than the one found, and weights prove it: checked on random rows.

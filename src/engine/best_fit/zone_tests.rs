@@ -74,6 +74,20 @@ fn the_zone_of_a_bump_is_half_its_height() {
     assert!(mean.largest > 0.19 && mean.zone.is_none(), "{mean:?}");
 }
 
+/// Shifts along the plane and turns about its normal change no distance, and the fit near a pose takes none.
+#[test]
+fn motions_that_change_no_distance_are_not_taken() {
+    let b = plate();
+    for a in [grid(|x, y| 0.1 * x * y / 25.0), grid(|x, y| if x == 0.0 && y == 0.0 { 0.2 } else { 0.0 })] {
+        let near = BestFitOptions { transform: RigidTransform::IDENTITY, ..options(ZoneOptions::default()) };
+        let found = fit(&cloud(a), &b, &near);
+        for point in [DVec3::ZERO, 5.0 * DVec3::X, 5.0 * DVec3::Y] {
+            let moved = found.transform.apply(point) - point;
+            assert!(moved.truncate().length() < 1e-2, "{moved} of {point}");
+        }
+    }
+}
+
 /// Points on the axes are 0.05 outside, those on the diagonals 0.05 inside: no shift helps.
 #[test]
 fn the_zone_of_a_ball_is_its_form_error() {

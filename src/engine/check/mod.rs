@@ -145,6 +145,8 @@ struct Checked {
     area: Option<Interval>,
     /// The indices of its faces in the model that it is of.
     faces: Vec<usize>,
+    /// The indices of the bodies of which it may be a void, or which may be voids of it.
+    may_nest_with: Vec<usize>,
 }
 
 impl Checked {
@@ -234,8 +236,10 @@ impl Engine {
         limits: &Limits,
         monitor: &mut dyn Monitor,
     ) -> Result<()> {
-        let mut clashes: Vec<_> =
-            judged.iter_mut().filter(|(_, pair)| pair.state == PairState::Clash).collect();
+        let mut clashes: Vec<_> = judged
+            .iter_mut()
+            .filter(|(_, pair)| pair.state == PairState::Clash && pair.depth.is_some())
+            .collect();
         let length = (1.0 - JUDGED_PART) / clashes.len() as f64;
         for (place, (of, pair)) in clashes.iter_mut().enumerate() {
             let mut section = Section { whole: monitor, part: [JUDGED_PART + length * place as f64, length] };
@@ -287,10 +291,14 @@ async fn judged(
     let mut section = Section { whole: monitor, part: [0.0, JUDGED_PART] };
     let mut progress = Progress::new(&mut section, false);
     let mut judged = Vec::with_capacity(near.len());
+    let voids_of = |index: usize| &checked[index].may_nest_with;
     for chunk in near.chunks(PAIRS_AT_ONCE) {
         judged.extend(map(chunk.len(), |place| {
             let of = chunk[place];
-            let judged = pair::judged(of.map(|index| &checked[index].model), limits, reach_of(of))?;
+            let models = of.map(|index| &checked[index].model);
+            let may_be_voids: Vec<&PreparedModel> =
+                of.iter().flat_map(|&index| voids_of(index)).map(|&index| &checked[index].model).collect();
+            let judged = pair::judged(models, limits, reach_of(of), &may_be_voids)?;
             let [a, b] = of.map(|index| bodies[index].name.clone());
             Ok((of, BodyPair { a, b, intended: rules.is_intended(of), ..judged }))
         }));
@@ -339,16 +347,24 @@ fn all_bodies(models: &[NamedModel<'_>], options: &CheckOptions) -> Result<(Vec<
     for (model, &NamedModel { name: above, model: prepared }) in models.iter().enumerate() {
         let scaled: Option<Arc<PreparedModel>> = prepared.in_unit_of(first, options.scale_units)?;
         let prepared = scaled.as_deref().unwrap_or(prepared);
-        let facts = prepared.body_facts().map(|facts| (facts.volume, facts.area));
+        let first_of_model = checked.len();
+        let facts = prepared.body_facts().zip(prepared.body_parts());
         let all = prepared.bodies().into_iter().zip(prepared.single_bodies()?).zip(facts);
-        for ((body, single), (volume, area)) in all {
+        for ((body, single), (facts, parts)) in all {
             let levels: Vec<String> = above.into_iter().map(level).chain([body.full_name]).collect();
             let name = unique_name(levels.join(" / "), &mut taken);
             let error = single.bezier().point_error.after(0);
             // A box of zero width may round to itself when it grows.
             let aabb = single.control_box().grown(error);
             let aabb = Aabb { min: aabb.min.map(f64::next_down), max: aabb.max.map(f64::next_up) };
-            checked.push(Checked { model: single, aabb, volume, area, faces: body.faces });
+            checked.push(Checked {
+                model: single,
+                aabb,
+                volume: facts.volume,
+                area: facts.area,
+                faces: body.faces,
+                may_nest_with: parts.may_nest_with.iter().map(|place| first_of_model + place).collect(),
+            });
             bodies.push(CheckedBody {
                 name,
                 model,

@@ -10,6 +10,7 @@ use crate::engine::{PreparedModel, Stop};
 use crate::error::{Error, Result};
 use crate::interval::Interval;
 use crate::model::RigidTransform;
+use crate::solid::Side;
 use serde::Serialize;
 
 /// The way in which two bodies lie to each other, the worst first.
@@ -45,9 +46,11 @@ pub struct BodyPair {
     pub state: PairState,
     /// The least distance of their points is in it; 0 where they clash.
     pub clearance: Interval,
-    /// Of a clash, the volume of their common part is in it; none where a body does not close or has no volume.
+    /// Of a clash, the volume of their common part is in it; none where a body does not close or has no volume, or it is
+    /// not known whether it has a void.
     pub volume: Option<Interval>,
-    /// Of a clash, the length of the shortest motion that leaves them without a common inside is in it.
+    /// Of a clash, the length of the shortest motion that leaves them without a common inside is in it; none where it is
+    /// not known whether one of them has a void.
     pub depth: Option<Interval>,
     /// Of a clash, a point inside both; else the point of A that is nearest to B.
     pub point: [f64; 3],
@@ -70,8 +73,14 @@ struct Found {
 /// Returns the pair of these bodies, without names.
 ///
 /// A first search only decides whether they are nearer than `reach`, which is at least that of the limits; a second
-/// one, for those that are, measures the clearance.
-pub(super) fn judged(models: [&PreparedModel; 2], limits: &Limits, reach: f64) -> Result<BodyPair> {
+/// one, for those that are, measures the clearance. `may_be_voids` are the bodies that may be voids of one of the two, or
+/// have it as a void: a point that one of them encloses may be outside of both.
+pub(super) fn judged(
+    models: [&PreparedModel; 2],
+    limits: &Limits,
+    reach: f64,
+    may_be_voids: &[&PreparedModel],
+) -> Result<BodyPair> {
     let goal = |limit| Goal { tolerance: limits.tolerance, limit };
     let mut found = searched(models, goal(Some(reach)), limits.cells())?;
     let is_far = found.at_least == Some(true);
@@ -85,7 +94,14 @@ pub(super) fn judged(models: [&PreparedModel; 2], limits: &Limits, reach: f64) -
     } else {
         by_overlap(models, &found, limits, is_far)
     };
-    let depth = inside_both.map(|point| depth(models, point, &nearest));
+    let may_be_in_void = |point| may_be_voids.iter().any(|body| body.side(point) != Side::Outside);
+    let (state, why, inside_both) = match inside_both {
+        Some(point) if may_be_in_void(point) => (PairState::Undecided, Some(OverlapUnknown::Side), None),
+        _ => (state, why, inside_both),
+    };
+    // Without the voids, bodies are deeper in each other.
+    let measured = inside_both.filter(|_| may_be_voids.is_empty());
+    let depth = measured.map(|point| depth(models, point, &nearest));
     Ok(BodyPair {
         a: String::new(),
         b: String::new(),
@@ -111,7 +127,8 @@ fn by_overlap(
     let solids = Solids::new(models, RigidTransform::IDENTITY);
     let is_late = || limits.is_over();
     let overlap = solids.and_then(|solids| solids.overlap(interval, goal, stop, &nearest, &is_late));
-    let may_nest = may_nest(&models[0].control_box(), &models[1].control_box());
+    let [a, b] = models;
+    let one_in_other = may_be_within(a, b) || may_be_within(b, a);
     let apart = by_clearance(interval, limits, is_far);
     let or_undecided =
         |why| apart.map_or((PairState::Undecided, Some(why), None), |state| (state, None, None));
@@ -126,7 +143,9 @@ fn by_overlap(
         }
         Ok(Overlap::None) => or_undecided(OverlapUnknown::Budget),
         // Without an inside of its own a body is inside the other one only if their boxes are, too.
-        Err(why) if is_of_sheets(why) && interval.lower > limits.tolerance && !may_nest => or_undecided(why),
+        Err(why) if is_of_sheets(why) && interval.lower > limits.tolerance && !one_in_other => {
+            or_undecided(why)
+        }
         Err(why) => (PairState::Undecided, Some(why), None),
     }
 }
@@ -153,9 +172,10 @@ fn is_of_sheets(why: OverlapUnknown) -> bool {
     matches!(why, AOpen | BOpen | BothOpen | TooLarge)
 }
 
-/// Returns whether one box may lie within the other.
-fn may_nest(a: &Aabb, b: &Aabb) -> bool {
-    a.contains(b) || b.contains(a)
+/// Returns whether a body may lie within another one: whether the box of that has the corners of its patches.
+fn may_be_within(one: &PreparedModel, other: &PreparedModel) -> bool {
+    let corners = (0..one.surface_count()).map(|surface| one.box_of_points(surface));
+    other.control_box().contains(&corners.fold(Aabb::EMPTY, Aabb::union))
 }
 
 /// Searches until the goal is reached or the budget of cells is spent.

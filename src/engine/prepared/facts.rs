@@ -2,7 +2,7 @@
 
 use super::PreparedModel;
 use crate::area::{Area, area};
-use crate::bezier::{BezierModel, PatchGrid};
+use crate::bezier::{BezierModel, Patch, PatchGrid};
 use crate::bvh::Aabb;
 use crate::certified::OnSheet;
 use crate::error::{Error, Result};
@@ -13,6 +13,9 @@ use crate::solid::{Boundary, Edges, Joined};
 use crate::symmetry::Revolution;
 use crate::threads::computed;
 use crate::threads::parallel::map;
+
+/// The corners of a patch.
+const CORNERS: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
 
 impl PreparedModel {
     /// Returns the model's name, if it has one.
@@ -95,6 +98,24 @@ impl PreparedModel {
         let boxes =
             (grid.first..grid.first + count).map(|index| self.bezier.patches.patch(index).bounding_box());
         boxes.fold(Aabb::EMPTY, Aabb::union)
+    }
+
+    /// Returns the number of pieces of faces, or of triangles.
+    pub(in crate::engine) fn surface_count(&self) -> u32 {
+        let count = self.facets.as_ref().map_or(self.bezier.grids.len(), |facets| facets.target.len());
+        count as u32
+    }
+
+    /// Returns the box of the corners of the patches of a piece, or of a triangle. It is within each box that has all
+    /// points of that; the control points may be outside.
+    pub(in crate::engine) fn box_of_points(&self, surface: u32) -> Aabb {
+        match &self.facets {
+            Some(facets) => facets.target.facet(surface).bounding_box(),
+            None => {
+                let corners = |patch: Patch<'_>| CORNERS.map(|at| patch.point(at));
+                self.patches_of(surface).flat_map(corners).fold(Aabb::EMPTY, Aabb::with)
+            }
+        }
     }
 
     /// Returns the area of the pieces of a face of surfaces.

@@ -12,6 +12,7 @@ use crate::facts::{
 };
 use crate::interval::Interval;
 use crate::model::RigidTransform;
+use crate::solid::ShellState;
 use crate::threads::computed;
 use crate::threads::parallel::{map, map_ranges};
 use glam::{DQuat, DVec3};
@@ -34,9 +35,7 @@ pub(in crate::engine) struct MeasuredBody {
 /// A shell with its moments, as its first surface is oriented.
 struct MeasuredShell {
     moments: Moments,
-    /// Whether all surfaces turn as the source has them, and whether all against it.
-    agrees: [bool; 2],
-    is_one_sided: bool,
+    state: ShellState,
 }
 
 impl PreparedModel {
@@ -133,13 +132,13 @@ impl PreparedModel {
         let is_open = self.free_edges_of(parts) > 0;
         let shells: Vec<MeasuredShell> =
             parts.shells.iter().map(|shell| self.measured_shell(shell, parts, origin)).collect();
-        let one_sided = shells.iter().any(|shell| shell.is_one_sided);
+        let one_sided = shells.iter().any(|shell| shell.state.is_one_sided);
         let why = if is_open {
             Some(VolumeUnknown::Open)
         } else if one_sided {
             Some(VolumeUnknown::NotOrientable)
         } else {
-            (!parts.is_nesting_known).then_some(VolumeUnknown::Nesting)
+            (!parts.may_nest_with.is_empty()).then_some(VolumeUnknown::Nesting)
         };
         let (moments, orientation) = if is_open || one_sided {
             (Moments::ZERO, orientation_of_sheet(&shells, one_sided))
@@ -164,12 +163,6 @@ impl PreparedModel {
     fn measured_shell(&self, shell: &ShellParts, parts: &BodyParts, origin: DVec3) -> MeasuredShell {
         let joined = self.joined();
         let state = joined.of_shell[shell.shell as usize];
-        // Whether all agree with the source as they are, and whether turned over.
-        let mut agrees = [true; 2];
-        for &surface in &shell.surfaces {
-            let is_turned = self.facets.is_none() && self.pieces.is_turned(surface as usize);
-            agrees[usize::from(joined.turned[surface as usize] == is_turned)] = false;
-        }
         let mut moments = Moments::ZERO;
         if state.free == 0 && !state.is_one_sided {
             let moved = self.moved();
@@ -185,7 +178,7 @@ impl PreparedModel {
             let radius = parts.aabb.max_distance_squared(origin).sqrt() + moved;
             moments.add_surface(state.cracks, radius);
         }
-        MeasuredShell { moments, agrees, is_one_sided: state.is_one_sided }
+        MeasuredShell { moments, state }
     }
 
     /// Calls a function with the moments of the cones over all patches of a surface.
@@ -201,7 +194,7 @@ impl PreparedModel {
     }
 
     /// Returns the patches of a surface.
-    fn patches_of(&self, surface: u32) -> impl Iterator<Item = Patch<'_>> {
+    pub(super) fn patches_of(&self, surface: u32) -> impl Iterator<Item = Patch<'_>> {
         let grid = &self.bezier.grids[surface as usize];
         let count: usize = grid.counts().iter().product();
         (grid.first..grid.first + count).map(|index| self.bezier.patches.patch(index))
@@ -318,7 +311,7 @@ impl MeasuredShell {
 fn orientation_of_sheet(shells: &[MeasuredShell], one_sided: bool) -> Orientation {
     if one_sided {
         Orientation::NotOrientable
-    } else if shells.iter().all(|shell| shell.agrees[0] || shell.agrees[1]) {
+    } else if shells.iter().all(|shell| shell.state.of_source.is_some()) {
         Orientation::Consistent
     } else {
         Orientation::Mixed
@@ -333,12 +326,12 @@ fn summed(shells: &[MeasuredShell]) -> (Moments, Orientation) {
         let Some(is_turned) = shell.is_turned(index > 0) else {
             sum.add(&shell.moments.of_either_sign(), false);
             decided = false;
-            agree &= shell.agrees[0] || shell.agrees[1];
+            agree &= shell.state.of_source.is_some();
             continue;
         };
         sum.add(&shell.moments, is_turned);
-        agree &= shell.agrees[usize::from(is_turned)];
-        oppose &= shell.agrees[usize::from(!is_turned)];
+        agree &= shell.state.of_source == Some(is_turned);
+        oppose &= shell.state.of_source == Some(!is_turned);
     }
     let orientation = match (decided, agree, oppose) {
         (false, true, _) => Orientation::Undecided,

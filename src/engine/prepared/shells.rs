@@ -5,6 +5,7 @@ use crate::bezier::{BezierModel, PatchSet};
 use crate::bvh::Aabb;
 use crate::clearance::{Body, Goal, Search};
 use crate::closest::Target;
+use crate::facts::{Moments, of_patch};
 use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::solid::{Boundary, Enclosing, Relation, Side};
@@ -15,12 +16,19 @@ use std::sync::{Arc, Mutex};
 /// The largest number of pairs of cells after which it is not known how two shells lie: about 0.1 s.
 pub(super) const MAX_PAIRS: usize = 50_000;
 
+/// The largest number of points of a shell, each on another patch, that show it to be outside of another one.
+const MAX_POINTS: usize = 8;
+
 /// What is known of a model's shells.
 #[derive(Debug, Default)]
 pub(super) struct KnownShells {
     /// The patches of shells, by their numbers.
     targets: Mutex<HashMap<u32, Arc<Target>>>,
     relations: Mutex<HashMap<[u32; 2], Relation>>,
+    /// Whether two shells have no point in common, the lower number first.
+    apart: Mutex<HashMap<[u32; 2], bool>>,
+    /// Whether the normals that the source has are out of a shell, where that is known.
+    faces_out: Mutex<HashMap<u32, Option<bool>>>,
 }
 
 /// The shells of a model, to be shared by threads.
@@ -52,55 +60,92 @@ impl Shells<'_> {
         if let Some(&known) = locked(&self.known.relations).get(&pair) {
             return known;
         }
-        let (found, _) = self.compared(pair, MAX_PAIRS);
+        let found = match self.apart_after(pair, MAX_PAIRS).0 {
+            Some(true) => match self.has_within(pair[1], pair[0]) {
+                Some(true) => Relation::Within,
+                // Both enclose a point, so that one lies within the other.
+                Some(false) => Relation::About,
+                None => Relation::Unknown,
+            },
+            Some(false) if !self.are_opposite(pair) => Relation::Meeting,
+            _ => Relation::Unknown,
+        };
         *locked(&self.known.relations).entry(pair).or_insert(found)
     }
 
-    /// Returns whether a shell may lie within another one: whether a point of it is not certainly outside of that.
+    /// Returns whether a shell may lie within another one, but for the distance up to which edges are joined: whether one
+    /// of some points of it is not certainly outside of that.
     pub(super) fn may_be_within(&self, shell: u32, other: u32) -> bool {
-        let target = self.target(shell);
-        let point = target.patches.patch(0).point([0.5; 2]);
-        let error = self.boundary.margin_at(point);
-        self.boundary.encloses(other, &self.target(other), point, error) != Some(false)
+        self.enclosed_points(shell, other).any(|is_enclosed| is_enclosed != Some(false))
     }
 
-    /// Returns whether a shell that may lie within another one does, apart from it; `None` where that is not known
-    /// after `max_pairs` pairs of cells. The second number is that of the pairs bounded.
-    pub(super) fn is_within(&self, shell: u32, other: u32, max_pairs: usize) -> (Option<bool>, usize) {
-        let pair = [shell.min(other), shell.max(other)];
-        let (relation, pairs) = self.compared(pair, max_pairs);
-        let within = match relation {
-            Relation::Within => Some(shell < other),
-            Relation::About => Some(shell > other),
-            Relation::Meeting => Some(false),
-            Relation::Unknown => None,
-        };
-        // What is known after fewer pairs is known after more.
-        if within.is_some() {
-            locked(&self.known.relations).insert(pair, relation);
-        }
-        (within, pairs)
+    /// Returns whether the first of two shells that are apart encloses the second one; any point of this tells.
+    pub(super) fn has_within(&self, other: u32, shell: u32) -> Option<bool> {
+        self.enclosed_points(shell, other).flatten().next()
     }
 
-    /// Returns how two shells lie, by the least distance of their points, and the number of pairs bounded.
-    fn compared(&self, pair: [u32; 2], max_pairs: usize) -> (Relation, usize) {
-        let targets = pair.map(|shell| self.target(shell));
-        let (apart, pairs) = self.are_apart(&targets, max_pairs);
-        let relation = match apart {
-            Some(true) => self.nested(pair, &targets),
-            Some(false) => Relation::Meeting,
-            None => Relation::Unknown,
-        };
-        (relation, pairs)
+    /// Returns whether another shell encloses some points of a shell, each on another patch.
+    fn enclosed_points(&self, shell: u32, other: u32) -> impl Iterator<Item = Option<bool>> {
+        let [target, around] = [shell, other].map(|shell| self.target(shell));
+        let step = target.patches.len().div_ceil(MAX_POINTS).max(1);
+        (0..target.patches.len()).step_by(step).map(move |patch| {
+            let point = target.patches.patch(patch).point([0.5; 2]);
+            self.boundary.encloses(other, &around, point, self.boundary.margin_at(point))
+        })
     }
 
     /// Returns whether two shells, with their strips, have no point in common; `None` where that is not known.
     /// Points count as common if their distance is within the rounding error.
     pub(in crate::engine) fn is_apart(&self, pair: [u32; 2]) -> Option<bool> {
-        self.are_apart(&pair.map(|shell| self.target(shell)), MAX_PAIRS).0
+        self.apart_after(pair, MAX_PAIRS).0
     }
 
     /// As [`Self::is_apart`], after at most `max_pairs` pairs of cells and those bounded at once; with their number.
+    pub(super) fn apart_after(&self, pair: [u32; 2], max_pairs: usize) -> (Option<bool>, usize) {
+        let pair = [pair[0].min(pair[1]), pair[0].max(pair[1])];
+        if let Some(&known) = locked(&self.known.apart).get(&pair) {
+            return (Some(known), 0);
+        }
+        let (found, pairs) = self.are_apart(&pair.map(|shell| self.target(shell)), max_pairs);
+        // What is known after fewer pairs is known after more.
+        if let Some(known) = found {
+            locked(&self.known.apart).insert(pair, known);
+        }
+        (found, pairs)
+    }
+
+    /// Returns whether the source certainly orients one of two shells as the outer one of a body and the other as a void.
+    fn are_opposite(&self, pair: [u32; 2]) -> bool {
+        let [one, other] = pair.map(|shell| self.faces_out(shell));
+        one.zip(other).is_some_and(|(one, other)| one != other)
+    }
+
+    /// Returns whether the normals of a closed shell, as the source has them, are out of it; `None` where they do not
+    /// agree with each other, or the sign of its volume is not known.
+    pub(super) fn faces_out(&self, shell: u32) -> Option<bool> {
+        if let Some(&known) = locked(&self.known.faces_out).get(&shell) {
+            return known;
+        }
+        let found = self.faces_out_of_source(shell);
+        *locked(&self.known.faces_out).entry(shell).or_insert(found)
+    }
+
+    /// As [`Self::faces_out`], computed. O(patches).
+    fn faces_out_of_source(&self, shell: u32) -> Option<bool> {
+        let joined = self.boundary.joined();
+        let state = joined.of_shell[shell as usize];
+        let is_turned = state.of_source.filter(|_| state.free == 0 && !state.is_one_sided)?;
+        let (origin, moved) = (self.control_box.center(), self.bezier.point_error.after(0));
+        let mut moments = Moments::ZERO;
+        for patch in self.target(shell).patches.iter() {
+            moments.add(&of_patch(&patch, origin, moved), joined.turned[patch.surface]);
+        }
+        moments.add_surface(state.cracks, self.control_box.max_distance_squared(origin).sqrt() + moved);
+        let volume = moments.volume();
+        (volume.upper < 0.0 || volume.lower > 0.0).then_some((volume.lower > 0.0) != is_turned)
+    }
+
+    /// As [`Self::apart_after`], of the patches of two shells.
     fn are_apart(&self, targets: &[Arc<Target>; 2], max_pairs: usize) -> (Option<bool>, usize) {
         let point_error = self.bezier.point_error.after(0);
         let body = |target| Body { target, control_box: self.control_box, point_error };
@@ -119,18 +164,6 @@ impl Shells<'_> {
             if stop.is_some() || search.pairs() >= max_pairs {
                 return (None, search.pairs());
             }
-        }
-    }
-
-    /// Returns which of two shells that are apart lies within the other, by a point of the first one.
-    fn nested(&self, [_, other]: [u32; 2], targets: &[Arc<Target>; 2]) -> Relation {
-        let point = targets[0].patches.patch(0).point([0.5; 2]);
-        let error = self.boundary.margin_at(point);
-        match self.boundary.encloses(other, &targets[1], point, error) {
-            Some(true) => Relation::Within,
-            // Both enclose a point, so that one lies within the other.
-            Some(false) => Relation::About,
-            None => Relation::Unknown,
         }
     }
 

@@ -19,6 +19,9 @@ pub(crate) struct ShellState {
     /// Whether no choice of sides agrees at all joined edges; or none agrees with the source, and there was a choice of
     /// edges to join.
     pub(crate) is_one_sided: bool,
+    /// Whether the source turns its first surface over, where the surfaces of the shell agree as the source turns them;
+    /// none where they do not.
+    pub(crate) of_source: Option<bool>,
     /// The number of its edges without a partner.
     pub(crate) free: usize,
     /// An upper bound on the area of the strips and cones that close it (lemma S6 of docs/solids.md).
@@ -120,17 +123,22 @@ impl Orientations {
     pub(super) fn shells(mut self) -> Joined {
         let mut numbers = HashMap::new();
         let mut joined = Joined::default();
+        let mut agrees = vec![true; self.parents.len()];
         for surface in 0..self.parents.len() as u32 {
             let (root, turned) = self.of(surface);
-            let agrees = (turned != self.is_reversed(surface as usize)) == self.is_reversed(root as usize);
-            self.one_sided[root as usize] |= !agrees && self.branched[root as usize];
+            agrees[root as usize] &=
+                (turned != self.is_reversed(surface as usize)) == self.is_reversed(root as usize);
         }
         for surface in 0..self.parents.len() as u32 {
             let (root, turned) = self.of(surface);
             let shell = *numbers.entry(root).or_insert(joined.of_shell.len() as u32);
             if shell as usize == joined.of_shell.len() {
-                let is_one_sided = self.one_sided[root as usize];
-                joined.of_shell.push(ShellState { is_one_sided, ..ShellState::default() });
+                let (first, agrees) = (root as usize, agrees[root as usize]);
+                joined.of_shell.push(ShellState {
+                    is_one_sided: self.one_sided[first] || (self.branched[first] && !agrees),
+                    of_source: agrees.then(|| self.is_reversed(first)),
+                    ..ShellState::default()
+                });
             }
             joined.shells.push(shell);
             joined.turned.push(turned);

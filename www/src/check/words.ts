@@ -33,7 +33,8 @@ export function verdictText(result: CheckResult): string {
   const open = result.rules.length;
   if (open > 0) return texts.bodies.rulesUndecided(open, others);
   if (undecided > 0) return texts.bodies.undecidedOf(undecided, all, others);
-  return texts.bodies.clean(all, others);
+  const crossed = bodies.filter((body) => body.selfOverlap !== null).length;
+  return `${texts.bodies.clean(all, others)}${crossed > 0 ? texts.bodies.meetThemselves(crossed) : ""}`;
 }
 
 /** How near the bodies of a pair come, or how deep they are in each other; `scale` is the scene's units in one of the check's. */

@@ -84,14 +84,24 @@ fn first(result: &CheckResult, verdict: Verdict) -> String {
     let undecided = judged(PairState::Undecided);
     match (verdict, undecided.is_empty(), result.rules.first()) {
         (Verdict::Passed, ..) => format!(
-            "CLEAN: {}, {} touching, {} near",
+            "CLEAN: {}, {} touching, {} near{}",
             counted(result.pair_count, "pair"),
             result.count(PairState::Touching),
-            result.count(PairState::Near)
+            result.count(PairState::Near),
+            crossed(result)
         ),
         (_, false, _) => listed("UNDECIDED", &undecided),
         (_, true, Some(rule)) => format!("UNDECIDED: {}", rule_text(rule)),
         (_, true, None) => "UNDECIDED: faces were left out".to_owned(),
+    }
+}
+
+/// Returns how many bodies certainly meet themselves, where any do: no part of the verdict, and no clean model either.
+fn crossed(result: &CheckResult) -> String {
+    match result.bodies.iter().filter(|body| body.self_overlap.is_some()).count() {
+        0 => String::new(),
+        1 => "; 1 body meets itself".to_owned(),
+        count => format!("; {count} bodies meet themselves"),
     }
 }
 

@@ -39,21 +39,38 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
     Ok(soup)
 }
 
-/// Returns the text with continued lines joined, and without lines, points and what `tobj` takes for faces
-/// of them; these are noted.
+/// Returns the text with continued lines joined, without comments behind numbers, and without lines, points and what
+/// `tobj` takes for faces of them; these are noted. What `tobj` passes over and has a surface is named as left out.
 fn faces_alone<'a>(bytes: &'a [u8], soup: &mut Soup) -> Cow<'a, [u8]> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let text = joined(bytes);
-    let [mut lines, mut points, mut surfaces] = [0_usize; 3];
+    let [mut lines, mut points, mut surfaces, mut files] = [0_usize; 4];
     let mut kept = Vec::with_capacity(text.len());
+    let mut is_changed = false;
     for line in text.split_inclusive(|&byte| byte == b'\n') {
         let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-        match words.next() {
-            Some(b"l") => lines += 1,
-            Some(b"p") => points += 1,
-            Some(b"surf") => surfaces += 1,
-            _ => kept.extend_from_slice(line),
+        let word = words.next().unwrap_or_default();
+        match word {
+            b"l" | b"curv" | b"cdc" => lines += 1,
+            b"p" => points += 1,
+            b"surf" | b"bzp" | b"bsp" | b"cdp" => surfaces += 1,
+            b"call" => files += 1,
+            // `fo` is the older word for a face.
+            b"v" | b"f" | b"fo" if word == b"fo" || line.contains(&b'#') => {
+                let statement = line.split(|&byte| byte == b'#').next().unwrap_or_default();
+                let rest = &statement.trim_ascii_start()[word.len()..];
+                kept.extend_from_slice(&word[..1]);
+                kept.extend_from_slice(rest.trim_ascii_end());
+                kept.push(b'\n');
+                is_changed = true;
+                continue;
+            }
+            _ => {
+                kept.extend_from_slice(line);
+                continue;
+            }
         }
+        is_changed = true;
     }
     if lines > 0 {
         soup.note("l", format!("{lines} lines are no surface"));
@@ -64,7 +81,10 @@ fn faces_alone<'a>(bytes: &'a [u8], soup: &mut Soup) -> Cow<'a, [u8]> {
     if surfaces > 0 {
         soup.skip("surf", format!("{surfaces} surfaces by formulas are not read"));
     }
-    if lines + points + surfaces > 0 { Cow::Owned(kept) } else { text }
+    if files > 0 {
+        soup.skip("call", format!("{files} other files that this one names are not read"));
+    }
+    if is_changed { Cow::Owned(kept) } else { text }
 }
 
 /// Returns the text with each line that ends with a backslash joined to the next one.

@@ -74,17 +74,25 @@ fn read_binary(records: &[u8]) -> Soup {
     soup
 }
 
+/// Reads text word by word: any white space parts words. A name is the rest of the line of `solid` or `endsolid`.
 fn read_text(bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
     let mut soup = Soup::default();
     let mut ended = false;
-    for (line, words) in text.lines().map(str::split_ascii_whitespace).enumerate() {
-        let mut words = words;
-        let Some(word) = words.next() else { continue };
+    let mut words = text
+        .lines()
+        .enumerate()
+        .flat_map(|(line, text)| text.split_ascii_whitespace().map(move |word| (line, text, word)))
+        .peekable();
+    while let Some((line, text, word)) = words.next() {
         let is = |name: &str| word.eq_ignore_ascii_case(name);
         let error = |found: String| FORMAT.syntax(format!("line {}: {found}", line + 1));
         if is("vertex") {
-            let numbers: Vec<f64> = words.map_while(|word| word.parse().ok()).collect();
+            let mut numbers = Vec::with_capacity(3);
+            while let Some(number) = words.peek().and_then(|(_, _, word)| word.parse().ok()) {
+                numbers.push(number);
+                words.next();
+            }
             let &[x, y, z] = numbers.as_slice() else {
                 return Err(error("a vertex that is not three numbers".to_owned()));
             };
@@ -98,11 +106,30 @@ fn read_text(bytes: &[u8]) -> Result<Soup> {
                 )));
             }
             soup.triangles.push([0, 1, 2].map(|corner| first as u32 + corner));
+        } else if is("facet") {
+            // The normal follows from the corners, whatever stands for its numbers.
+            let is_normal = |&(at, _, word): &(usize, &str, &str)| {
+                let is = |name: &str| word.eq_ignore_ascii_case(name);
+                let is_next = is("outer") || is("vertex") || is("endfacet");
+                !is_next && (at == line || is("normal") || word.parse::<f64>().is_ok())
+            };
+            while words.next_if(is_normal).is_some() {}
         } else if is("solid") {
             ended = false;
+            let is_name = |&(at, _, word): &(usize, &str, &str)| {
+                at == line && !["facet", "endsolid"].into_iter().any(|next| word.eq_ignore_ascii_case(next))
+            };
+            while words.next_if(is_name).is_some() {}
         } else if is("endsolid") {
             ended = true;
-        } else if !["facet", "outer", "endfacet"].into_iter().any(is) {
+            // A name may have the word `solid`: one begins in this line only if it ends there, too.
+            let ends = text.split_ascii_whitespace().filter(|word| word.eq_ignore_ascii_case("endsolid"));
+            let begins_next = ends.count() > 1;
+            let is_name = |&(at, _, word): &(usize, &str, &str)| {
+                at == line && !(begins_next && word.eq_ignore_ascii_case("solid"))
+            };
+            while words.next_if(is_name).is_some() {}
+        } else if !["outer", "loop", "endfacet"].into_iter().any(is) {
             return Err(error(format!("found {:?}", word.chars().take(32).collect::<String>())));
         }
     }

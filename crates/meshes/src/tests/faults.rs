@@ -136,6 +136,36 @@ fn lines_and_points_of_obj_are_no_surface() {
     assert!(MeshFile::read(b"v 0 0 0\nv 1 0 0\nl 1 2\n", MeshFormat::Obj).is_err());
 }
 
+/// `fo` is the older word for a face; patches and other files are named as left out.
+#[test]
+fn older_statements_of_obj_are_read_or_named() {
+    let obj = "v 0 0 0 # a corner\nv 1 0 0\nv 1 1 0# and\nv 0 1 0\nfo 1 2 3\nf 1 3 4 # the rest\n";
+    let file = MeshFile::read(obj.as_bytes(), MeshFormat::Obj).unwrap();
+    assert_eq!((groups_of(&file), file.skipped.len()), (vec![2], 0));
+    for (word, statement) in [("surf", "bzp 1 2 3 4"), ("surf", "cdp 1 2 3 4"), ("call", "call other.obj")] {
+        let file = MeshFile::read(format!("{obj}{statement}\n").as_bytes(), MeshFormat::Obj).unwrap();
+        assert_eq!(file.skipped[0].face, FaceId::Name(word.to_owned()));
+    }
+}
+
+/// Any white space parts the words of STL as text; a name is the rest of its line.
+#[test]
+fn lines_of_stl_as_text_may_be_parted_anywhere() {
+    let loop_ = |x: f64| format!("outer loop vertex 0 0 0 vertex {x} 0 0\nvertex 0\n1 0 endloop endfacet");
+    let facets = [1.0, 2.0].map(|x| format!("facet normal 0 0\n1 {}", loop_(x))).join(" ");
+    for text in [
+        format!("solid {facets} endsolid"),
+        format!("solid of a facet 12\n{facets}\nendsolid of a facet 12\n"),
+        format!("SOLID\n{}\nEndSolid a solid b\n", facets.replace("0 0\n1", "-nan(ind) 0 1 ")),
+        format!("solid one {facets} endsolid one solid two endsolid"),
+    ] {
+        let file = MeshFile::read(text.as_bytes(), MeshFormat::Stl).unwrap();
+        assert_eq!(groups_of(&file), [2], "{text}");
+    }
+    let without_loops = "solid facet normal 0 0 1 vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endfacet endsolid";
+    assert!(MeshFile::read(without_loops.as_bytes(), MeshFormat::Stl).is_err());
+}
+
 #[test]
 fn a_backslash_continues_a_line_of_obj() {
     let obj = "# C:\\models\\\nv 0 0 \\\n 0\nv 2 0 0\r\nv 0 2 0\nf 1 \\\r\n2 3\n";

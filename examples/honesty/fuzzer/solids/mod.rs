@@ -1,5 +1,5 @@
 //! The check of solids: facts, forms of faces, sides, signed distances on grids, statistics and volumes in common, each by a
-//! second way, and that none is said to meet itself, nor to be embedded if it does.
+//! second way, that none is said to meet itself, nor to be embedded if it does, and that each is a void of a box about it.
 
 mod draw;
 mod embedding;
@@ -11,6 +11,7 @@ mod moments;
 mod overlap;
 mod sides;
 mod statistics;
+mod voids;
 
 use super::check::Outcome;
 use fastrand::Rng;
@@ -38,6 +39,7 @@ pub(crate) fn check_solid(seed: u64, shapes: &Shapes) -> Outcome {
     violations.extend(grid);
     violations.extend(sides::violations(rng, &prepared, &model));
     violations.extend(embedding::violations(&mut Rng::with_seed(seed), &prepared));
+    violations.extend(voids::violations(&mut Rng::with_seed(seed), &prepared, &model));
     let mut outcome = Outcome::default();
     if seed.is_multiple_of(PAIR_EVERY)
         && let Some((_, other)) = shapes.draw(rng)

@@ -115,6 +115,8 @@ export const bodies = {
   rulesUndecided: (count: number, others: string) =>
     `UNDECIDED: ${count} ${count === 1 ? "rule" : "rules"}; ${others}`,
   clean: (all: string, others: string) => `CLEAN: ${all}, ${others}`,
+  meetThemselves: (count: number) =>
+    count === 1 ? "; 1 body meets itself" : `; ${count} bodies meet themselves`,
   unkept: (broken: boolean, what: string) => `${broken ? "broken" : "undecided"}: ${what}`,
   open: "open",
   cancelledHere: "cancelled",

@@ -69,6 +69,10 @@ pub(in crate::step) fn operator(
     let x = x.ok_or_else(|| entity.fault(3, "a direction that is not parallel to the third axis"))?;
     let y = z.cross(x);
     let second = optional(file, &entity, 4)?;
+    if second.is_none() && y.y < 0.0 {
+        // `second_proj_axis` of ISO 10303-42 projects the axis of y then; others complete a right-handed frame.
+        return Err(entity.fault(4, "a second axis, as the map is a reflection or a rotation without it"));
+    }
     let side = if second.is_some_and(|second| second.dot(y) < 0.0) { -1.0 } else { 1.0 };
     let translation = point(file, entity.reference(5)?, scale)?;
     Ok(DAffine3 { matrix3: factor * DMat3::from_cols(x, side * y, z), translation })

@@ -67,6 +67,42 @@ fn parts_stand_where_their_assembly_places_them() {
     }
 }
 
+/// A use of the box [0, 1] x [0, 2] x [0, 4] by an operator with these axes and this scale; an axis that is left out is `$`.
+fn by_operator(axes: [Option<[f64; 3]>; 3], scale: f64) -> String {
+    let mut text = StepText::new();
+    let part = part(&mut text, UnitsOf::Millimetres);
+    let context = text.context(UnitsOf::Millimetres);
+    let home = text.placement([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
+    let map = text.add(format!("REPRESENTATION_MAP(#{home},#{part})"));
+    let origin = text.add("CARTESIAN_POINT('',(0.,0.,0.))".to_owned());
+    let [x, y, z] = axes.map(|axis| match axis {
+        Some([x, y, z]) => format!("#{}", text.add(format!("DIRECTION('',({x:?},{y:?},{z:?}))"))),
+        None => "$".to_owned(),
+    });
+    let operator =
+        text.add(format!("CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',{x},{y},#{origin},{scale:?},{z})"));
+    let item = text.add(format!("MAPPED_ITEM('',#{map},#{operator})"));
+    let whole = text.representation(&[item, home], context);
+    text.product("whole", whole);
+    text.text()
+}
+
+#[test]
+fn operators_turn_scale_and_reflect() {
+    let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let back = x.map(|at: f64| -at);
+    let right = ([None; 3], 1.0, [[0.0; 3], [1.0, 2.0, 4.0]]);
+    let scaled = ([Some(x), Some(y), Some(z)], 2.0, [[0.0; 3], [2.0, 4.0, 8.0]]);
+    let turned = ([Some(y), Some(back), Some(z)], 1.0, [[-2.0, 0.0, 0.0], [0.0, 1.0, 4.0]]);
+    let reflected = ([Some(back), Some(y), Some(z)], 1.0, [[-1.0, 0.0, 0.0], [0.0, 2.0, 4.0]]);
+    for (axes, scale, bounds) in [right, scaled, turned, reflected] {
+        assert_bounds(&read(&by_operator(axes, scale)).0, bounds);
+    }
+    // Without a second axis, ISO 10303-42 has this as a reflection, and others as a turn.
+    let (_, report) = from_step(by_operator([Some(back), None, Some(z)], 1.0).as_bytes()).unwrap();
+    assert!(report.skipped[0].why.contains("a second axis"), "{:?}", report.skipped);
+}
+
 /// A representation of a part of a shape, which a property is about, names a body that stands in another one: the
 /// body stands where that is placed, and not at its own place besides. One that stands nowhere else is read.
 #[test]

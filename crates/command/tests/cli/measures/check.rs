@@ -73,6 +73,54 @@ fn a_clash_is_the_first_line_and_exit_status_1() {
     assert_eq!(found["bodies"].as_array().unwrap().len(), 3);
 }
 
+/// A block of side 10 with a pocket of depth 12, whose walls pass through the floor.
+const POCKET: &str = "OFF
+16 14 0
+0 0 0
+10 0 0
+10 10 0
+0 10 0
+0 0 10
+10 0 10
+10 10 10
+0 10 10
+3 3 10
+7 3 10
+7 7 10
+3 7 10
+3 3 -2
+7 3 -2
+7 7 -2
+3 7 -2
+4 0 3 2 1
+4 0 1 5 4
+4 1 2 6 5
+4 2 3 7 6
+4 3 0 4 7
+4 4 5 9 8
+4 5 6 10 9
+4 6 7 11 10
+4 7 4 8 11
+4 8 9 13 12
+4 9 10 14 13
+4 10 11 15 14
+4 11 8 12 15
+4 12 13 14 15
+";
+
+/// Its fault is no part of the verdict, and the first line says it.
+#[test]
+fn a_body_that_meets_itself_is_in_the_first_line() {
+    let output = run(&["check", &file("check-pocket.off", POCKET)]);
+    let text = text(&output);
+    assert!(
+        text.starts_with("CLEAN: 0 pairs, 0 touching, 0 near; 1 body meets itself\n"),
+        "{text} {output:?}"
+    );
+    assert!(text.contains("meets itself: walls have passed through each other"), "{text}");
+    assert_eq!(status(&output), 0);
+}
+
 #[test]
 fn files_are_checked_where_they_stand_by_rules() {
     let shaft = boxes("shaft", &[("shaft", [0.0; 3], [1.0; 3])]);

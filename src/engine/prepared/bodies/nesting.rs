@@ -1,0 +1,229 @@
+//! Which closed shells of a model lie within each other.
+
+use super::ShellParts;
+use crate::bvh::Aabb;
+use crate::engine::PreparedModel;
+use crate::engine::prepared::shells::MAX_PAIRS;
+use crate::sorting::sort_by_number;
+use std::collections::BTreeMap;
+
+/// The number of pairs of cells that the comparisons of a model's shells may take together, about a second of work. Each
+/// comparison still takes [`MIN_PAIRS`] after that. A damaged file may have some hundred shells that are all nearer to
+/// each other than its gap.
+pub(super) const MAX_PAIRS_OF_ALL: usize = 8 * MAX_PAIRS;
+
+/// The least number of pairs of cells for one comparison. Fewer show of most shells that they are apart.
+pub(super) const MIN_PAIRS: usize = 1_024;
+
+/// Two boxes of a shell.
+pub(super) struct ShellBoxes {
+    /// Of its control points: all of it is within.
+    pub(super) around: Aabb,
+    /// Of some of its points. A control net may reach out of what encloses its surface.
+    of_points: Aabb,
+}
+
+/// The shells about a closed shell.
+#[derive(Debug, Default)]
+pub(super) struct Around {
+    /// Those that are certainly about it and apart from it.
+    pub(super) shells: Vec<usize>,
+    /// Those of which it is not known whether they are, or which of the two is a void.
+    pub(super) unknown: Vec<usize>,
+    /// Whether it is a void, where it meets others within one shell and the source tells these apart.
+    pub(super) is_void: Option<bool>,
+}
+
+/// Two shells that have points in common.
+struct Meeting {
+    pair: [usize; 2],
+    /// Whether the first one may lie within the second but for these points.
+    is_nested: bool,
+}
+
+impl PreparedModel {
+    /// Returns the boxes of a shell.
+    pub(super) fn boxes_of(&self, shell: &ShellParts) -> ShellBoxes {
+        let mut boxes = ShellBoxes { around: Aabb::EMPTY, of_points: Aabb::EMPTY };
+        for &surface in &shell.surfaces {
+            let around = match &self.facets {
+                Some(facets) => facets.target.facet(surface).bounding_box(),
+                None => self.box_of_piece(surface as usize),
+            };
+            boxes.around = boxes.around.union(around);
+            boxes.of_points = boxes.of_points.union(self.box_of_points(surface));
+        }
+        boxes
+    }
+
+    /// Returns what is known of the shells about each closed shell.
+    pub(super) fn arounds(
+        &self,
+        shells: &[ShellParts],
+        boxes: &[ShellBoxes],
+        budget: &mut Budget,
+    ) -> Vec<Around> {
+        let mut around: Vec<Around> = shells.iter().map(|_| Around::default()).collect();
+        let nested = self.nested_boxes(shells, boxes);
+        // Shells of larger meshes have no tree to be compared by.
+        if !self.may_compare() {
+            nested.into_iter().for_each(|[inner, outer]| around[inner].unknown.push(outer));
+            return around;
+        }
+        let numbers = |pair: [usize; 2]| pair.map(|index| shells[index].shell);
+        // The ways in which two shells may nest, with one comparison for both.
+        let mut to_compare: BTreeMap<[usize; 2], Vec<[usize; 2]>> = BTreeMap::new();
+        for nested in nested {
+            let [inner, outer] = numbers(nested);
+            if self.shells().may_be_within(inner, outer) {
+                let pair = [nested[0].min(nested[1]), nested[0].max(nested[1])];
+                to_compare.entry(pair).or_default().push(nested);
+            }
+        }
+        let mut meetings = Vec::new();
+        for (place, (&pair, ways)) in to_compare.iter().enumerate() {
+            let are_apart = self.are_apart(numbers(pair), to_compare.len() - place, budget);
+            for &pair in ways {
+                let [inner, outer] = numbers(pair);
+                match are_apart {
+                    Some(true) => match self.shells().has_within(outer, inner) {
+                        Some(true) => around[pair[0]].shells.push(pair[1]),
+                        Some(false) => {}
+                        None => around[pair[0]].unknown.push(pair[1]),
+                    },
+                    Some(false) => meetings.push(Meeting { pair, is_nested: true }),
+                    None => around[pair[0]].unknown.push(pair[1]),
+                }
+            }
+        }
+        let mut siblings = self.siblings(boxes, &around);
+        siblings.retain(|pair| !to_compare.contains_key(pair));
+        for (place, &pair) in siblings.iter().enumerate() {
+            match self.are_apart(numbers(pair), siblings.len() - place, budget) {
+                Some(true) => {}
+                Some(false) => meetings.push(Meeting { pair, is_nested: false }),
+                None => do_not_know(&mut around, pair),
+            }
+        }
+        for meeting in &meetings {
+            self.tell_apart(meeting, shells, &mut around);
+        }
+        around
+    }
+
+    /// Whether the shells have trees to be compared by.
+    fn may_compare(&self) -> bool {
+        self.facets.as_ref().is_none_or(|facets| facets.may_close())
+    }
+
+    /// Returns whether two shells are apart, by a share of the budget.
+    fn are_apart(&self, pair: [u32; 2], comparisons: usize, budget: &mut Budget) -> Option<bool> {
+        let (are_apart, pairs) = self.shells().apart_after(pair, budget.share(comparisons));
+        budget.spend(pairs);
+        are_apart
+    }
+
+    /// Returns the distance up to which edges are joined, so that a shell may reach out of the one about it.
+    fn slack(&self) -> f64 {
+        if self.may_compare() { self.boundary().reach() } else { 0.0 }
+    }
+
+    /// Returns the pairs of closed shells of which the first may lie within the second: points of it are in the box of
+    /// the second, but for the distance up to which edges are joined.
+    pub(super) fn nested_boxes(&self, shells: &[ShellParts], boxes: &[ShellBoxes]) -> Vec<[usize; 2]> {
+        let (joined, slack) = (self.joined(), self.slack());
+        let is_closed = |index: usize| joined.of_shell[shells[index].shell as usize].free == 0;
+        let mut order: Vec<usize> = (0..shells.len()).filter(|&index| is_closed(index)).collect();
+        sort_by_number(&mut order, |&index| boxes[index].of_points.min.x);
+        let mut pairs = Vec::new();
+        for &outer in &order {
+            let around = boxes[outer].around.grown(slack);
+            let first = order.partition_point(|&inner| boxes[inner].of_points.min.x < around.min.x);
+            let begin_within =
+                order[first..].iter().take_while(|&&inner| boxes[inner].of_points.min.x <= around.max.x);
+            let nested =
+                begin_within.filter(|&&inner| inner != outer && around.contains(&boxes[inner].of_points));
+            pairs.extend(nested.map(|&inner| [inner, outer]));
+        }
+        pairs
+    }
+
+    /// Returns the pairs of shells that lie within one shell and whose boxes meet, the lower place first.
+    fn siblings(&self, boxes: &[ShellBoxes], around: &[Around]) -> Vec<[usize; 2]> {
+        let slack = self.slack();
+        let inner: Vec<usize> = (0..around.len()).filter(|&index| !around[index].shells.is_empty()).collect();
+        let mut pairs = Vec::new();
+        for (place, &one) in inner.iter().enumerate() {
+            let grown = boxes[one].around.grown(slack);
+            let near = inner[place + 1..].iter().copied().filter(|&other| grown.meets(&boxes[other].around));
+            pairs
+                .extend(near.filter(|&other| root(around, [one, other]).is_some()).map(|other| [one, other]));
+        }
+        pairs
+    }
+
+    /// Enters what follows from two shells having points in common: bodies that overlap, a body at the wall of a void, or
+    /// a void at that of its body. What is a void has normals in the source against those of the outermost shell.
+    fn tell_apart(&self, meeting: &Meeting, shells: &[ShellParts], around: &mut [Around]) {
+        let &Meeting { pair, is_nested } = meeting;
+        let faces_out = |index: usize| self.shells().faces_out(shells[index].shell);
+        let Some(outermost) = root(around, pair) else {
+            let [inner, outer] = pair.map(faces_out);
+            if is_nested && inner.zip(outer).is_some_and(|(inner, outer)| inner != outer) {
+                do_not_know(around, pair);
+            }
+            return;
+        };
+        let out = faces_out(outermost);
+        let are_voids = pair.map(|index| faces_out(index).zip(out).map(|(one, other)| one != other));
+        match are_voids {
+            // It may be a void of the body that it touches from within, or of the one about both.
+            [Some(true), Some(false)] if is_nested => do_not_know(around, pair),
+            // The common part of two voids would count twice.
+            [Some(true), Some(true)] => do_not_know(around, pair),
+            [Some(one), Some(other)] => {
+                around[pair[0]].is_void = Some(one);
+                around[pair[1]].is_void = Some(other);
+            }
+            _ => do_not_know(around, pair),
+        }
+    }
+}
+
+/// Enters that it is not known which of two shells is a void.
+fn do_not_know(around: &mut [Around], [one, other]: [usize; 2]) {
+    around[one].unknown.push(other);
+    around[other].unknown.push(one);
+}
+
+/// Returns an outermost shell about both of two shells.
+fn root(around: &[Around], [one, other]: [usize; 2]) -> Option<usize> {
+    let outer = around[one].shells.iter().copied();
+    outer
+        .filter(|outer| around[*outer].shells.is_empty() && around[*outer].unknown.is_empty())
+        .find(|outer| around[other].shells.contains(outer))
+}
+
+/// The pairs of cells that all comparisons of a model's shells may bound.
+#[derive(Debug)]
+pub(super) struct Budget {
+    pub(super) left: usize,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Self { left: MAX_PAIRS_OF_ALL }
+    }
+}
+
+impl Budget {
+    /// Returns the number of pairs of cells for the next comparison: an equal share of the budget, for this number of
+    /// comparisons that are still to be made.
+    pub(super) fn share(&self, comparisons: usize) -> usize {
+        (self.left / comparisons.max(1)).clamp(MIN_PAIRS, MAX_PAIRS)
+    }
+
+    pub(super) fn spend(&mut self, pairs: usize) {
+        self.left = self.left.saturating_sub(pairs);
+    }
+}

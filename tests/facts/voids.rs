@@ -1,0 +1,191 @@
+//! Shells that the source orients as voids and that touch the shell about them: whether they are voids is not known, and
+//! nothing is stated that depends on it.
+
+use crate::models::{Quad, faces, mesh, moved, of, of_quads, placed_all, prepared, quads_of_box};
+use nurbs_hausdorff::shapes::sphere;
+use nurbs_hausdorff::{
+    CheckOptions, CheckResult, DVec3, Engine, NamedModel, OverlapUnknown, PairState, PreparedModel, Side,
+    VolumeUnknown,
+};
+use std::f64::consts::PI;
+
+fn block(min: [f64; 3], max: [f64; 3]) -> Vec<Quad> {
+    quads_of_box(DVec3::from_array(min), DVec3::from_array(max)).to_vec()
+}
+
+fn turned(quads: &[Quad]) -> Vec<Quad> {
+    quads.iter().map(|&[a, b, c, d]| [d, c, b, a]).collect()
+}
+
+/// One model of shells that the source tells apart.
+fn of_shells(shells: &[Vec<Quad>]) -> PreparedModel {
+    let faces = shells.iter().enumerate().flat_map(|(number, quads)| {
+        faces(&of_quads(quads)).into_iter().map(move |mut face| {
+            face.shell = Some(number as u32);
+            face
+        })
+    });
+    prepared(&of(faces.collect()))
+}
+
+fn check(model: &PreparedModel) -> CheckResult {
+    let models = [NamedModel { name: None, model }];
+    Engine::cpu().check(&models, &CheckOptions::default()).wait().unwrap()
+}
+
+/// A cube of side 3, and a unit cube in it that touches it: along a side, along an edge, in a corner of it, or beyond it
+/// by less than the distance up to which edges are joined.
+fn cube_with_touching() -> Vec<[Vec<Quad>; 2]> {
+    let whole = block([0.0; 3], [3.0; 3]);
+    let places = [[1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0; 3], [1.0, 1.0, -1e-6]];
+    places.map(|low| [whole.clone(), block(low, low.map(|at| at + 1.0))]).to_vec()
+}
+
+#[test]
+fn what_may_be_a_void_leaves_the_volume_open() {
+    for [outer, inner] in cube_with_touching() {
+        let model = of_shells(&[outer, turned(&inner)]);
+        assert_eq!(model.facts().volume_unknown, Some(VolumeUnknown::Nesting));
+        assert_eq!(model.facts().volume, None);
+        assert_eq!(model.side([2.5; 3]), Side::Inside);
+        let middle = inner.iter().flatten().sum::<DVec3>() / 24.0;
+        assert_eq!(model.side(middle.to_array()), Side::Undecided);
+        let result = check(&model);
+        let [pair] = &result.pairs[..] else { panic!("{:?}", result.pairs) };
+        assert_eq!((pair.state, pair.why), (PairState::Undecided, Some(OverlapUnknown::Side)));
+        assert_eq!((result.clean, pair.volume, pair.depth), (None, None, None));
+    }
+}
+
+/// The same shells, of which the source orients both as bodies.
+#[test]
+fn bodies_that_touch_from_within_overlap() {
+    for [outer, inner] in cube_with_touching() {
+        let model = of_shells(&[outer, inner]);
+        assert!(model.facts().volume.is_some_and(|volume| volume.contains(28.0)), "{:?}", model.facts());
+        let result = check(&model);
+        assert!(matches!(result.pairs[..], [ref pair] if pair.state == PairState::Clash));
+        assert_eq!(result.clean, Some(false));
+    }
+}
+
+/// A shell that does not touch is a void of the body about it however it is oriented.
+#[test]
+fn a_void_that_is_apart_is_one() {
+    let [outer, inner] = [block([0.0; 3], [3.0; 3]), block([1.0; 3], [2.0; 3])];
+    for inner in [turned(&inner), inner] {
+        let model = of_shells(&[outer.clone(), inner]);
+        assert!(model.facts().volume.is_some_and(|volume| volume.contains(26.0)), "{:?}", model.facts());
+        assert!(check(&model).pairs.is_empty());
+    }
+}
+
+/// A ball in a cube, whose control points are outside of it: turned by 45 degrees about an axis of the cube, they reach
+/// out to √2 times the radius.
+#[test]
+fn a_void_whose_control_points_are_outside_is_one() {
+    let (half, side) = (0.5_f64.sqrt(), 2.2);
+    let turned = [half, -half, 0.0, 0.0, half, half, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    let cube = of_quads(&quads_of_box(DVec3::splat(-0.5 * side), DVec3::splat(0.5 * side)));
+    let ball = sphere(DVec3::ZERO, 1.0).unwrap();
+    let model = prepared(&placed_all(&[(&cube, moved([0.0; 3])), (&ball, turned)]));
+    assert_eq!(model.bodies().iter().map(|body| body.voids).collect::<Vec<_>>(), [1]);
+    let expected = side.powi(3) - 4.0 * PI / 3.0;
+    assert!(model.facts().volume.is_some_and(|volume| volume.contains(expected)), "{:?}", model.facts());
+    assert!(check(&model).pairs.is_empty());
+    // And one that is beside it, in the box of its control points.
+    let small = of_quads(&quads_of_box(DVec3::new(1.0, 1.0, 0.0), DVec3::new(1.05, 1.05, 0.05)));
+    let model = prepared(&placed_all(&[(&small, moved([0.0; 3])), (&ball, turned)]));
+    assert_eq!(model.bodies().iter().map(|body| body.voids).collect::<Vec<_>>(), [0, 0]);
+}
+
+/// The same of triangles that share no corners: the void touches along an edge.
+#[test]
+fn triangles_that_may_bound_a_void_have_no_volume() {
+    let quads = [block([0.0; 3], [3.0; 3]), turned(&block([1.0, 0.0, 0.0], [2.0, 1.0, 1.0]))].concat();
+    let corners: Vec<DVec3> =
+        quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).flatten().collect();
+    let numbers: Vec<[u32; 3]> =
+        (0..corners.len() as u32 / 3).map(|index| [0, 1, 2].map(|corner| 3 * index + corner)).collect();
+    let facts = mesh(&corners, &numbers).facts().clone();
+    assert_eq!((facts.volume, facts.volume_unknown), (None, Some(VolumeUnknown::Nesting)));
+}
+
+/// A housing of side 4 with a cavity of side 2, and a unit cube within the cavity whose lower side is at this height: on its
+/// floor, above it, and pressed into it.
+fn seated(height: f64) -> [Vec<Quad>; 3] {
+    let cavity = turned(&block([1.0; 3], [3.0; 3]));
+    [block([0.0; 3], [4.0; 3]), cavity, block([1.5, 1.5, height], [2.5, 2.5, height + 1.0])]
+}
+
+/// A part that meets the wall of a cavity is a body, as its faces turn the way that those of the housing do.
+#[test]
+fn a_part_at_the_wall_of_a_cavity_is_a_body() {
+    for (height, expected) in [
+        (1.0, PairState::Touching),
+        (1.5, PairState::Apart),
+        (0.75, PairState::Clash),
+        (2.25, PairState::Clash),
+    ] {
+        let model = of_shells(&seated(height));
+        assert_eq!(model.bodies().iter().map(|body| body.voids).collect::<Vec<_>>(), [1, 0], "{height}");
+        assert!(model.facts().volume.is_some_and(|volume| volume.contains(57.0)), "{:?}", model.facts());
+        let result = check(&model);
+        let states: Vec<PairState> = result.pairs.iter().map(|pair| pair.state).collect();
+        assert_eq!(states, [expected], "{height}");
+        if expected == PairState::Clash {
+            assert!(result.pairs[0].volume.is_some_and(|volume| volume.contains(0.25)), "{result:?}");
+        }
+    }
+}
+
+/// Where faces are turned over, nothing tells the part from a void, nor where it fills the cavity.
+#[test]
+fn what_the_source_does_not_tell_is_not_stated() {
+    let [housing, cavity, mut part] = seated(0.75);
+    part[0].reverse();
+    let full = block([1.0; 3], [3.0; 3]);
+    for shells in [[housing.clone(), cavity.clone(), part], [housing, cavity, full]] {
+        let model = of_shells(&shells);
+        assert_eq!(model.facts().volume_unknown, Some(VolumeUnknown::Nesting));
+        assert_eq!(check(&model).clean, None);
+    }
+}
+
+/// Two bodies with voids that overlap: no volume of one is stated without its void, and no void clashes with its body.
+#[test]
+fn a_hollow_body_that_stands_twice_has_no_volume_without_its_void() {
+    let hollow = [block([0.0; 3], [4.0; 3]), turned(&block([1.5; 3], [2.5; 3]))];
+    for offset in [0.0, 1.0] {
+        let moved = hollow.clone().map(|quads| quads.iter().map(|quad| quad.map(|at| at + offset)).collect());
+        let [a, b] = [hollow.clone(), moved];
+        let model = of_shells(&[a, b].concat());
+        assert!(model.body_facts().all(|facts| facts.volume.is_none()));
+        let result = check(&model);
+        // A point found in both bodies may be in a void of one of them.
+        let name = |body: usize| result.bodies[body].name.as_str();
+        for pair in &result.pairs {
+            let is_of_bodies = (pair.a.as_str(), pair.b.as_str()) == (name(0), name(2));
+            let may_be = if is_of_bodies { PairState::Clash } else { PairState::Undecided };
+            assert!([may_be, PairState::Undecided].contains(&pair.state), "{offset}: {pair:?}");
+        }
+        assert_ne!(result.clean, Some(true));
+    }
+}
+
+/// A shell within two bodies that overlap may be a void of either.
+#[test]
+fn a_void_in_the_common_part_of_two_bodies_may_be_of_either() {
+    let [a, b] = [block([0.0; 3], [4.0; 3]), block([1.0; 3], [5.0; 3])];
+    let model = of_shells(&[a, b, turned(&block([2.0; 3], [3.0; 3]))]);
+    assert!(model.body_facts().all(|facts| facts.volume_unknown == Some(VolumeUnknown::Nesting)));
+    assert_eq!(model.body_facts().len(), 3);
+    let result = check(&model);
+    for pair in &result.pairs {
+        let is_of_bodies = pair.a == result.bodies[0].name && pair.b == result.bodies[1].name;
+        assert!(is_of_bodies || pair.state == PairState::Undecided, "{pair:?}");
+        let is_in_void = pair.point.iter().all(|at| (2.0..=3.0).contains(at));
+        assert!(pair.state != PairState::Clash || !is_in_void, "{pair:?}");
+        assert_eq!((pair.volume, pair.depth), (None, None));
+    }
+}
