@@ -49,14 +49,16 @@ struct FaceNotes {
     /// Whether its normal is opposite to that of its surface.
     reversed: bool,
     color: Option<[f64; 3]>,
-    /// Its shell in its source.
+    /// Its shell and its solid in its source.
     shell: Option<u32>,
+    solid: Option<u32>,
 }
 
 impl FaceNotes {
     fn of(face: &Face<'_>) -> Self {
-        let (reversed, color, shell) = (face.is_reversed(), face.color(), face.shell());
-        Self { name: face.name().map(str::to_owned), reversed, color, shell }
+        let (reversed, color) = (face.is_reversed(), face.color());
+        let (shell, solid) = (face.shell(), face.solid());
+        Self { name: face.name().map(str::to_owned), reversed, color, shell, solid }
     }
 
     fn of_all(model: &Model) -> Vec<Self> {
@@ -238,6 +240,11 @@ impl FacePieces {
     /// Returns the upper bound on the Hausdorff distance between the faces and their pieces.
     pub(crate) fn deviation(&self) -> f64 {
         self.deviation
+    }
+
+    /// Returns the number of the solid that the face of a piece bounds in its source.
+    pub(crate) fn solid(&self, piece: usize) -> Option<u32> {
+        self.of_faces[self.face(piece)].solid
     }
 
     /// Returns whether the normal of a piece, that of its parameters, is opposite to its face's: the face may be

@@ -109,7 +109,7 @@ def model(part: Any) -> Model:
 
 #: Keys of a surface in the interchange JSON.
 _SURFACE_KEYS = frozenset(
-    "degree knots_u knots_v ctrl trim reversed part kind gap gap_measured color shell".split()
+    "degree knots_u knots_v ctrl trim reversed part kind gap gap_measured color shell solid".split()
 )
 
 

@@ -62,9 +62,10 @@ def test_faces_have_paths_and_colours():
 def test_documents_go_back_and_forth_with_colours_and_shells():
     data = json.loads(nh.model(sheet()).to_json())
     [face] = data["surfaces"]
-    data["surfaces"] = [{**face, "color": [1.0, 0.5, 0.0], "shell": 4}, face]
+    data["surfaces"] = [{**face, "color": [1.0, 0.5, 0.0], "shell": 4, "solid": 2}, face]
     again = json.loads(nh.model(data).to_json())
     assert [face.get("shell") for face in again["surfaces"]] == [4, None]
+    assert [face.get("solid") for face in again["surfaces"]] == [2, None]
     assert [face.get("color") for face in again["surfaces"]] == [[1.0, 0.5, 0.0], None]
 
 

@@ -19,6 +19,7 @@ pub(super) struct FaceData {
     pub(super) gap_measured: bool,
     pub(super) color: Option<[f64; 3]>,
     pub(super) shell: Option<u32>,
+    pub(super) solid: Option<u32>,
 }
 
 /// One face of a model, borrowed.
@@ -70,6 +71,12 @@ impl<'a> Face<'a> {
         self.data.shell
     }
 
+    /// Returns the number of the solid that the face bounds in its source, if that has solids.
+    #[must_use]
+    pub fn solid(&self) -> Option<u32> {
+        self.data.solid
+    }
+
     /// Returns whether the face's normal is opposite to the surface's.
     #[must_use]
     pub fn is_reversed(&self) -> bool {
@@ -102,6 +109,7 @@ impl<'a> Face<'a> {
             gap_measured: self.data.gap_measured,
             color: self.data.color,
             shell: self.data.shell,
+            solid: self.data.solid,
         }
     }
 }
@@ -114,7 +122,7 @@ pub(super) type Loops = Vec<Vec<TrimCurveArrays>>;
 /// # Errors
 /// Those of [`NurbsSurface::new`], [`Error::GapInvalid`].
 pub(super) fn untrimmed(index: usize, arrays: FaceArrays) -> Result<(NurbsSurface, FaceData, Option<Loops>)> {
-    let FaceArrays { surface, trim, reversed, face_name: name, kind, gap, gap_measured, color, shell } =
+    let FaceArrays { surface, trim, reversed, face_name: name, kind, gap, gap_measured, color, shell, solid } =
         arrays;
     let surface = NurbsSurface::new(index, surface)?;
     if !(gap >= 0.0 && is_in_range(gap)) {
@@ -125,7 +133,7 @@ pub(super) fn untrimmed(index: usize, arrays: FaceArrays) -> Result<(NurbsSurfac
         return Err(Error::out_of_range("color", found, "red, green and blue from 0 to 1"));
     }
     let [name, kind] = [name, kind].map(|text| text.map(|text| one_line(&text)));
-    Ok((surface, FaceData { trim: None, reversed, name, kind, gap, gap_measured, color, shell }, trim))
+    Ok((surface, FaceData { trim: None, reversed, name, kind, gap, gap_measured, color, shell, solid }, trim))
 }
 
 /// Validates the loops of surface number `index`. A surface whose trimming curves leave its
@@ -167,6 +175,7 @@ impl FaceData {
             gap_measured: self.gap_measured,
             color: self.color,
             shell: self.shell,
+            solid: self.solid,
         }
     }
 }

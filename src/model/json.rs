@@ -38,6 +38,8 @@ struct InterchangeSurface {
     color: Option<[f64; 3]>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     shell: Option<u32>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    solid: Option<u32>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -91,11 +93,12 @@ impl InterchangeSurface {
             gap_measured: self.gap_measured,
             color: self.color,
             shell: self.shell,
+            solid: self.solid,
         })
     }
 
     fn from_face(face: &Face<'_>) -> Self {
-        let FaceArrays { surface, trim, reversed, face_name, kind, gap, gap_measured, color, shell } =
+        let FaceArrays { surface, trim, reversed, face_name, kind, gap, gap_measured, color, shell, solid } =
             face.to_arrays();
         let [knots_u, knots_v] = surface.knots;
         let curves =
@@ -113,6 +116,7 @@ impl InterchangeSurface {
             gap_measured,
             color,
             shell,
+            solid,
         }
     }
 }
@@ -147,7 +151,7 @@ impl Model {
 
     /// Parses interchange JSON, version 1 or 2: `{"name"?, "unit"?, "surfaces": [{"degree":
     /// [pu, pv], "knots_u", "knots_v", "ctrl": [[[x, y, z, w], …], …], "trim"?, "reversed"?,
-    /// "part"?, "kind"?, "gap"?, "gap_measured"?, "color"?, "shell"?}], "instances"?}` with `ctrl[i][j]`, i along u, points
+    /// "part"?, "kind"?, "gap"?, "gap_measured"?, "color"?, "shell"?, "solid"?}], "instances"?}` with `ctrl[i][j]`, i along u, points
     /// not multiplied by w; docs/interchange.md describes every key. Other keys, among
     /// them `source`, are ignored. O(size), and the validation of trims.
     ///

@@ -265,8 +265,8 @@ fn placed(
         return Err(Error::TooManyFaces { found, expected: MAX_FACES });
     }
     let mut all = Vec::with_capacity(found);
-    // Each use of a shell is one of its own.
-    let mut shells = HashMap::new();
+    // Each use of a shell or a solid is one of its own.
+    let [mut shells, mut solids] = [HashMap::new(), HashMap::new()];
     for (instance, arrays) in instances.iter().enumerate() {
         let map = AffineMap::new(instance, &arrays.transform)?;
         let name = arrays.name.as_deref().map(one_line);
@@ -276,10 +276,12 @@ fn placed(
             let (surface, data) =
                 faces.get(found).ok_or(Error::InstanceSurface { instance, found, expected })?;
             let mut data = data.placed(stretch, map.reflects(), name.as_deref());
-            data.shell = data.shell.map(|shell| {
-                let next = shells.len() as u32;
-                *shells.entry((instance, shell)).or_insert(next)
-            });
+            for (number, known) in [(&mut data.shell, &mut shells), (&mut data.solid, &mut solids)] {
+                *number = number.map(|number| {
+                    let next = known.len() as u32;
+                    *known.entry((instance, number)).or_insert(next)
+                });
+            }
             all.push((map.apply(found, surface)?, data));
         }
     }

@@ -128,6 +128,7 @@ mod tests {
             gap_measured: true,
             color: Some([0.1, 0.0, 1.0]),
             shell: Some(7),
+            solid: Some(8),
         };
         let instance =
             InstanceArrays { surfaces: vec![0, 0], transform: [0.1; 12], name: Some("part".to_owned()) };

@@ -1,6 +1,7 @@
 //! The shells about a point, and the side that follows from them.
 
 use super::Side;
+use std::collections::BTreeMap;
 
 /// The largest number of shells about a point whose relations are asked for: 28 pairs, each a search.
 const MAX_RELATED: usize = 8;
@@ -42,6 +43,17 @@ impl Enclosing {
     /// Returns whether a shell encloses the point.
     pub(crate) fn has(&self, shell: u32) -> bool {
         self.0.binary_search(&shell).is_ok()
+    }
+
+    /// Returns these shells by the solids of the source that they bound: a shell of one is no void of another one. All are
+    /// one part where one of them has no solid.
+    pub(crate) fn by_solids(&self, solid: impl Fn(u32) -> Option<u32>) -> Vec<Self> {
+        let mut parts: BTreeMap<u32, Self> = BTreeMap::new();
+        for &shell in &self.0 {
+            let Some(solid) = solid(shell) else { return vec![self.clone()] };
+            parts.entry(solid).or_default().0.push(shell);
+        }
+        parts.into_values().collect()
     }
 
     /// Returns the side of the points that these shells enclose, by the rule of docs/solids.md,
@@ -93,6 +105,14 @@ mod tests {
     fn shells_that_are_crossed_twice_do_not_enclose() {
         assert_eq!(of(&[3, 1, 3, 2, 1, 1]), of(&[1, 2]));
         assert_eq!(of(&[1, 4]).across(&of(&[4, 2])), of(&[1, 2]));
+    }
+
+    #[test]
+    fn shells_are_parted_by_their_solids() {
+        let around = of(&[1, 4, 6]);
+        assert_eq!(around.by_solids(|shell| Some(shell % 2)), [of(&[4, 6]), of(&[1])]);
+        assert_eq!(around.by_solids(|shell| (shell != 4).then_some(shell)), std::slice::from_ref(&around));
+        assert_eq!(of(&[]).by_solids(|_| None), []);
     }
 
     /// The pairs named meet or are not known; of the others the later one lies within the earlier.

@@ -41,10 +41,7 @@ impl Surfaces {
             counts: [count_u, count_v],
             control_points: control_points.chunks_exact(POINT_LENGTH).map(point).collect(),
         };
-        let (trim, reversed, face_name, kind, gap) = (None, false, None, None, 0.0);
-        let (gap_measured, color, shell) = (false, None, None);
-        let face = FaceArrays { surface, trim, reversed, face_name, kind, gap, gap_measured, color, shell };
-        self.0.faces.push(face);
+        self.0.faces.push(FaceArrays::new(surface, None));
     }
 
     /// States what else is known of the surface pushed last.
@@ -57,10 +54,12 @@ impl Surfaces {
         gap_measured: bool,
         color: Option<Vec<f64>>,
         shell: Option<u32>,
+        solid: Option<u32>,
     ) {
         if let Some(face) = self.0.faces.last_mut() {
             (face.reversed, face.face_name, face.kind) = (reversed, face_name, kind);
-            (face.gap, face.gap_measured, face.shell) = (gap, gap_measured, shell);
+            (face.gap, face.gap_measured) = (gap, gap_measured);
+            (face.shell, face.solid) = (shell, solid);
             // A number that is missing is NaN, which validation refuses.
             face.color =
                 color.map(|color| std::array::from_fn(|at| color.get(at).copied().unwrap_or(f64::NAN)));

@@ -43,6 +43,8 @@ pub(crate) enum ShapeKind {
     Mesh(Mesh),
     /// Any set of shapes, with the name of the part that it is.
     Group(Option<String>),
+    /// A set of shapes that bounds a solid: an outer shell and its voids.
+    Solid(Option<String>),
     /// A place of a part, with its name.
     Place {
         name: Option<String>,

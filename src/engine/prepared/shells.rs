@@ -9,9 +9,9 @@ use crate::facts::{Moments, of_patch};
 use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::solid::{Boundary, Enclosing, Relation, Side};
-use crate::threads::locked;
+use crate::threads::{computed, locked};
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, OnceLock};
 
 /// The largest number of pairs of cells after which it is not known how two shells lie: about 0.1 s.
 pub(super) const MAX_PAIRS: usize = 50_000;
@@ -29,6 +29,7 @@ pub(super) struct KnownShells {
     apart: Mutex<HashMap<[u32; 2], bool>>,
     /// Whether the normals that the source has are out of a shell, where that is known.
     faces_out: Mutex<HashMap<u32, Option<bool>>>,
+    solids: OnceLock<Vec<Option<u32>>>,
 }
 
 /// The shells of a model, to be shared by threads.
@@ -38,21 +39,51 @@ pub(in crate::engine) struct Shells<'a> {
     bezier: &'a BezierModel,
     control_box: Aabb,
     known: &'a KnownShells,
+    /// As [`PreparedModel::solids`].
+    solids: &'a [Option<u32>],
 }
 
 impl PreparedModel {
     /// Returns the shells that joined edges connect.
     pub(in crate::engine) fn shells(&self) -> Shells<'_> {
         let (boundary, bezier) = (self.boundary(), self.bezier());
-        Shells { boundary, bezier, control_box: self.control_box, known: &self.kept.shells }
+        let (control_box, known, solids) = (self.control_box, &self.kept.shells, self.solids());
+        Shells { boundary, bezier, control_box, known, solids }
+    }
+
+    /// Returns the solid of the source that each shell bounds; none where its faces are not all of one.
+    pub(super) fn solids(&self) -> &[Option<u32>] {
+        computed::<Vec<Option<u32>>>(&self.kept.shells.solids, || {
+            let joined = self.joined();
+            let mut solids = vec![None; joined.of_shell.len()];
+            if self.facets.is_some() {
+                return solids;
+            }
+            let mut is_first = vec![true; solids.len()];
+            for (surface, &shell) in joined.shells.iter().enumerate() {
+                let (known, own) = (&mut solids[shell as usize], self.pieces.solid(surface));
+                *known = if is_first[shell as usize] { own } else { known.filter(|_| *known == own) };
+                is_first[shell as usize] = false;
+            }
+            solids
+        })
     }
 }
 
 impl Shells<'_> {
     /// Returns the side of the points that these shells of the model enclose, by the rule of
-    /// docs/solids.md, section 2. Shells are compared at first use.
+    /// docs/solids.md, section 2: inside if they are inside of one solid of the source. Shells are compared at first use.
     pub(in crate::engine) fn side(&self, enclosing: &Enclosing) -> Side {
-        enclosing.side(|pair| self.relation(pair))
+        let parts = enclosing.by_solids(|shell| self.solids[shell as usize]);
+        let sides: Vec<Side> = parts.iter().map(|part| part.side(|pair| self.relation(pair))).collect();
+        let has = |side| sides.contains(&side);
+        if has(Side::Inside) {
+            Side::Inside
+        } else if has(Side::Undecided) {
+            Side::Undecided
+        } else {
+            Side::Outside
+        }
     }
 
     /// Returns how two shells lie, of which both enclose some point, compared at first use.

@@ -40,6 +40,8 @@ export interface SurfaceArrays {
   color?: Numbers;
   /** The number of the shell that the face belongs to in its source: edges within a shell are joined first. */
   shell?: number;
+  /** The number of the solid that the face bounds in its source: a shell of one solid is no void of another one. */
+  solid?: number;
 }
 
 /** A rational B-spline curve in the parameter plane of its surface, as plain arrays. */
@@ -95,6 +97,7 @@ export interface InterchangeSurface {
   gap_measured?: boolean;
   color?: readonly [red: number, green: number, blue: number];
   shell?: number;
+  solid?: number;
 }
 
 /** A trimming curve of the interchange JSON. */
@@ -135,7 +138,7 @@ export interface BrepText {
 const MODEL_KEYS: readonly (keyof ModelArrays)[] = ["name", "unit", "surfaces", "instances"];
 const SURFACE_KEYS: readonly (keyof SurfaceArrays)[] = [
   ...(["degree", "knotsU", "knotsV", "counts", "controlPoints", "homogeneous"] as const),
-  ...(["trim", "reversed", "faceName", "kind", "gap", "gapMeasured", "color", "shell"] as const),
+  ...(["trim", "reversed", "faceName", "kind", "gap", "gapMeasured", "color", "shell", "solid"] as const),
 ];
 const CURVE_KEYS: readonly (keyof TrimCurveArrays)[] = [
   ...(["degree", "knots", "controlPoints", "gap", "edge"] as const),
@@ -155,6 +158,7 @@ const INTERCHANGE_KEYS: readonly string[] = [
     "gap_measured",
     "color",
     "shell",
+    "solid",
   ] as const),
 ] satisfies (keyof InterchangeSurface)[];
 
@@ -256,6 +260,7 @@ function push(surfaces: Surfaces, surface: SurfaceArrays, where: string): void {
     optional(surface.gapMeasured, "boolean", `${where}: gapMeasured`) ?? false,
     surface.color === undefined ? undefined : numbers(surface.color, `${where}: color`),
     surface.shell === undefined ? undefined : count(surface.shell, `${where}: shell`),
+    surface.solid === undefined ? undefined : count(surface.solid, `${where}: solid`),
   );
   if (surface.trim === undefined) return;
   surfaces.beginTrim();

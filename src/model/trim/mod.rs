@@ -63,6 +63,9 @@ pub struct FaceArrays {
     /// The number of the shell that the face belongs to in its source: edges of faces of one shell are joined
     /// with each other first, so that bodies that stand flush stay apart. Numbers are those of one model.
     pub shell: Option<u32>,
+    /// The number of the solid that the face bounds in its source, if that has solids: a shell of one solid is no void
+    /// of another one. Numbers are those of one model.
+    pub solid: Option<u32>,
 }
 
 impl FaceArrays {
@@ -79,6 +82,7 @@ impl FaceArrays {
             gap_measured: false,
             color: None,
             shell: None,
+            solid: None,
         }
     }
 }

@@ -49,6 +49,7 @@ const plate = () => ({
   faceName: "plate",
   kind: "plane",
   shell: 7,
+  solid: 3,
 });
 
 /** The interchange JSON of surfaces given as plain arrays like those above. */

@@ -80,9 +80,10 @@ impl Joined {
                 *edge = number.ok_or_else(found)?;
                 end = end.max(*edge + 1);
             }
-            if let Some(shell) = &mut face.shell {
-                *shell = shell.saturating_add(self.shells);
-                shells = shells.max(shell.saturating_add(1));
+            // Solids are numbered among the shells.
+            for number in [&mut face.shell, &mut face.solid].into_iter().flatten() {
+                *number = number.saturating_add(self.shells);
+                shells = shells.max(number.saturating_add(1));
             }
             model.faces.push(face);
         }

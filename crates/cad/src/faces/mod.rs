@@ -70,6 +70,7 @@ pub(super) fn convert(file: &Topology, shape: usize) -> Result<Converted, FaceFa
         kind: Some(surface.kind().to_owned()),
         color: None,
         shell: None,
+        solid: None,
     };
     if loops.is_empty() {
         let [Some(u), Some(v)] = surface.natural_ranges() else {

@@ -30,7 +30,7 @@ pub(crate) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<A
     let (placed, levels) = placed_faces(file)?;
     let mut seen = HashSet::new();
     let distinct: Vec<(usize, &Placed)> =
-        placed.iter().enumerate().filter(|(_, placed)| seen.insert(placed.shape)).collect();
+        placed.iter().enumerate().filter(|(_, placed)| seen.insert(placed.key())).collect();
     let sizes = sizes(file, &distinct);
     let work = |index: usize| {
         if let ShapeKind::Mesh(mesh) = &file.shapes[distinct[index].1.shape].kind {
@@ -60,8 +60,8 @@ pub(crate) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<A
         notes: notes(file, &placed, &distinct, &converted),
         shapes: Vec::new(),
     };
-    // The index of each shape's face among those read.
-    let mut faces: HashMap<usize, usize> = HashMap::new();
+    // The index of each face among those read.
+    let mut faces: HashMap<(usize, Option<usize>), usize> = HashMap::new();
     for ((number, placed), converted) in distinct.into_iter().zip(converted) {
         match converted {
             Ok(mut converted) => {
@@ -70,8 +70,10 @@ pub(crate) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<A
                 read.counts.push(FaceCounts { number, entity, exact, fitted });
                 converted.face.reversed = placed.reversed;
                 converted.face.face_name = Some(placed.name(file, number));
-                (converted.face.color, converted.face.shell) = (placed.color, placed.shell);
-                faces.insert(placed.shape, read.model.faces.len());
+                converted.face.color = placed.color;
+                converted.face.shell = placed.shell;
+                converted.face.solid = placed.solid.map(|(number, _)| number);
+                faces.insert(placed.key(), read.model.faces.len());
                 read.model.faces.push(converted.face);
             }
             Err(FaceFault { code, why }) => {
@@ -140,11 +142,15 @@ fn sizes(file: &Topology, distinct: &[(usize, &Placed)]) -> Vec<usize> {
 
 /// Returns the placements of faces, in the order of the file: those that follow each other in one
 /// part and place together.
-fn instances(levels: &Levels<'_>, placed: &[Placed], faces: &HashMap<usize, usize>) -> Vec<InstanceArrays> {
+fn instances(
+    levels: &Levels<'_>,
+    placed: &[Placed],
+    faces: &HashMap<(usize, Option<usize>), usize>,
+) -> Vec<InstanceArrays> {
     let mut instances: Vec<InstanceArrays> = Vec::new();
     let mut last_part = None;
     for placed in placed {
-        let Some(&index) = faces.get(&placed.shape) else { continue };
+        let Some(&index) = faces.get(&placed.key()) else { continue };
         let transform = matrix(&placed.location);
         match instances.last_mut() {
             Some(last) if last.transform == transform && last_part == placed.part => {
@@ -196,8 +202,9 @@ fn notes(
 }
 
 /// Returns the faces, and the meshes that are no pictures of them, below the root in the order of OpenCASCADE's
-/// `TopExp_Explorer`, in which each shape is followed by its children; a face that is met again at its place, as
-/// between two solids, is listed once, as by `TopExp::MapShapes`, unless it is of another occurrence of its product.
+/// `TopExp_Explorer`, in which each shape is followed by its children; a face that is met again at its place is listed
+/// once, as by `TopExp::MapShapes`, unless it is of another solid or another occurrence of its product: solids that share
+/// a face have it each.
 ///
 /// # Errors
 /// [`Error::TooManyFaces`] before any is placed.
@@ -225,10 +232,10 @@ pub(crate) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)>
         let children = || shape.children.iter().filter(|child| counts[child.shape].faces > 0);
         match &shape.kind {
             ShapeKind::Face(_) | ShapeKind::Mesh(Mesh { is_picture: false, .. })
-                if met.is_first(shape_use.shape, &location, above.occurrence) =>
+                if met.is_first(shape_use.shape, &location, above.owner()) =>
             {
-                let (part, shell) = (above.level, above.group);
-                placed.push(Placed { shape: shape_use.shape, reversed, location, part, color, shell });
+                let (part, shell, solid) = (above.level, above.group, above.solid);
+                placed.push(Placed { shape: shape_use.shape, reversed, location, part, color, shell, solid });
             }
             ShapeKind::Place { name, is_occurrence } => {
                 own.place = name.as_deref().or(own.place);
@@ -238,8 +245,11 @@ pub(crate) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)>
                 }
                 pending.extend(children().map(|&child| (child, own)));
             }
-            ShapeKind::Group(name) => {
+            kind @ (ShapeKind::Group(name) | ShapeKind::Solid(name)) => {
                 own.group = Some(groups);
+                if matches!(kind, ShapeKind::Solid(_)) {
+                    own.solid = Some((groups, shape_use.shape));
+                }
                 groups += 1;
                 own.enter(name.as_deref(), shape.children.len() == 1, &mut levels);
                 pending.extend(children().rev().map(|&child| (child, own)));
@@ -266,7 +276,7 @@ fn counts(file: &Topology) -> Vec<Counts> {
             ShapeKind::Face(_) | ShapeKind::Mesh(Mesh { is_picture: false, .. }) => {
                 Counts { faces: 1, visits: 1 }
             }
-            ShapeKind::Group(_) | ShapeKind::Place { .. } => {
+            ShapeKind::Group(_) | ShapeKind::Solid(_) | ShapeKind::Place { .. } => {
                 let with_faces = shape.children.iter().map(|child| counts[child.shape]);
                 let sum =
                     with_faces.filter(|child| child.faces > 0).fold(Counts::default(), |sum, child| Counts {
@@ -298,19 +308,41 @@ struct Surroundings<'a> {
     occurrence: Option<usize>,
     /// The innermost set of shapes that it is in, by its number among those visited.
     group: Option<u32>,
+    /// The solid that it is of, by its number among the sets of shapes visited, and as a shape.
+    solid: Option<(u32, usize)>,
 }
 
-/// The faces met, with the occurrences of products that they were met in.
+impl Surroundings<'_> {
+    fn owner(&self) -> Owner {
+        Owner { occurrence: self.occurrence, solid: self.solid.map(|(_, shape)| shape) }
+    }
+}
+
+/// What a face is of.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+struct Owner {
+    occurrence: Option<usize>,
+    solid: Option<usize>,
+}
+
+/// The faces met, with what they were met in.
 #[derive(Default)]
-struct Met(HashMap<(usize, [u64; 12]), HashSet<Option<usize>>>);
+struct Met(HashMap<(usize, [u64; 12]), HashSet<Owner>>);
 
 impl Met {
-    /// Returns whether a face was not met at this place, but in other occurrences of products: what a file states
-    /// twice without these is one face.
-    fn is_first(&mut self, shape: usize, location: &DAffine3, occurrence: Option<usize>) -> bool {
+    /// Returns whether a face was not met at this place, but in other occurrences of products or other solids: what a
+    /// file states twice without these is one face.
+    fn is_first(&mut self, shape: usize, location: &DAffine3, owner: Owner) -> bool {
         let met = self.0.entry((shape, matrix(location).map(f64::to_bits))).or_default();
-        let is_first = met.is_empty() || (occurrence.is_some() && !met.contains(&None));
-        met.insert(occurrence) && is_first
+        let of_another = |met: &Owner| {
+            if owner.occurrence == met.occurrence {
+                owner.solid.is_some() && met.solid.is_some()
+            } else {
+                owner.occurrence.is_some() && met.occurrence.is_some()
+            }
+        };
+        let is_first = met.iter().all(of_another);
+        met.insert(owner) && is_first
     }
 }
 

@@ -16,9 +16,16 @@ pub(crate) struct Placed {
     pub(crate) color: Option<Color>,
     /// The number of the innermost set of shapes that it stands in, a shell if the file has shells.
     pub(crate) shell: Option<u32>,
+    /// The solid that it bounds: its number, and its shape.
+    pub(crate) solid: Option<(u32, usize)>,
 }
 
 impl Placed {
+    /// What is one face of the model wherever it is placed: a face of a file, in one solid.
+    pub(crate) fn key(&self) -> (usize, Option<usize>) {
+        (self.shape, self.solid.map(|(_, shape)| shape))
+    }
+
     pub(crate) fn label<'a>(&self, file: &'a Topology) -> Option<&'a FaceLabel> {
         match &file.shapes[self.shape].kind {
             ShapeKind::Face(face) => Some(&face.label),

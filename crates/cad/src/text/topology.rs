@@ -91,7 +91,8 @@ fn kind(lexer: &mut Lexer<'_>, sections: &Sections<'_>) -> Result<ShapeKind> {
             let surface = surface.ok_or_else(|| FaceFault::new("BREP_NO_SURFACE", "the face has no surface"));
             ShapeKind::Face(Face { surface, location: location(lexer, sections)?, ..Face::on(0) })
         }
-        "Sh" | "So" | "CS" | "Co" => ShapeKind::Group(None),
+        "So" => ShapeKind::Solid(None),
+        "Sh" | "CS" | "Co" => ShapeKind::Group(None),
         _ => return Err(lexer.error(kind, KINDS)),
     })
 }

@@ -68,6 +68,40 @@ fn faces_are_in_the_explorers_order() {
     assert_eq!(report.faces, 3);
 }
 
+/// A solid of two shells at two places, and a shell that is of none.
+#[test]
+fn faces_have_the_numbers_of_their_solids() {
+    let mut text = BrepText::new();
+    text.location(MOVE);
+    let plane = text.surface(PLANE);
+    let faces = [0.0, 1.0, 2.0].map(|n| text.region(plane, &[rectangle([0.0, 0.0], [1.0 + n, 1.0 + n])]));
+    let shells = faces.map(|face| text.shape("Sh\n", &[plus(face)]));
+    let solid = text.shape("So\n", &[plus(shells[0]), plus(shells[1])]);
+    let at = |shape, location| Child { shape, sign: '+', location };
+    let compound = text.shape("Co\n", &[at(solid, 0), at(solid, 1), at(shells[2], 0)]);
+    let (model, _) = from_brep(&text.text(plus(compound))).unwrap();
+    let solids: Vec<Option<u32>> = model.faces().map(|face| face.solid()).collect();
+    let &[Some(a), _, Some(b), _, _] = &solids[..] else { panic!("{solids:?}") };
+    assert!(a != b && solids == [Some(a), Some(a), Some(b), Some(b), None], "{solids:?}");
+}
+
+/// Solids that share a face have it each, and one that is stated twice at its place has its faces once.
+#[test]
+fn a_face_that_solids_share_is_one_of_each() {
+    let mut text = BrepText::new();
+    let plane = text.surface(PLANE);
+    let faces = [0.0, 1.0, 2.0].map(|n| text.region(plane, &[rectangle([0.0, 0.0], [1.0 + n, 1.0 + n])]));
+    let shells = [[0, 1], [1, 2]].map(|pair| text.shape("Sh\n", &pair.map(|index| plus(faces[index]))));
+    let solids = shells.map(|shell| text.shape("So\n", &[plus(shell)]));
+    let loose = text.shape("Sh\n", &[plus(faces[0])]);
+    let compound = text.shape("Co\n", &[solids[0], solids[1], solids[0], loose].map(plus));
+    let (model, report) = from_brep(&text.text(plus(compound))).unwrap();
+    let areas: Vec<f64> = model.faces().map(|face| crate::area::area(&face).round()).collect();
+    assert_eq!((areas, report.faces), (vec![1.0, 4.0, 4.0, 9.0], 4));
+    let solids: Vec<Option<u32>> = model.faces().map(|face| face.solid()).collect();
+    assert!(solids[0] == solids[1] && solids[1] != solids[2] && solids[2] == solids[3], "{solids:?}");
+}
+
 /// The least x of a face of a plane.
 fn corner_of(face: &nurbs_hausdorff::internals::model::Face<'_>) -> f64 {
     let surface = face.surface();

@@ -75,7 +75,8 @@ fn names_of_columns_count_in_all_their_spellings() {
 fn a_unit_in_the_names_of_columns_is_that_of_the_points() {
     let unit = |text: &str| MeshFile::read(text.as_bytes(), MeshFormat::Text).unwrap().unit;
     assert_eq!(unit("X [mm],Y [mm],Z [mm]\n1,2,3\n"), Some(1e-3));
-    assert_eq!(unit("X [mm],Y [mm],Z [m]\n1,2,3\n"), None);
+    assert_eq!(unit("X [mm],Y [mm],Z\n1,2,3\n"), None);
+    assert!(refusal("X [mm],Y [mm],Z [m]\n1,2,3\n", MeshFormat::Text).contains("units that differ"));
     assert_eq!(unit("x,y,z\n1,2,3\n"), None);
 }
 

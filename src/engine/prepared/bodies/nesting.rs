@@ -97,7 +97,7 @@ impl PreparedModel {
             }
         }
         let mut siblings = self.siblings(boxes, &around);
-        siblings.retain(|pair| !to_compare.contains_key(pair));
+        siblings.retain(|&pair| !to_compare.contains_key(&pair) && self.may_be_of_one_solid(numbers(pair)));
         for (place, &pair) in siblings.iter().enumerate() {
             match self.are_apart(numbers(pair), siblings.len() - place, budget) {
                 Some(true) => {}
@@ -128,8 +128,14 @@ impl PreparedModel {
         if self.may_compare() { self.boundary().reach() } else { 0.0 }
     }
 
-    /// Returns the pairs of closed shells of which the first may lie within the second: points of it are in the box of
-    /// the second, but for the distance up to which edges are joined.
+    /// Whether one of two shells may be a void of the other: the source does not have them as shells of two solids.
+    fn may_be_of_one_solid(&self, pair: [u32; 2]) -> bool {
+        let [one, other] = pair.map(|shell| self.solids()[shell as usize]);
+        one.zip(other).is_none_or(|(one, other)| one == other)
+    }
+
+    /// Returns the pairs of closed shells of which the first may lie within the second, as a void of it or of what lies
+    /// within it: points of it are in the box of the second, but for the distance up to which edges are joined.
     pub(super) fn nested_boxes(&self, shells: &[ShellParts], boxes: &[ShellBoxes]) -> Vec<[usize; 2]> {
         let (joined, slack) = (self.joined(), self.slack());
         let is_closed = |index: usize| joined.of_shell[shells[index].shell as usize].free == 0;
@@ -141,8 +147,11 @@ impl PreparedModel {
             let first = order.partition_point(|&inner| boxes[inner].of_points.min.x < around.min.x);
             let begin_within =
                 order[first..].iter().take_while(|&&inner| boxes[inner].of_points.min.x <= around.max.x);
-            let nested =
-                begin_within.filter(|&&inner| inner != outer && around.contains(&boxes[inner].of_points));
+            let nested = begin_within.filter(|&&inner| {
+                inner != outer
+                    && around.contains(&boxes[inner].of_points)
+                    && self.may_be_of_one_solid([inner, outer].map(|index| shells[index].shell))
+            });
             pairs.extend(nested.map(|&inner| [inner, outer]));
         }
         pairs

@@ -49,11 +49,11 @@ export function rhinoModel(
   const faces: InterchangeSurface[] = [];
   const skipped: SkippedFace[] = [];
   const counts = { trims: 0, fitted: 0, gap: 0 };
-  const placed = objectsOf(rhino, file).map(({ geometry, type, ...object }, shell): Placed => {
+  const placed = objectsOf(rhino, file).map(({ geometry, type, ...object }, number): Placed => {
     const read = facesOf(geometry, type, object.name);
     const surfaces = read.faces.map((_, index) => faces.length + index);
-    // The faces of an object are joined with each other first.
-    faces.push(...read.faces.map((face) => ({ ...face, shell })));
+    // The faces of an object are joined with each other first, and no object is a void of another one.
+    faces.push(...read.faces.map((face) => ({ ...face, shell: number, solid: number })));
     skipped.push(...read.skipped);
     counts.trims += read.trims;
     counts.fitted += read.fitted;

@@ -164,7 +164,7 @@ impl Shapes<'_> {
             kind if is_surface(kind) => return self.face(&entity),
             _ => return Err(entity.unknown("a face, a body or a group of them")),
         };
-        self.push(ShapeKind::Group(name), children)
+        self.push(if entry.kind == 186 { ShapeKind::Solid(name) } else { ShapeKind::Group(name) }, children)
     }
 
     /// Returns those of some entities that are faces, bodies or groups: curves and points are none.

@@ -41,7 +41,7 @@ impl Shapes<'_> {
             let faces = entity.references(1)?;
             let children: Result<Vec<Use>, FaceFault> =
                 faces.into_iter().map(|face| self.face(face)).collect();
-            return self.group(entity, None, children?);
+            return self.group(entity, ShapeKind::Group(None), children?);
         }
         if SETS.contains(&kind) {
             let mut children = Vec::new();
@@ -58,7 +58,12 @@ impl Shapes<'_> {
         };
         let children: Result<Vec<Use>, FaceFault> =
             parts.into_iter().map(|part| self.part(part, nesting)).collect();
-        self.group(entity, entity.name(), children?)
+        match kind {
+            "SHELL_BASED_SURFACE_MODEL" | "FACE_BASED_SURFACE_MODEL" => {
+                self.group(entity, ShapeKind::Group(entity.name()), children?)
+            }
+            _ => self.group(entity, ShapeKind::Solid(entity.name()), children?),
+        }
     }
 
     /// Returns the shape of a shell of a body.
@@ -76,12 +81,12 @@ impl Shapes<'_> {
     pub(super) fn group(
         &mut self,
         entity: &Entity<'_>,
-        name: Option<String>,
+        kind: ShapeKind,
         parts: Vec<Use>,
     ) -> Result<usize, FaceFault> {
         if parts.is_empty() {
             return Err(entity.fault(1, "a list of at least one part"));
         }
-        self.push(ShapeKind::Group(name), parts)
+        self.push(kind, parts)
     }
 }

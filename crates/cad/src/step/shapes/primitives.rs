@@ -51,7 +51,7 @@ impl Shapes<'_> {
             }
             _ => return Err(entity.unknown("a body with faces, a set of surfaces or a primitive")),
         };
-        self.group(entity, entity.name(), faces)
+        self.group(entity, ShapeKind::Solid(entity.name()), faces)
     }
 
     /// Appends a face of a primitive.

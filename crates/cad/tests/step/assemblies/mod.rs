@@ -64,6 +64,8 @@ fn parts_stand_where_their_assembly_places_them() {
         // Each use has a shell of its own.
         let shells: Vec<_> = model.faces().map(|face| face.shell()).collect();
         assert_eq!(shells, [[Some(0); 6], [Some(1); 6]].concat());
+        let solids: Vec<_> = model.faces().map(|face| face.solid()).collect();
+        assert_eq!(solids, shells);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::support::writers::step::{Id, StepText, UnitsOf};
 use crate::{areas, assert_near, read};
+use std::collections::HashSet;
 
 /// The corners of a box from the origin, numbered by bits of x, y and z, and its faces seen
 /// from outside.
@@ -100,4 +101,8 @@ fn a_solid_with_a_void_has_the_faces_of_both_shells() {
     assert_near(areas(&model).iter().sum(), 6.0 * 16.0 + 6.0, 1e-12);
     let reversed: Vec<bool> = model.faces().map(|face| face.to_arrays().reversed).collect();
     assert_eq!(reversed, [[false; 6], [true; 6]].concat());
+    let numbers: HashSet<_> = model.faces().map(|face| (face.solid(), face.shell())).collect();
+    assert_eq!(numbers.len(), 2, "two shells");
+    let solids: HashSet<_> = numbers.iter().map(|(solid, _)| *solid).collect();
+    assert!(solids.len() == 1 && !solids.contains(&None), "{solids:?}");
 }

@@ -75,6 +75,8 @@ const UNITS: [(&str, f64); 8] = [
 pub(super) struct Columns {
     pub(super) places: [usize; 3],
     pub(super) unit: Option<f64>,
+    /// Whether the names state units that differ.
+    pub(super) have_several_units: bool,
 }
 
 impl Columns {
@@ -91,8 +93,12 @@ impl Columns {
             }
             Some(places)
         })?;
-        let [x, y, z] = places.map(|place| unit(names[place]));
-        Some(Self { places, unit: x.filter(|_| x == y && y == z) })
+        let units = places.map(|place| unit(names[place]));
+        let [x, y, z] = units;
+        let mut stated = units.into_iter().flatten();
+        let first = stated.next();
+        let have_several_units = stated.any(|unit| Some(unit) != first);
+        Some(Self { places, unit: x.filter(|_| x == y && y == z), have_several_units })
     }
 
     /// Whether the columns follow each other, as those of names in a comment of words need not.

@@ -75,7 +75,10 @@ impl<'a> Lines<'a> {
                 continue;
             }
             let first = || self.commented(&cells, layout).unwrap_or_else(|| unlabelled(&cells));
-            let Columns { places, unit } = *columns.get_or_insert_with(first);
+            let Columns { places, unit, have_several_units } = *columns.get_or_insert_with(first);
+            if have_several_units {
+                return Err(refusal("the columns of coordinates are in units that differ".to_owned()));
+            }
             // Blanks separate any number of words after the coordinates, unless names tell it.
             if layout.separator != Separator::Blanks {
                 width.get_or_insert(cells.len());
@@ -121,7 +124,7 @@ impl<'a> Lines<'a> {
 fn unlabelled(row: &[&str]) -> Columns {
     let is_label = |cell: &&str| cell.parse::<f64>().is_err() && cell.chars().any(char::is_alphabetic);
     let first = usize::from(row.first().is_some_and(is_label));
-    Columns { places: [first, first + 1, first + 2], unit: None }
+    Columns { places: [first, first + 1, first + 2], unit: None, have_several_units: false }
 }
 
 fn unnamed(names: &[&str]) -> String {
