@@ -6,7 +6,7 @@
 // published.
 import { existsSync, readdirSync } from "node:fs";
 import { buildApi } from "../build/api.mjs";
-import { buildCommand } from "../build/command.mjs";
+import { buildCommand, forTests } from "../build/command.mjs";
 import { buildSite } from "../build/site.mjs";
 import { chosen as chosenModules, modules, wasm32 } from "../build/wasm/modules.mjs";
 import { areBuilt, buildQuick, useSmall } from "../build/wasm/quick.mjs";
@@ -135,11 +135,11 @@ export const steps = [
     // them at a time, as each by itself leaves one core idle for half of the time.
     run: async (chosen) => {
       if (chosen.has("rust")) {
-        await cargo(["test", "--release", "--locked", "--no-run", ...rustTests]);
+        await cargo(["test", ...forTests, "--no-run", ...rustTests]);
       } else {
         await buildCommand();
       }
-      await cargo(["build", "--release", "--locked", "--example", "experiments"]);
+      await cargo(["build", ...forTests, "--example", "experiments"]);
     },
   },
   {
@@ -158,7 +158,7 @@ export const steps = [
     needs: ["wasm"],
     run: () =>
       // Compiled with the modules. The crate's own unit tests are native, and none of them runs in a browser.
-      must("cargo", ["test", "--release", "--locked", ...wasm, "--test", "wasm"], {
+      must("cargo", ["test", ...forTests, ...wasm, "--test", "wasm"], {
         env: toolsEnvironment({
           CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: "wasm-bindgen-test-runner",
           CHROMEDRIVER: which("chromedriver"),
@@ -210,7 +210,7 @@ export const steps = [
     needs: ["command"],
     // Clippy compiles the other examples and the benchmarks.
     run: async () => {
-      const test = ["test", "--release", "--locked", "--no-fail-fast"];
+      const test = ["test", ...forTests, "--no-fail-fast"];
       const outputs = [await cargo([...test, ...rustTests], vulkan())];
       outputs.push(await cargo([...test, "--doc"], vulkan()));
       return outputs.join("\n");

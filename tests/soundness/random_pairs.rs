@@ -19,7 +19,7 @@ const SEEDS: [u64; 2] = [9032, 9145];
 /// Pairs of the attack; for two of them only a proof finds no violation, as their knots are close
 /// together, and a point as B on the GPU.
 const ATTACK_SEEDS: [u64; 3] = [313, 100_291, 7297];
-const PAIRS: u64 = 30;
+const PAIRS: u64 = 20;
 
 #[test]
 fn intervals_contain_what_brute_force_finds() {

@@ -4,6 +4,7 @@ import { cpSync, existsSync, mkdirSync, rmSync } from "node:fs";
 import { inRoot } from "../../paths.mjs";
 import { cargoProgress, environment, must } from "../../process.mjs";
 import { stamp, stamped } from "../../stamp.mjs";
+import { forTests } from "../command.mjs";
 import { bind, chosen, compiled, inline, moduleIn, modules, sources, wasm32 } from "./modules.mjs";
 
 const made = ".setup/wasm-made-from";
@@ -23,7 +24,7 @@ export async function buildQuick() {
   const digest = sources();
   if (areBuilt(digest)) return "unchanged";
   // With the test of wasm: its features are those of all modules, and both are compiled once.
-  const args = ["build", "--release", "--locked", ...wasm32, ...chosen(modules)];
+  const args = ["build", ...forTests, ...wasm32, ...chosen(modules)];
   const what = ["--lib", "--test", "wasm"];
   await must("cargo", [...args, ...what], { env: environment(cargoProgress()) });
   rmSync(out, { recursive: true, force: true });

@@ -13,7 +13,7 @@ use zip::result::ZipError;
 
 const DOCUMENT: &str = "Document.xml";
 
-/// The file that says which objects are shown; documents made without a window have none.
+/// The file that says which objects are shown. Documents made without a window have none, and say it of the objects.
 const VIEWS: &str = "GuiDocument.xml";
 
 const PLACED: &str = "its parts are placed by a container: export the document as STEP";
@@ -33,10 +33,11 @@ pub(crate) fn read_document(bytes: &[u8]) -> Result<Assembled> {
     }
     let objects = objects(&archive.content(DOCUMENT)?, "ObjectData", "Object")?;
     let views = match archive.has(VIEWS) {
-        true => self::objects(&archive.content(VIEWS)?, "ViewProviderData", "ViewProvider")?,
-        false => Vec::new(),
+        true => Some(self::objects(&archive.content(VIEWS)?, "ViewProviderData", "ViewProvider")?),
+        false => None,
     };
-    let hidden = views.iter().filter(|view| view.is_hidden()).map(|view| view.name.as_str());
+    let shown = views.as_ref().unwrap_or(&objects);
+    let hidden = shown.iter().filter(|view| view.is_hidden()).map(|view| view.name.as_str());
     let members = objects.iter().filter(|object| object.is_body()).flat_map(|body| &body.members);
     let omitted: HashSet<&str> = hidden.chain(members.map(String::as_str)).collect();
     let mut joined = Joined::default();
@@ -52,6 +53,9 @@ fn read_object(archive: &mut Archive<'_>, object: &Object, joined: &mut Joined) 
         _ if object.is_container() => Some(unsupported(PLACED)),
         None => None,
         Some(file) if file.ends_with(".bin") => Some(unsupported(BINARY)),
+        Some(file) if !file.is_empty() && !archive.has(file) => {
+            Some(("CAD_UNREADABLE", format!("its shape is in {file}, which the archive does not have")))
+        }
         Some(file) => {
             let text = archive.content(file)?;
             let shape = match text.trim_ascii().is_empty() {

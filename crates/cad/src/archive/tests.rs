@@ -1,6 +1,6 @@
 //! FreeCAD documents made here, of a square that OpenCASCADE wrote.
 
-#![allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a panic is how a test fails")]
 
 use crate::{FileKind, from_file};
 use flate2::Compression;
@@ -85,6 +85,25 @@ fn the_visible_shapes_of_a_document_are_one_model() {
     assert_eq!((edges.len(), edges.iter().collect::<HashSet<_>>().len()), (8, 8));
 }
 
+/// Without views the objects say which of them are shown. A shape whose file is missing is named.
+#[test]
+fn a_document_without_views_has_the_shapes_that_its_objects_show() {
+    let object = |name: &str, file: &str, is_shown: bool| {
+        format!(
+            r#"<Object name="{name}"><Properties><Property name="Shape"><Part file="{file}"/></Property><Property name="Visibility"><Bool value="{is_shown}"/></Property></Properties></Object>"#
+        )
+    };
+    let objects =
+        [object("Cut", "a.brp", true), object("Tool", "a.brp", false), object("Lost", "b.brp", true)];
+    let xml = format!("<Document><ObjectData>{}</ObjectData></Document>", objects.concat());
+    let (model, report, _) =
+        read(archive(&[("Document.xml", xml.as_bytes()), ("a.brp", SQUARE.as_bytes())])).unwrap();
+    let names: Vec<_> = model.faces().filter_map(|face| face.name()).collect();
+    assert_eq!(names, ["Cut / face 0"]);
+    let [skipped] = &report.skipped[..] else { panic!("{:?}", report.skipped) };
+    assert!(skipped.code == "CAD_UNREADABLE" && skipped.why.contains("b.brp"), "{skipped:?}");
+}
+
 #[test]
 fn what_a_document_has_besides_is_named() {
     let moved =
@@ -109,6 +128,7 @@ fn what_a_document_has_besides_is_named() {
         ("Moved", "FORMAT_UNSUPPORTED"),
         ("Binary", "FORMAT_UNSUPPORTED"),
         ("Broken", "BREP_SYNTAX"),
+        ("Absent", "CAD_UNREADABLE"),
     ];
     assert_eq!(report.faces, 1);
     assert_eq!(skipped, named.map(|(name, code)| (name.to_owned(), code)));

@@ -14,11 +14,6 @@ fn refusal(bytes: impl AsRef<[u8]>, format: MeshFormat) -> String {
     MeshFile::read(bytes.as_ref(), format).unwrap_err().to_string()
 }
 
-/// The names of the parts that are noted.
-fn noted(file: &MeshFile) -> Vec<String> {
-    file.notes.iter().map(|note| note.face.to_string()).collect()
-}
-
 #[test]
 fn a_file_has_one_separator_and_one_decimal_mark() {
     assert_eq!(points("x;y;z\n0,5;0;0\n1,5;0;0\n"), [[0.5, 0.0, 0.0], [1.5, 0.0, 0.0]]);

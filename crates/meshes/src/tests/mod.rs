@@ -29,6 +29,11 @@ fn read_mesh(bytes: &[u8], format: MeshFormat) -> (Vec<[[f64; 3]; 3]>, Option<f6
     (corners(&mesh), unit)
 }
 
+/// The names of the parts that are noted.
+fn noted(file: &MeshFile) -> Vec<String> {
+    file.notes.iter().map(|note| note.face.to_string()).collect()
+}
+
 /// The numbers of triangles of the groups.
 fn groups_of(file: &MeshFile) -> Vec<usize> {
     match &file.facets {

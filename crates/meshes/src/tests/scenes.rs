@@ -29,6 +29,7 @@ fn buffers_of_gltf_may_stand_beside_it() {
     let file = gltf_with("a%20b/buffer.bin", &[], &beside).unwrap();
     let Facets::Mesh(mesh) = &file.facets else { panic!("a mesh") };
     assert_eq!(corners(mesh), tetrahedron());
+    assert!(gltf_with("./a%20b/buffer.bin", &[], &beside).is_ok());
     let error = gltf_with("other.bin", &[], &beside).unwrap_err().to_string();
     assert!(error.contains("\"other.bin\" is missing"), "{error}");
     assert!(MeshFile::names_beside(&glb(), MeshFormat::Gltf).is_empty());
@@ -59,6 +60,19 @@ fn skins_morphs_and_instances_are_named() {
     let required = ("\"scene\": 0", "\"scene\": 0, \"extensionsRequired\": [\"KHR_draco_mesh_compression\"]");
     let error = gltf_with("b.bin", &[required], &beside).unwrap_err().to_string();
     assert!(error.contains("KHR_draco_mesh_compression"), "{error}");
+}
+
+#[test]
+fn what_no_scene_and_no_item_places_is_named() {
+    let beside = Beside::from([("b.bin".to_owned(), gltf_buffer())]);
+    let meshes = ("\"meshes\": [", "\"meshes\": [{\"primitives\": []}, ");
+    let more = gltf_with("b.bin", &[meshes, ("\"mesh\": 0", "\"mesh\": 1")], &beside).unwrap();
+    assert_eq!((groups_of(&more), noted(&more)), (vec![4], vec!["meshes".to_owned()]));
+    assert!(more.notes[0].why.starts_with("1 meshes"), "{:?}", more.notes);
+    let object = r#"<object id="3"><mesh><vertices><vertex x="0" y="0" z="-9"/><vertex x="1" y="0" z="-9"/>
+        <vertex x="0" y="1" z="-9"/></vertices><triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object></resources>"#;
+    let file = three_mf_with(&[("</resources>", object)]).unwrap();
+    assert_eq!((groups_of(&file), noted(&file)), (vec![4], vec!["objects".to_owned()]));
 }
 
 /// A node of two equal children, and so on: without a mesh there is nothing that else would end it.

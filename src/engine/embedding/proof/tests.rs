@@ -135,7 +135,7 @@ fn a_surface_with_an_inner_line_that_is_a_point_is_not_embedded() {
 /// one are twice as long as all of these steps together.
 #[test]
 fn steps_without_a_direction_add_up() {
-    let (count, step) = (1000, 1e-11);
+    let (count, step) = (250, 1e-11);
     let xs: Vec<f64> = std::iter::once(0.0).chain((0..=count).map(|k| 1.0 - f64::from(k) * step)).collect();
     let rows: Vec<String> = xs.iter().map(|x| format!("[[{x:?},0,0,1],[{x:?},1,0,1]]")).collect();
     let end = f64::from(count + 1);

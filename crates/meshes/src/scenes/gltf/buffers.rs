@@ -66,7 +66,8 @@ fn decoded(data: &str) -> Result<Vec<u8>> {
 
 /// Returns the path that a relative URI stands for.
 fn path(uri: &str) -> String {
-    String::from_utf8_lossy(&unescaped(uri)).into_owned()
+    let path = String::from_utf8_lossy(&unescaped(uri)).into_owned();
+    path.trim_start_matches("./").to_owned()
 }
 
 /// Returns bytes with each `%` and two hexadecimal digits replaced by what they stand for.

@@ -11,6 +11,7 @@ use glam::{DAffine3, DVec3};
 use json::{Mesh, Node, Primitive, Root, TRIANGLES};
 use nurbs_hausdorff::{Error, Result};
 use std::borrow::Cow;
+use std::collections::HashSet;
 
 pub(crate) use buffers::names_beside;
 
@@ -63,6 +64,11 @@ pub(crate) fn read(bytes: &[u8], beside: &Beside) -> Result<Soup> {
         let others = scenes.len() - 1;
         scene.soup.note("scenes", format!("{others} scenes besides the first or default one are not shown"));
     }
+    let unplaced = file.root.meshes.len() - file.placed_meshes(&roots).len();
+    // Those of other scenes are named with these.
+    if unplaced > 0 && scenes.len() <= 1 {
+        scene.soup.note("meshes", format!("{unplaced} meshes that no node of the scene has are not shown"));
+    }
     for node in roots {
         file.place_node(node, &DAffine3::IDENTITY, 0, &mut scene)?;
     }
@@ -75,6 +81,18 @@ fn is_only_appearance(name: &str) -> bool {
 }
 
 impl File<'_> {
+    /// Returns the meshes that these nodes and those below them have.
+    fn placed_meshes(&self, roots: &[usize]) -> HashSet<usize> {
+        let (mut meshes, mut met, mut pending) = (HashSet::new(), HashSet::new(), roots.to_vec());
+        while let Some(node) = pending.pop() {
+            if let Some(node) = self.root.nodes.get(node).filter(|_| met.insert(node)) {
+                meshes.extend(node.mesh.filter(|&mesh| mesh < self.root.meshes.len()));
+                pending.extend(&node.children);
+            }
+        }
+        meshes
+    }
+
     fn place_node(&self, node: usize, parent: &DAffine3, depth: usize, scene: &mut Scene) -> Result<()> {
         scene.enter(depth)?;
         let node = self.root.nodes.get(node).ok_or_else(|| missing("node", node))?;

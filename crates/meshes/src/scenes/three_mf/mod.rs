@@ -10,7 +10,7 @@ use nurbs_hausdorff::Result;
 use nurbs_hausdorff::workspace::Budget;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::io::Cursor;
 use zip::ZipArchive;
 
@@ -72,24 +72,41 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
     };
     let part = parts.get(root).ok_or_else(|| FORMAT.syntax("the archive has no model"))?;
     let mut scene = Scene::new(FORMAT, part.unit);
+    let mut met = HashSet::new();
     for item in &part.items {
-        place_object(&parts, root, item, &DAffine3::IDENTITY, 0, &mut scene)?;
+        place_object(&parts, root, item, &DAffine3::IDENTITY, 0, (&mut scene, &mut met))?;
+    }
+    let objects =
+        parts.iter().flat_map(|(path, part)| part.objects.iter().map(move |(id, one)| (path, id, one)));
+    let is_left = |(path, id, object): &(&String, &String, &Object)| {
+        !object.triangles.is_empty() && !met.contains(&(path.as_str(), id.as_str()))
+    };
+    let left = objects.filter(is_left).count();
+    if left > 0 {
+        scene
+            .soup
+            .note("objects", format!("{left} objects that no item of the build places are no part of it"));
     }
     Ok(scene.soup)
 }
 
-fn place_object(
-    parts: &HashMap<String, PackagePart>,
-    path: &str,
-    component: &Component,
+/// Objects by the paths of their parts and their ids.
+type Met<'a> = HashSet<(&'a str, &'a str)>;
+
+/// Places an object and its components, and enters them among those met.
+fn place_object<'a>(
+    parts: &'a HashMap<String, PackagePart>,
+    path: &'a str,
+    component: &'a Component,
     parent: &DAffine3,
     depth: usize,
-    scene: &mut Scene,
+    (scene, met): (&mut Scene, &mut Met<'a>),
 ) -> Result<()> {
     scene.enter(depth)?;
     let path = component.path.as_deref().unwrap_or(path);
     let object = parts.get(path).and_then(|part| part.objects.get(&component.object));
     let object = object.ok_or_else(|| FORMAT.syntax(format!("there is no object {:?}", component.object)))?;
+    met.insert((path, &component.object));
     if let Some(kind) = object.kind.as_deref().filter(|kind| !MODEL_KINDS.contains(kind)) {
         let kind: String = kind.chars().take(32).collect();
         let called = object.name.as_deref().unwrap_or(&component.object);
@@ -99,7 +116,7 @@ fn place_object(
     let transform = *parent * component.transform;
     scene.place(object.name.as_deref(), &object.vertices, &object.triangles, &transform)?;
     for component in &object.components {
-        place_object(parts, path, component, &transform, depth + 1, scene)?;
+        place_object(parts, path, component, &transform, depth + 1, (&mut *scene, &mut *met))?;
     }
     Ok(())
 }
