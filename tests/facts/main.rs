@@ -6,7 +6,6 @@
 mod support;
 
 mod bodies;
-mod branched;
 mod check;
 mod coincidence;
 mod embedding;
@@ -16,4 +15,4 @@ mod hints;
 mod models;
 mod overlap;
 mod revisions;
-mod voids;
+mod shells;

@@ -1,21 +1,11 @@
 //! Shells that the source orients as voids and that touch the shell about them: whether they are voids is not known, and
 //! nothing is stated that depends on it.
 
+use super::{block, check, of_solids, turned};
 use crate::models::{Quad, faces, mesh, moved, of, of_quads, placed_all, prepared, quads_of_box};
-use nurbs_hausdorff::shapes::sphere;
-use nurbs_hausdorff::{
-    CheckOptions, CheckResult, DVec3, Engine, NamedModel, OverlapUnknown, PairState, PreparedModel, Side,
-    VolumeUnknown,
-};
+use nurbs_hausdorff::shapes::{cylinder, sphere};
+use nurbs_hausdorff::{DVec3, OverlapUnknown, PairState, PreparedModel, Side, VolumeUnknown};
 use std::f64::consts::PI;
-
-fn block(min: [f64; 3], max: [f64; 3]) -> Vec<Quad> {
-    quads_of_box(DVec3::from_array(min), DVec3::from_array(max)).to_vec()
-}
-
-fn turned(quads: &[Quad]) -> Vec<Quad> {
-    quads.iter().map(|&[a, b, c, d]| [d, c, b, a]).collect()
-}
 
 /// One model of shells that the source tells apart.
 fn of_shells(shells: &[Vec<Quad>]) -> PreparedModel {
@@ -26,24 +16,6 @@ fn of_shells(shells: &[Vec<Quad>]) -> PreparedModel {
         })
     });
     prepared(&of(faces.collect()))
-}
-
-/// One model of solids that the source tells apart, each by its shells.
-fn of_solids(solids: &[&[Vec<Quad>]]) -> PreparedModel {
-    let faces = solids.iter().enumerate().flat_map(|(solid, shells)| {
-        shells.iter().enumerate().flat_map(move |(shell, quads)| {
-            faces(&of_quads(quads)).into_iter().map(move |mut face| {
-                (face.solid, face.shell) = (Some(solid as u32), Some((10 * solid + shell) as u32));
-                face
-            })
-        })
-    });
-    prepared(&of(faces.collect()))
-}
-
-fn check(model: &PreparedModel) -> CheckResult {
-    let models = [NamedModel { name: None, model }];
-    Engine::cpu().check(&models, &CheckOptions::default()).wait().unwrap()
 }
 
 /// A cube of side 3, and a unit cube in it that touches it: along a side, along an edge, in a corner of it, or beyond it
@@ -110,6 +82,21 @@ fn a_void_whose_control_points_are_outside_is_one() {
     let small = of_quads(&quads_of_box(DVec3::new(1.0, 1.0, 0.0), DVec3::new(1.05, 1.05, 0.05)));
     let model = prepared(&placed_all(&[(&small, moved([0.0; 3])), (&ball, turned)]));
     assert_eq!(model.bodies().iter().map(|body| body.voids).collect::<Vec<_>>(), [0, 0]);
+}
+
+/// A sheet in the material of a cube, whose control points are outside of that: it is neither apart nor near.
+#[test]
+fn a_sheet_within_a_solid_is_not_judged() {
+    let (half, side) = (0.5_f64.sqrt(), 2.2);
+    let turned = [half, -half, 0.0, 0.0, half, half, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    let cube = of_quads(&quads_of_box(DVec3::splat(-0.5 * side), DVec3::splat(0.5 * side)));
+    // The lateral face alone, without the discs.
+    let walls = of(faces(&cylinder(1.0, 1.6).unwrap())[..1].to_vec());
+    let model = prepared(&placed_all(&[(&cube, moved([0.0; 3])), (&walls, turned)]));
+    let closed: Vec<bool> = model.bodies().iter().map(|body| body.closed).collect();
+    assert_eq!(closed, [true, false]);
+    let result = check(&model);
+    assert!(matches!(result.pairs[..], [ref pair] if pair.state == PairState::Undecided), "{result:?}");
 }
 
 /// The same of triangles that share no corners: the void touches along an edge.
