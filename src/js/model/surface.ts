@@ -138,7 +138,17 @@ export interface BrepText {
 const MODEL_KEYS: readonly (keyof ModelArrays)[] = ["name", "unit", "surfaces", "instances"];
 const SURFACE_KEYS: readonly (keyof SurfaceArrays)[] = [
   ...(["degree", "knotsU", "knotsV", "counts", "controlPoints", "homogeneous"] as const),
-  ...(["trim", "reversed", "faceName", "kind", "gap", "gapMeasured", "color", "shell", "solid"] as const),
+  ...([
+    "trim",
+    "reversed",
+    "faceName",
+    "kind",
+    "gap",
+    "gapMeasured",
+    "color",
+    "shell",
+    "solid",
+  ] as const),
 ];
 const CURVE_KEYS: readonly (keyof TrimCurveArrays)[] = [
   ...(["degree", "knots", "controlPoints", "gap", "edge"] as const),
