@@ -208,7 +208,9 @@ impl FacePieces {
     pub(crate) fn origin(&self, piece: usize) -> SurfaceOrigin {
         let face = self.face(piece);
         let (is_turned, is_reversed) = (self.turns_over(piece), self.is_turned(piece));
-        SurfaceOrigin { face, is_turned, is_reversed, shell: self.of_faces[face].shell }
+        // Faces of one solid are joined first where the source has no shells.
+        let FaceNotes { shell, solid, .. } = self.of_faces[face];
+        SurfaceOrigin { face, is_turned, is_reversed, shell: shell.or(solid) }
     }
 
     /// Returns the name of a face, if it has one.

@@ -87,7 +87,7 @@ impl<'a> SignSource<'a> {
     /// Joins the model's edges at first use. Distances up to `tolerance` have the sign 0.
     pub(super) fn new(model: &'a PreparedModel, tolerance: f64) -> Self {
         let is_needed = model.facets().is_none_or(|mesh| mesh.may_close() && model.boundary().is_closed());
-        let source = is_needed.then(|| (model.shells(), model.target(Flatness::None)));
+        let source = is_needed.then(|| (model.sides(), model.target(Flatness::None)));
         Self { source, tolerance }
     }
 

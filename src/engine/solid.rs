@@ -111,7 +111,7 @@ impl PreparedModel {
             return Side::Undecided;
         }
         let enclosing = self.boundary().enclosing(&self.target(Flatness::None).target, point, error);
-        enclosing.map_or(Side::Undecided, |enclosing| self.shells().side(&enclosing))
+        enclosing.map_or(Side::Undecided, |enclosing| self.sides().side(&enclosing))
     }
 
     /// Returns true only if all points between two points, each known up to `error`, certainly have one side.

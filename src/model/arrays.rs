@@ -28,4 +28,7 @@ pub struct InstanceArrays {
     pub transform: [f64; 12],
     /// The instance's name in its source.
     pub name: Option<String>,
+    /// The number of the solid that the placed faces bound, in place of those of the faces: instances with the same number
+    /// are of one solid. Without it each instance has shells and solids of its own.
+    pub solid: Option<u32>,
 }

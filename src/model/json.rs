@@ -59,6 +59,8 @@ struct InterchangeInstance {
     transform: [f64; 12],
     #[serde(default)]
     name: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    solid: Option<u32>,
 }
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
@@ -175,8 +177,8 @@ impl Model {
             serde_json::from_str(text).map_err(|error| shape_error(text, &error))?;
         let faces = parsed.surfaces.into_iter().enumerate();
         let instances = parsed.instances.into_iter().map(|instance| {
-            let InterchangeInstance { surfaces, transform, name } = instance;
-            InstanceArrays { surfaces, transform, name }
+            let InterchangeInstance { surfaces, transform, name, solid } = instance;
+            InstanceArrays { surfaces, transform, name, solid }
         });
         Ok(ModelArrays {
             name: parsed.name,

@@ -255,6 +255,13 @@ fn validated(faces: Vec<FaceArrays>) -> Result<Vec<(NurbsSurface, FaceData)>> {
     Ok(joined)
 }
 
+/// What a placed face is of: a solid that instances state, or an instance that states none.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Use {
+    Solid(u32),
+    Instance(usize),
+}
+
 /// Returns the faces of each instance, placed by its transform.
 fn placed(
     faces: &[(NurbsSurface, FaceData)],
@@ -276,10 +283,12 @@ fn placed(
             let (surface, data) =
                 faces.get(found).ok_or(Error::InstanceSurface { instance, found, expected })?;
             let mut data = data.placed(stretch, map.reflects(), name.as_deref());
+            let of = arrays.solid.map_or(Use::Instance(instance), Use::Solid);
+            data.solid = arrays.solid.or(data.solid);
             for (number, known) in [(&mut data.shell, &mut shells), (&mut data.solid, &mut solids)] {
                 *number = number.map(|number| {
                     let next = known.len() as u32;
-                    *known.entry((instance, number)).or_insert(next)
+                    *known.entry((of, number)).or_insert(next)
                 });
             }
             all.push((map.apply(found, surface)?, data));

@@ -130,8 +130,12 @@ mod tests {
             shell: Some(7),
             solid: Some(8),
         };
-        let instance =
-            InstanceArrays { surfaces: vec![0, 0], transform: [0.1; 12], name: Some("part".to_owned()) };
+        let instance = InstanceArrays {
+            surfaces: vec![0, 0],
+            transform: [0.1; 12],
+            name: Some("part".to_owned()),
+            solid: Some(9),
+        };
         Assembled {
             model: ModelArrays {
                 name: None,

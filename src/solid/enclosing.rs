@@ -19,6 +19,22 @@ pub(crate) enum Relation {
     Unknown,
 }
 
+/// What the faces of a shell bound in their source.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SourceSolid {
+    /// One solid by its number, or none.
+    Alone(Option<u32>),
+    /// More than one, or one and none: their edges were joined.
+    Several,
+}
+
+impl SourceSolid {
+    /// Returns whether the shells of two may be voids of each other.
+    pub(crate) fn may_be_of(self, other: Self) -> bool {
+        self == other || self == Self::Several || other == Self::Several
+    }
+}
+
 /// The shells that enclose a point: those that a ray from it crosses an odd number of times, in
 /// order.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -45,13 +61,20 @@ impl Enclosing {
         self.0.binary_search(&shell).is_ok()
     }
 
-    /// Returns these shells by the solids of the source that they bound: a shell of one is no void of another one. All are
-    /// one part where one of them has no solid.
-    pub(crate) fn by_solids(&self, solid: impl Fn(u32) -> Option<u32>) -> Vec<Self> {
-        let mut parts: BTreeMap<u32, Self> = BTreeMap::new();
+    /// Returns the shells, in order.
+    pub(crate) fn shells(&self) -> &[u32] {
+        &self.0
+    }
+
+    /// Returns these shells by what of the source they bound: a shell of one part is no void of another one. All are one
+    /// part where one of them has faces of several.
+    pub(crate) fn by_solids(&self, solid: impl Fn(u32) -> SourceSolid) -> Vec<Self> {
+        let mut parts: BTreeMap<Option<u32>, Self> = BTreeMap::new();
         for &shell in &self.0 {
-            let Some(solid) = solid(shell) else { return vec![self.clone()] };
-            parts.entry(solid).or_default().0.push(shell);
+            match solid(shell) {
+                SourceSolid::Several => return vec![self.clone()],
+                SourceSolid::Alone(solid) => parts.entry(solid).or_default().0.push(shell),
+            }
         }
         parts.into_values().collect()
     }
@@ -110,9 +133,18 @@ mod tests {
     #[test]
     fn shells_are_parted_by_their_solids() {
         let around = of(&[1, 4, 6]);
-        assert_eq!(around.by_solids(|shell| Some(shell % 2)), [of(&[4, 6]), of(&[1])]);
-        assert_eq!(around.by_solids(|shell| (shell != 4).then_some(shell)), std::slice::from_ref(&around));
-        assert_eq!(of(&[]).by_solids(|_| None), []);
+        let alone = SourceSolid::Alone;
+        assert_eq!(around.by_solids(|shell| alone(Some(shell % 2))), [of(&[4, 6]), of(&[1])]);
+        assert_eq!(around.by_solids(|shell| alone((shell < 5).then_some(3))), [of(&[6]), of(&[1, 4])]);
+        let several = |shell| if shell == 4 { SourceSolid::Several } else { alone(Some(shell)) };
+        assert_eq!(around.by_solids(several), std::slice::from_ref(&around));
+        assert_eq!(of(&[]).by_solids(|_| SourceSolid::Several), []);
+        let pairs = [
+            (alone(None), alone(Some(0))),
+            (alone(Some(1)), SourceSolid::Several),
+            (alone(None), alone(None)),
+        ];
+        assert_eq!(pairs.map(|(one, other)| one.may_be_of(other)), [false, true, true]);
     }
 
     /// The pairs named meet or are not known; of the others the later one lies within the earlier.

@@ -104,11 +104,18 @@ impl Surfaces {
     /// Appends a placement of surfaces by a row-major 3x4 matrix; numbers that are missing
     /// are NaN, which validation refuses.
     #[wasm_bindgen(js_name = pushInstance)]
-    pub fn push_instance(&mut self, surfaces: &[u32], transform: &[f64], name: Option<String>) {
+    pub fn push_instance(
+        &mut self,
+        surfaces: &[u32],
+        transform: &[f64],
+        name: Option<String>,
+        solid: Option<u32>,
+    ) {
         self.0.instances.push(InstanceArrays {
             surfaces: surfaces.iter().map(|&surface| surface as usize).collect(),
             transform: std::array::from_fn(|index| transform.get(index).copied().unwrap_or(f64::NAN)),
             name,
+            solid,
         });
     }
 }

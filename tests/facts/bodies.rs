@@ -66,6 +66,7 @@ fn placed_shells_are_numbered_by_their_uses() {
             surfaces: (0..6).collect(),
             transform,
             name: None,
+            solid: None,
         })
         .to_vec();
     let model = nurbs_hausdorff::Model::from_faces(arrays).unwrap();

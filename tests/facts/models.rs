@@ -25,7 +25,7 @@ pub(crate) fn placed_all(parts: &[(&Model, [f64; 12])]) -> Model {
         let start = arrays.faces.len();
         arrays.faces.extend(faces(model));
         let surfaces = (start..arrays.faces.len()).collect();
-        arrays.instances.push(InstanceArrays { surfaces, transform: *transform, name: None });
+        arrays.instances.push(InstanceArrays { surfaces, transform: *transform, name: None, solid: None });
     }
     Model::from_faces(arrays).unwrap()
 }

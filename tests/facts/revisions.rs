@@ -21,7 +21,7 @@ fn assembly(parts: &[Placed<'_>]) -> PreparedModel {
             arrays.faces.push(face);
         }
         let surfaces = (start..arrays.faces.len()).collect();
-        arrays.instances.push(InstanceArrays { surfaces, transform, name: None });
+        arrays.instances.push(InstanceArrays { surfaces, transform, name: None, solid: None });
     }
     prepared(&Model::from_faces(arrays).unwrap())
 }
@@ -135,7 +135,7 @@ fn sheet(height: f64, is_swapped: bool) -> Model {
         SurfaceArrays { degree: [1, 1], knots: [knots.clone(), knots], counts: [2, 2], control_points };
     let loops = Some(vec![(0..6).map(line).collect()]);
     let face = FaceArrays { reversed: is_swapped, ..FaceArrays::new(surface, loops) };
-    let instances = vec![InstanceArrays { surfaces: vec![0], transform: HERE, name: None }];
+    let instances = vec![InstanceArrays { surfaces: vec![0], transform: HERE, name: None, solid: None }];
     Model::from_faces(ModelArrays { faces: vec![face], instances, ..ModelArrays::default() }).unwrap()
 }
 

@@ -1,5 +1,6 @@
 //! Two models as solids in one frame.
 
+use crate::engine::prepared::BodyParts;
 use crate::engine::{PreparedModel, PreparedTarget};
 use crate::flatness::Flatness;
 use crate::interval::Interval;
@@ -123,7 +124,7 @@ fn turned_shells(model: &PreparedModel) -> Vec<Option<bool>> {
     turned
 }
 
-/// Returns whether no two shells of different bodies have points in common.
+/// Returns whether certainly no two bodies have points in common, of their boundaries and within.
 fn are_bodies_apart(model: &PreparedModel) -> bool {
     let bodies = model.body_parts();
     bodies.iter().enumerate().all(|(index, body)| {
@@ -133,8 +134,21 @@ fn are_bodies_apart(model: &PreparedModel) -> bool {
                 .iter()
                 .flat_map(|one| other.shells.iter().map(move |other| [one.shell, other.shell]));
             pairs.into_iter().all(|pair| model.shells().is_apart(pair) == Some(true))
+                && is_outside(model, body, other)
+                && is_outside(model, other, body)
         })
     })
+}
+
+/// Returns whether the first of two bodies whose shells are apart certainly lies outside of the other one: outside of its
+/// outer shell, or in a void.
+fn is_outside(model: &PreparedModel, body: &BodyParts, other: &BodyParts) -> bool {
+    let (Some(inner), Some((outer, voids))) = (body.shells.first(), other.shells.split_first()) else {
+        return true;
+    };
+    let shells = model.shells();
+    shells.has_within(outer.shell, inner.shell) == Some(false)
+        || voids.iter().any(|void| shells.has_within(void.shell, inner.shell) == Some(true))
 }
 
 impl Sides for Solids<'_> {
@@ -154,7 +168,7 @@ impl Sides for Solids<'_> {
             None => boundary.enclosing(target, place(point), 0.0),
         };
         let enclosing = found?;
-        let side = model.shells().side(&enclosing);
+        let side = model.sides().side(&enclosing);
         Some((enclosing, side))
     }
 }

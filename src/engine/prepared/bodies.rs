@@ -91,17 +91,18 @@ fn grouped(shells: Vec<ShellParts>, boxes: &[ShellBoxes], around: &[Around]) -> 
         depths.sort_unstable();
         depths.into_iter().eq(0..depth(index))
     };
-    let is_known = |index: usize| around[index].unknown.is_empty() && is_chain(index);
+    let mut is_known: Vec<bool> =
+        (0..shells.len()).map(|index| around[index].unknown.is_empty() && is_chain(index)).collect();
     let mut outer_first: Vec<usize> = (0..shells.len()).collect();
     outer_first.sort_by_key(|&index| depth(index));
     let mut is_void = vec![false; shells.len()];
-    for index in outer_first.into_iter().filter(|&index| is_known(index)) {
+    for index in outer_first {
         let innermost = around[index].shells.iter().copied().max_by_key(|&outer| depth(outer));
-        is_void[index] = match (innermost, around[index].is_void) {
-            (None, _) => false,
-            (Some(_), Some(told)) => told,
-            (Some(outer), None) => !is_void[outer],
-        };
+        let Some(outer) = innermost.filter(|_| is_known[index]) else { continue };
+        let told = around[index].is_void;
+        // No void lies in a void.
+        is_known[index] = told != Some(true) || !is_void[outer];
+        is_void[index] = is_known[index] && told.unwrap_or(!is_void[outer]);
     }
     let mut bodies: Vec<BodyParts> = Vec::new();
     let mut body_of = vec![None; shells.len()];
@@ -121,7 +122,7 @@ fn grouped(shells: Vec<ShellParts>, boxes: &[ShellBoxes], around: &[Around]) -> 
             body_of[index] = Some(body);
         }
     }
-    for index in (0..around.len()).filter(|&index| !is_known(index)) {
+    for index in (0..around.len()).filter(|&index| !is_known[index]) {
         let outer = around[index].shells.iter().chain(&around[index].unknown);
         for (one, other) in outer.filter_map(|&outer| body_of[index].zip(body_of[outer])) {
             bodies[one].may_nest_with.push(other);

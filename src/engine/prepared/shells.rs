@@ -8,7 +8,7 @@ use crate::closest::Target;
 use crate::facts::{Moments, of_patch};
 use crate::interval::Interval;
 use crate::model::RigidTransform;
-use crate::solid::{Boundary, Enclosing, Relation, Side};
+use crate::solid::{Boundary, Enclosing, Relation, Side, SourceSolid};
 use crate::threads::{computed, locked};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock};
@@ -29,7 +29,8 @@ pub(super) struct KnownShells {
     apart: Mutex<HashMap<[u32; 2], bool>>,
     /// Whether the normals that the source has are out of a shell, where that is known.
     faces_out: Mutex<HashMap<u32, Option<bool>>>,
-    solids: OnceLock<Vec<Option<u32>>>,
+    solids: OnceLock<Vec<SourceSolid>>,
+    roles: OnceLock<Vec<Option<ShellRole>>>,
 }
 
 /// The shells of a model, to be shared by threads.
@@ -40,40 +41,79 @@ pub(in crate::engine) struct Shells<'a> {
     control_box: Aabb,
     known: &'a KnownShells,
     /// As [`PreparedModel::solids`].
-    solids: &'a [Option<u32>],
+    solids: &'a [SourceSolid],
+    /// As [`PreparedModel::roles`]; empty while these are not known.
+    roles: &'a [Option<ShellRole>],
+}
+
+/// What a shell is to its body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct ShellRole {
+    body: u32,
+    is_void: bool,
 }
 
 impl PreparedModel {
+    /// Returns the shells that joined edges connect, with the bodies that they are of.
+    pub(in crate::engine) fn sides(&self) -> Shells<'_> {
+        // The side of one shell takes no bodies, which take a comparison of all shells.
+        let roles = if self.joined().of_shell.len() > 1 { self.roles() } else { &[] };
+        Shells { roles, ..self.shells() }
+    }
+
+    /// Returns what each shell is to its body; none where that is not known.
+    fn roles(&self) -> &[Option<ShellRole>] {
+        computed::<Vec<Option<ShellRole>>>(&self.kept.shells.roles, || {
+            let mut roles = vec![None; self.joined().of_shell.len()];
+            for (body, parts) in
+                self.body_parts().iter().enumerate().filter(|(_, parts)| parts.may_nest_with.is_empty())
+            {
+                for (place, shell) in parts.shells.iter().enumerate() {
+                    roles[shell.shell as usize] = Some(ShellRole { body: body as u32, is_void: place > 0 });
+                }
+            }
+            roles
+        })
+    }
+
     /// Returns the shells that joined edges connect.
     pub(in crate::engine) fn shells(&self) -> Shells<'_> {
         let (boundary, bezier) = (self.boundary(), self.bezier());
         let (control_box, known, solids) = (self.control_box, &self.kept.shells, self.solids());
-        Shells { boundary, bezier, control_box, known, solids }
+        Shells { boundary, bezier, control_box, known, solids, roles: &[] }
     }
 
-    /// Returns the solid of the source that each shell bounds; none where its faces are not all of one.
-    pub(super) fn solids(&self) -> &[Option<u32>] {
-        computed::<Vec<Option<u32>>>(&self.kept.shells.solids, || {
+    /// Returns the solid of the source that each shell bounds.
+    pub(super) fn solids(&self) -> &[SourceSolid] {
+        computed::<Vec<SourceSolid>>(&self.kept.shells.solids, || {
             let joined = self.joined();
             let mut solids = vec![None; joined.of_shell.len()];
-            if self.facets.is_some() {
-                return solids;
+            if self.facets.is_none() {
+                for (surface, &shell) in joined.shells.iter().enumerate() {
+                    let own = SourceSolid::Alone(self.pieces.solid(surface));
+                    let known = solids[shell as usize].get_or_insert(own);
+                    if *known != own {
+                        *known = SourceSolid::Several;
+                    }
+                }
             }
-            let mut is_first = vec![true; solids.len()];
-            for (surface, &shell) in joined.shells.iter().enumerate() {
-                let (known, own) = (&mut solids[shell as usize], self.pieces.solid(surface));
-                *known = if is_first[shell as usize] { own } else { known.filter(|_| *known == own) };
-                is_first[shell as usize] = false;
-            }
-            solids
+            solids.into_iter().map(|solid| solid.unwrap_or(SourceSolid::Alone(None))).collect()
         })
     }
 }
 
 impl Shells<'_> {
-    /// Returns the side of the points that these shells of the model enclose, by the rule of
-    /// docs/solids.md, section 2: inside if they are inside of one solid of the source. Shells are compared at first use.
+    /// Returns the side of the points that these shells of the model enclose, by the rule of docs/solids.md, section 2:
+    /// inside of a body, where it is known whose these shells are, else inside of one solid of the source. Shells are
+    /// compared at first use.
     pub(in crate::engine) fn side(&self, enclosing: &Enclosing) -> Side {
+        let role = |&shell: &u32| self.roles.get(shell as usize).copied().flatten();
+        let roles: Option<Vec<ShellRole>> = enclosing.shells().iter().map(role).collect();
+        if let Some(roles) = roles {
+            let is_in_void = |body: u32| roles.iter().any(|role| role.is_void && role.body == body);
+            let is_inside = roles.iter().any(|role| !role.is_void && !is_in_void(role.body));
+            return if is_inside { Side::Inside } else { Side::Outside };
+        }
         let parts = enclosing.by_solids(|shell| self.solids[shell as usize]);
         let sides: Vec<Side> = parts.iter().map(|part| part.side(|pair| self.relation(pair))).collect();
         let has = |side| sides.contains(&side);
@@ -111,7 +151,7 @@ impl Shells<'_> {
     }
 
     /// Returns whether the first of two shells that are apart encloses the second one; any point of this tells.
-    pub(super) fn has_within(&self, other: u32, shell: u32) -> Option<bool> {
+    pub(in crate::engine) fn has_within(&self, other: u32, shell: u32) -> Option<bool> {
         self.enclosed_points(shell, other).flatten().next()
     }
 

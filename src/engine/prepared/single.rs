@@ -121,7 +121,12 @@ mod tests {
             let x = 10.0 * index as f64;
             [1.0, 0.0, 0.0, x, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]
         };
-        let instance = |index| InstanceArrays { surfaces: vec![index], transform: place(index), name: None };
+        let instance = |index| InstanceArrays {
+            surfaces: vec![index],
+            transform: place(index),
+            name: None,
+            solid: None,
+        };
         let arrays = ModelArrays {
             faces: vec![plate(); count],
             instances: (0..count).map(instance).collect(),

@@ -65,6 +65,11 @@ export interface InstanceArrays {
   /** An invertible affine map as a row-major 3x4 matrix, the translation in the last column. */
   transform: Numbers;
   name?: string;
+  /**
+   * The number of the solid that the placed faces bound, in place of those of the faces: instances with the same number
+   * are of one solid. Without it each instance has shells and solids of its own.
+   */
+  solid?: number;
 }
 
 /** A model as plain arrays, where surfaces alone do not suffice. */
@@ -116,6 +121,7 @@ export interface InterchangeInstance {
   /** A row-major 3x4 matrix. */
   transform: readonly number[];
   name?: string;
+  solid?: number;
 }
 
 /** The interchange JSON, version 1 or 2, parsed; other keys are ignored. */
@@ -153,7 +159,7 @@ const SURFACE_KEYS: readonly (keyof SurfaceArrays)[] = [
 const CURVE_KEYS: readonly (keyof TrimCurveArrays)[] = [
   ...(["degree", "knots", "controlPoints", "gap", "edge"] as const),
 ];
-const INSTANCE_KEYS: readonly (keyof InstanceArrays)[] = ["surfaces", "transform", "name"];
+const INSTANCE_KEYS: readonly (keyof InstanceArrays)[] = ["surfaces", "transform", "name", "solid"];
 const INTERCHANGE_KEYS: readonly string[] = [
   ...([
     "degree",
@@ -318,6 +324,7 @@ function pushInstance(surfaces: Surfaces, instance: InstanceArrays, where: strin
     Uint32Array.from(indices, (index) => count(index, `${where}: surfaces`)),
     transform,
     optional(instance.name, "string", `${where}: name`),
+    instance.solid === undefined ? undefined : count(instance.solid, `${where}: solid`),
   );
 }
 

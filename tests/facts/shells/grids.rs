@@ -2,7 +2,8 @@
 //! volumes are numbers of cells.
 
 use super::{block, check, of_solids, turned};
-use crate::models::Quad;
+use crate::models::{Quad, of_quads, prepared};
+use crate::overlap::overlap;
 use nurbs_hausdorff::{PairState, Side};
 
 /// The cells along each side of the grid.
@@ -85,6 +86,12 @@ fn volumes_sides_and_clashes_are_those_of_cells() {
             let side = model.side(cell.map(|at| f64::from(at) + 0.5));
             assert_eq!(side, expected, "{seed}: {cell:?} of {parts:?}");
         }
+        // All of it together with a cube about the middle: no volume is stated, or the number of cells that any part has.
+        let tool = Cells { min: [4; 3], max: [9; 3] };
+        let all = cells().filter(|&cell| tool.has(cell) && parts.iter().any(|part| part.has(cell))).count();
+        let shared = overlap(&model, &prepared(&of_quads(&tool.quads())), 1e-3).volumes;
+        let is_held = shared.is_none_or(|volumes| volumes.intersection.contains(all as f64));
+        assert!(is_held, "{seed}: {shared:?} of {all} in {parts:?}");
         let result = check(&model);
         let place = |name: &str| result.bodies.iter().position(|body| body.name == name).unwrap();
         for (a, b) in (0..parts.len()).flat_map(|b| (0..b).map(move |a| (a, b))) {

@@ -4,7 +4,9 @@
 use super::{block, check, of_solids, turned};
 use crate::models::{Quad, faces, mesh, moved, of, of_quads, placed_all, prepared, quads_of_box};
 use nurbs_hausdorff::shapes::{cylinder, sphere};
-use nurbs_hausdorff::{DVec3, OverlapUnknown, PairState, PreparedModel, Side, VolumeUnknown};
+use nurbs_hausdorff::{
+    DVec3, InstanceArrays, Model, ModelArrays, OverlapUnknown, PairState, PreparedModel, Side, VolumeUnknown,
+};
 use std::f64::consts::PI;
 
 /// One model of shells that the source tells apart.
@@ -130,6 +132,11 @@ fn a_part_at_the_wall_of_a_cavity_is_a_body() {
         let model = of_shells(&seated(height));
         assert_eq!(model.bodies().iter().map(|body| body.voids).collect::<Vec<_>>(), [1, 0], "{height}");
         assert!(model.facts().volume.is_some_and(|volume| volume.contains(57.0)), "{:?}", model.facts());
+        // In the part, and where it is in the housing, too; beside it in the cavity, and in the housing.
+        let sides = [height + 0.5, height + 0.125].map(|z| model.side([2.0, 2.0, z]));
+        assert_eq!(sides, [Side::Inside; 2], "{height}");
+        assert_eq!(model.side([1.25, 1.25, 2.0]), Side::Outside);
+        assert_eq!(model.side([0.5; 3]), Side::Inside);
         let result = check(&model);
         let states: Vec<PairState> = result.pairs.iter().map(|pair| pair.state).collect();
         assert_eq!(states, [expected], "{height}");
@@ -166,6 +173,86 @@ fn a_solid_within_another_one_is_a_body_that_clashes() {
         let [pair] = &result.pairs[..] else { panic!("{:?}", result.pairs) };
         assert_eq!(pair.state, PairState::Clash);
         assert!(pair.volume.is_some_and(|volume| volume.contains(1.0)), "{pair:?}");
+    }
+}
+
+/// A cavity that a placed tool cut: its faces are another instance, of the same solid. Without that statement they are a
+/// solid of their own.
+#[test]
+fn instances_may_be_of_one_solid() {
+    let numbered = |quads: &[Quad], shell: u32| {
+        faces(&of_quads(quads)).into_iter().map(move |mut face| {
+            (face.solid, face.shell) = (Some(0), Some(shell));
+            face
+        })
+    };
+    let [outer, inner] = [block([0.0; 3], [4.0; 3]), turned(&block([0.0; 3], [1.0; 3]))];
+    for (number, expected) in [(Some(5), 63.0), (None, 65.0)] {
+        let instance = |surfaces: std::ops::Range<usize>, at: f64| InstanceArrays {
+            surfaces: surfaces.collect(),
+            transform: [1.0, 0.0, 0.0, at, 0.0, 1.0, 0.0, at, 0.0, 0.0, 1.0, at],
+            name: None,
+            solid: number,
+        };
+        let arrays = ModelArrays {
+            faces: numbered(&outer, 0).chain(numbered(&inner, 1)).collect(),
+            instances: vec![instance(0..6, 0.0), instance(6..12, 1.5)],
+            ..ModelArrays::default()
+        };
+        let facts = prepared(&Model::from_faces(arrays).unwrap()).facts().clone();
+        assert!(facts.volume.is_some_and(|found| found.contains(expected)), "{facts:?}");
+    }
+}
+
+/// The void of a solid of which a face is left out may be one, and nothing clashes with it for certain.
+#[test]
+fn a_void_of_an_open_solid_is_no_body_for_certain() {
+    let [housing, cavity, part] = seated(1.5);
+    let model = of_solids(&[&[housing[1..].to_vec(), cavity], &[part]]);
+    let result = check(&model);
+    assert!(result.pairs.iter().all(|pair| pair.state != PairState::Clash), "{:?}", result.pairs);
+    let stated: Vec<bool> = model.body_facts().map(|facts| facts.volume.is_some()).collect();
+    assert_eq!(stated, [false, false, true]);
+}
+
+/// Two shells that meet in the material of a third one, with its normals, may be voids of it as one alone would be.
+#[test]
+fn shells_that_meet_in_material_are_not_told() {
+    let [housing, _, part] = seated(1.25);
+    let model = of_shells(&[housing, part, block([1.5, 1.5, 2.25], [2.5, 2.5, 2.75])]);
+    assert_eq!(model.facts().volume_unknown, Some(VolumeUnknown::Nesting));
+    assert!(check(&model).pairs.iter().all(|pair| pair.state != PairState::Clash));
+    // Each by itself is apart from the third one, and by that a void of it.
+    assert_eq!([[2.0, 2.0, 1.5], [2.0, 2.0, 2.5]].map(|point| model.side(point)), [Side::Outside; 2]);
+}
+
+/// Of two parts that touch in a cavity one is inside out: it is no void, as the cavity is one.
+#[test]
+fn no_void_lies_in_a_void() {
+    let [housing, cavity, part] = seated(1.25);
+    let beside = block([1.5, 1.5, 2.25], [2.5, 2.5, 2.75]);
+    for inner in [turned(&beside), beside] {
+        let model = of_shells(&[housing.clone(), cavity.clone(), part.clone(), inner.clone()]);
+        let volume = model.facts().volume;
+        assert!(volume.is_none_or(|volume| volume.contains(57.5)), "{volume:?}");
+        assert!(check(&model).pairs.iter().all(|pair| pair.state != PairState::Clash));
+    }
+}
+
+/// A closed shell that is of no solid, about a solid and within one, is no void and has none.
+#[test]
+fn a_loose_shell_is_no_void_of_a_solid() {
+    let [large, small] = [block([0.0; 3], [4.0; 3]), block([1.0; 3], [2.0; 3])];
+    for (loose, solid) in [(&large, &small), (&small, &large)] {
+        let mut all = faces(&of_quads(loose));
+        all.extend(faces(&of_quads(solid)).into_iter().map(|mut face| {
+            (face.solid, face.shell) = (Some(0), Some(0));
+            face
+        }));
+        let model = prepared(&of(all));
+        assert_eq!(model.bodies().len(), 2);
+        assert_eq!([[1.5; 3], [3.0; 3]].map(|point| model.side(point)), [Side::Inside; 2]);
+        assert!(model.facts().volume.is_some_and(|volume| volume.contains(65.0)), "{:?}", model.facts());
     }
 }
 

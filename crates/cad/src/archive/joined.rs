@@ -60,16 +60,24 @@ impl Joined {
         let (first, count) = (model.faces.len(), shape.faces.len());
         let placed = match shape.instances.is_empty() {
             true => {
-                vec![InstanceArrays { surfaces: (0..count).collect(), transform: IDENTITY, name: None }]
+                vec![InstanceArrays {
+                    surfaces: (0..count).collect(),
+                    transform: IDENTITY,
+                    name: None,
+                    solid: None,
+                }]
             }
             false => shape.instances,
         };
+        // Solids are numbered among the shells.
+        let mut shells = self.shells;
         for mut instance in placed {
             instance.surfaces.iter_mut().for_each(|index| *index += first);
+            instance.solid = instance.solid.map(|solid| solid.saturating_add(self.shells));
+            shells = shells.max(instance.solid.map_or(0, |solid| solid.saturating_add(1)));
             model.instances.push(instance);
         }
         let mut end = self.edges;
-        let mut shells = self.shells;
         for mut face in shape.faces {
             let own = face.face_name.take().unwrap_or_default();
             face.face_name = Some(format!("{} / {own}", level(name)));
@@ -80,7 +88,6 @@ impl Joined {
                 *edge = number.ok_or_else(found)?;
                 end = end.max(*edge + 1);
             }
-            // Solids are numbered among the shells.
             for number in [&mut face.shell, &mut face.solid].into_iter().flatten() {
                 *number = number.saturating_add(self.shells);
                 shells = shells.max(number.saturating_add(1));

@@ -141,27 +141,28 @@ fn sizes(file: &Topology, distinct: &[(usize, &Placed)]) -> Vec<usize> {
 }
 
 /// Returns the placements of faces, in the order of the file: those that follow each other in one
-/// part and place together.
+/// part, place and solid together.
 fn instances(
     levels: &Levels<'_>,
     placed: &[Placed],
     faces: &HashMap<(usize, Option<usize>), usize>,
 ) -> Vec<InstanceArrays> {
     let mut instances: Vec<InstanceArrays> = Vec::new();
-    let mut last_part = None;
+    let mut last = None;
     for placed in placed {
         let Some(&index) = faces.get(&placed.key()) else { continue };
         let transform = matrix(&placed.location);
+        let solid = placed.solid.map(|(number, _)| number);
         match instances.last_mut() {
-            Some(last) if last.transform == transform && last_part == placed.part => {
-                last.surfaces.push(index);
+            Some(instance) if instance.transform == transform && last == Some((placed.part, solid)) => {
+                instance.surfaces.push(index);
             }
             _ => {
                 let name = levels.path(placed.part);
-                instances.push(InstanceArrays { surfaces: vec![index], transform, name });
+                instances.push(InstanceArrays { surfaces: vec![index], transform, name, solid });
             }
         }
-        last_part = placed.part;
+        last = Some((placed.part, solid));
     }
     instances
 }
@@ -217,7 +218,7 @@ pub(crate) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)>
             return Err(Error::TooManyFaces { found, expected });
         }
     }
-    let mut placed = Vec::new();
+    let (mut placed, mut owners) = (Vec::new(), Vec::new());
     let mut levels = Levels::default();
     let mut met = Met::default();
     let (mut occurrences, mut groups) = (0, 0);
@@ -236,6 +237,7 @@ pub(crate) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)>
             {
                 let (part, shell, solid) = (above.level, above.group, above.solid);
                 placed.push(Placed { shape: shape_use.shape, reversed, location, part, color, shell, solid });
+                owners.push(above.owner());
             }
             ShapeKind::Place { name, is_occurrence } => {
                 own.place = name.as_deref().or(own.place);
@@ -258,6 +260,9 @@ pub(crate) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)>
             _ => {}
         }
     }
+    // One that stands alone as well is the solid's.
+    let mut owners = owners.into_iter();
+    placed.retain(|face: &Placed| owners.next().is_some_and(|owner| !met.is_solids(face, owner)));
     Ok((placed, levels))
 }
 
@@ -330,13 +335,20 @@ struct Owner {
 struct Met(HashMap<(usize, [u64; 12]), HashSet<Owner>>);
 
 impl Met {
+    /// Returns whether a face that stands in no solid stands in one as well, at this place.
+    fn is_solids(&self, face: &Placed, owner: Owner) -> bool {
+        let met = self.0.get(&(face.shape, matrix(&face.location).map(f64::to_bits)));
+        let is_alike = |met: &Owner| met.occurrence == owner.occurrence && met.solid.is_some();
+        owner.solid.is_none() && met.is_some_and(|met| met.iter().any(is_alike))
+    }
+
     /// Returns whether a face was not met at this place, but in other occurrences of products or other solids: what a
     /// file states twice without these is one face.
     fn is_first(&mut self, shape: usize, location: &DAffine3, owner: Owner) -> bool {
         let met = self.0.entry((shape, matrix(location).map(f64::to_bits))).or_default();
         let of_another = |met: &Owner| {
             if owner.occurrence == met.occurrence {
-                owner.solid.is_some() && met.solid.is_some()
+                owner.solid.is_some() && owner.solid != met.solid
             } else {
                 owner.occurrence.is_some() && met.occurrence.is_some()
             }

@@ -85,7 +85,25 @@ fn faces_have_the_numbers_of_their_solids() {
     assert!(a != b && solids == [Some(a), Some(a), Some(b), Some(b), None], "{solids:?}");
 }
 
-/// Solids that share a face have it each, and one that is stated twice at its place has its faces once.
+/// Two shells of one solid at places of their own, as what a placed tool cut, and the whole at two places.
+#[test]
+fn shells_at_other_places_are_of_one_solid() {
+    let mut text = BrepText::new();
+    text.location(MOVE);
+    let plane = text.surface(PLANE);
+    let faces = [0.0, 1.0].map(|n| text.region(plane, &[rectangle([0.0, 0.0], [1.0 + n, 1.0 + n])]));
+    let shells = faces.map(|face| text.shape("Sh\n", &[plus(face)]));
+    let at = |shape, location| Child { shape, sign: '+', location };
+    let solid = text.shape("So\n", &[at(shells[0], 0), at(shells[1], 1)]);
+    let compound = text.shape("Co\n", &[at(solid, 0), at(solid, 1)]);
+    let (model, _) = from_brep(&text.text(plus(compound))).unwrap();
+    let solids: Vec<Option<u32>> = model.faces().map(|face| face.solid()).collect();
+    let &[Some(a), _, Some(b), _] = &solids[..] else { panic!("{solids:?}") };
+    assert!(a != b && solids == [Some(a), Some(a), Some(b), Some(b)], "{solids:?}");
+}
+
+/// Solids that share a face have it each, and one that is stated twice at its place has its faces once. A face that stands
+/// alone as well, before its solid or after it, is the solid's.
 #[test]
 fn a_face_that_solids_share_is_one_of_each() {
     let mut text = BrepText::new();
@@ -93,8 +111,8 @@ fn a_face_that_solids_share_is_one_of_each() {
     let faces = [0.0, 1.0, 2.0].map(|n| text.region(plane, &[rectangle([0.0, 0.0], [1.0 + n, 1.0 + n])]));
     let shells = [[0, 1], [1, 2]].map(|pair| text.shape("Sh\n", &pair.map(|index| plus(faces[index]))));
     let solids = shells.map(|shell| text.shape("So\n", &[plus(shell)]));
-    let loose = text.shape("Sh\n", &[plus(faces[0])]);
-    let compound = text.shape("Co\n", &[solids[0], solids[1], solids[0], loose].map(plus));
+    let loose = [0, 2].map(|face| text.shape("Sh\n", &[plus(faces[face])]));
+    let compound = text.shape("Co\n", &[loose[0], solids[0], solids[1], solids[0], loose[1]].map(plus));
     let (model, report) = from_brep(&text.text(plus(compound))).unwrap();
     let areas: Vec<f64> = model.faces().map(|face| crate::area::area(&face).round()).collect();
     assert_eq!((areas, report.faces), (vec![1.0, 4.0, 4.0, 9.0], 4));

@@ -90,8 +90,7 @@ fn faces_alone<'a>(bytes: &'a [u8], soup: &mut Soup) -> Cow<'a, [u8]> {
 /// Returns the text with each line that ends with a backslash joined to the next one.
 fn joined(bytes: &[u8]) -> Cow<'_, [u8]> {
     // A comment may end with the path of a folder.
-    let continued =
-        |line: &[u8]| line.trim_ascii_end().ends_with(b"\\") && !line.trim_ascii_start().starts_with(b"#");
+    let continued = |line: &[u8]| line.trim_ascii_end().ends_with(b"\\") && !line.contains(&b'#');
     if !bytes.split(|&byte| byte == b'\n').any(continued) {
         return Cow::Borrowed(bytes);
     }

@@ -126,7 +126,8 @@ fn read_text(bytes: &[u8]) -> Result<Soup> {
             let ends = text.split_ascii_whitespace().filter(|word| word.eq_ignore_ascii_case("endsolid"));
             let begins_next = ends.count() > 1;
             let is_name = |&(at, _, word): &(usize, &str, &str)| {
-                at == line && !(begins_next && word.eq_ignore_ascii_case("solid"))
+                let begins = |next: &str| word.eq_ignore_ascii_case(next);
+                at == line && !begins("facet") && !(begins_next && begins("solid"))
             };
             while words.next_if(is_name).is_some() {}
         } else if !["outer", "loop", "endfacet"].into_iter().any(is) {

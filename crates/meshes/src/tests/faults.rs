@@ -154,6 +154,7 @@ fn lines_of_stl_as_text_may_be_parted_anywhere() {
         format!("solid of a facet 12\n{facets}\nendsolid of a facet 12\n"),
         format!("SOLID\n{}\nEndSolid a solid b\n", facets.replace("0 0\n1", "-nan(ind) 0 1 ")),
         format!("solid one {facets} endsolid one solid two endsolid"),
+        format!("solid {} endsolid", facets.replacen("endfacet ", "endfacet endsolid ", 1)),
     ] {
         let file = MeshFile::read(text.as_bytes(), MeshFormat::Stl).unwrap();
         assert_eq!(groups_of(&file), [2], "{text}");
@@ -164,7 +165,7 @@ fn lines_of_stl_as_text_may_be_parted_anywhere() {
 
 #[test]
 fn a_backslash_continues_a_line_of_obj() {
-    let obj = "# C:\\models\\\nv 0 0 \\\n 0\nv 2 0 0\r\nv 0 2 0\nf 1 \\\r\n2 3\n";
+    let obj = "# C:\\models\\\nv 0 0 \\\n 0\nv 2 0 0 # C:\\\r\nv 0 2 0\nf 1 \\\r\n2 3\n";
     let file = MeshFile::read(obj.as_bytes(), MeshFormat::Obj).unwrap();
     assert_eq!(groups_of(&file), [1]);
 }

@@ -4,6 +4,7 @@ use super::ShellParts;
 use crate::bvh::Aabb;
 use crate::engine::PreparedModel;
 use crate::engine::prepared::shells::MAX_PAIRS;
+use crate::solid::SourceSolid;
 use crate::sorting::sort_by_number;
 use std::collections::BTreeMap;
 
@@ -105,10 +106,34 @@ impl PreparedModel {
                 None => do_not_know(&mut around, pair),
             }
         }
-        for meeting in &meetings {
-            self.tell_apart(meeting, shells, &mut around);
+        // Those with normals against each other tell first.
+        for are_opposite in [true, false] {
+            for meeting in &meetings {
+                self.tell_apart(meeting, are_opposite, shells, &mut around);
+            }
+        }
+        for pair in self.of_open_solids(shells) {
+            do_not_know(&mut around, pair);
         }
         around
+    }
+
+    /// Returns the pairs of a closed shell and an open one that are of one solid of the source: the closed one may be a void
+    /// of what the open one does not close.
+    fn of_open_solids(&self, shells: &[ShellParts]) -> Vec<[usize; 2]> {
+        let (joined, solids) = (self.joined(), self.solids());
+        let is_open = |index: usize| joined.of_shell[shells[index].shell as usize].free > 0;
+        let mut open: BTreeMap<u32, usize> = BTreeMap::new();
+        let solid = |index: usize| match solids[shells[index].shell as usize] {
+            SourceSolid::Alone(solid) => solid,
+            SourceSolid::Several => None,
+        };
+        for index in (0..shells.len()).filter(|&index| is_open(index)) {
+            open.extend(solid(index).map(|solid| (solid, index)));
+        }
+        let of_open =
+            |index: usize| solid(index).and_then(|solid| open.get(&solid)).map(|&other| [index, other]);
+        (0..shells.len()).filter(|&index| !is_open(index)).filter_map(of_open).collect()
     }
 
     /// Whether the shells have trees to be compared by.
@@ -131,7 +156,7 @@ impl PreparedModel {
     /// Whether one of two shells may be a void of the other: the source does not have them as shells of two solids.
     fn may_be_of_one_solid(&self, pair: [u32; 2]) -> bool {
         let [one, other] = pair.map(|shell| self.solids()[shell as usize]);
-        one.zip(other).is_none_or(|(one, other)| one == other)
+        one.may_be_of(other)
     }
 
     /// Returns the pairs of closed shells of which the first may lie within the second, as a void of it or of what lies
@@ -171,29 +196,43 @@ impl PreparedModel {
         pairs
     }
 
-    /// Enters what follows from two shells having points in common: bodies that overlap, a body at the wall of a void, or
-    /// a void at that of its body. What is a void has normals in the source against those of the outermost shell.
-    fn tell_apart(&self, meeting: &Meeting, shells: &[ShellParts], around: &mut [Around]) {
+    /// Enters what follows from two shells having points in common, where their normals in the source are against each
+    /// other, or where not: bodies that overlap, a body at the wall of a void, or a void at that of its body. What is a void
+    /// has normals against those of the outermost shell. Two with the normals of that are bodies only where something else
+    /// says so: other voids that they meet, or the number of shells about them.
+    fn tell_apart(
+        &self,
+        meeting: &Meeting,
+        are_opposite: bool,
+        shells: &[ShellParts],
+        around: &mut [Around],
+    ) {
         let &Meeting { pair, is_nested } = meeting;
         let faces_out = |index: usize| self.shells().faces_out(shells[index].shell);
         let Some(outermost) = root(around, pair) else {
             let [inner, outer] = pair.map(faces_out);
-            if is_nested && inner.zip(outer).is_some_and(|(inner, outer)| inner != outer) {
+            if are_opposite && is_nested && inner.zip(outer).is_some_and(|(inner, outer)| inner != outer) {
                 do_not_know(around, pair);
             }
             return;
         };
         let out = faces_out(outermost);
         let are_voids = pair.map(|index| faces_out(index).zip(out).map(|(one, other)| one != other));
+        if matches!(are_voids, [Some(one), Some(other)] if one != other) != are_opposite {
+            return;
+        }
+        let is_body = |&index: &usize| {
+            around[index].is_void == Some(false) || around[index].shells.len().is_multiple_of(2)
+        };
         match are_voids {
             // It may be a void of the body that it touches from within, or of the one about both.
             [Some(true), Some(false)] if is_nested => do_not_know(around, pair),
-            // The common part of two voids would count twice.
-            [Some(true), Some(true)] => do_not_know(around, pair),
-            [Some(one), Some(other)] => {
+            [Some(one), Some(other)] if are_opposite => {
                 around[pair[0]].is_void = Some(one);
                 around[pair[1]].is_void = Some(other);
             }
+            [Some(false), Some(false)] if pair.iter().all(is_body) => {}
+            // The common part of two voids would count twice.
             _ => do_not_know(around, pair),
         }
     }

@@ -21,6 +21,7 @@ fn assembly() -> ModelArrays {
         surfaces,
         transform,
         name: Some("bolt:2".to_owned()),
+        solid: None,
     };
     ModelArrays {
         name: Some("assembly".to_owned()),
