@@ -145,7 +145,7 @@ struct Checked {
     area: Option<Interval>,
     /// The indices of its faces in the model that it is of.
     faces: Vec<usize>,
-    /// The indices of the bodies of which it may be a void, or which may be voids of it.
+    /// The indices of the bodies that may be voids of this one, and of those that this one may be a void of.
     may_nest_with: Vec<usize>,
 }
 

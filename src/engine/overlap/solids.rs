@@ -124,7 +124,8 @@ fn turned_shells(model: &PreparedModel) -> Vec<Option<bool>> {
     turned
 }
 
-/// Returns whether certainly no two bodies have points in common, of their boundaries and within.
+/// Returns whether all bodies are certainly disjoint: their boundaries have no point in common, and no body lies within
+/// another one.
 fn are_bodies_apart(model: &PreparedModel) -> bool {
     let bodies = model.body_parts();
     bodies.iter().enumerate().all(|(index, body)| {
@@ -140,8 +141,8 @@ fn are_bodies_apart(model: &PreparedModel) -> bool {
     })
 }
 
-/// Returns whether the first of two bodies whose shells are apart certainly lies outside of the other one: outside of its
-/// outer shell, or in a void.
+/// Returns whether the first of two bodies with disjoint shells certainly lies outside the second one: outside its outer
+/// shell, or in one of its voids.
 fn is_outside(model: &PreparedModel, body: &BodyParts, other: &BodyParts) -> bool {
     let (Some(inner), Some((outer, voids))) = (body.shells.first(), other.shells.split_first()) else {
         return true;

@@ -17,8 +17,8 @@ use std::collections::BTreeSet;
 pub(in crate::engine) struct BodyParts {
     /// Its shells, the outer one first, with their surfaces: pieces of faces, or triangles by their places.
     pub(in crate::engine) shells: Vec<ShellParts>,
-    /// The places of the bodies of which the one may be a void of the other, in order. Where there are any, it is not
-    /// known which shells are voids.
+    /// The indices of the bodies that may be voids of this one, and of those that this one may be a void of, in order. If
+    /// there are any, it is not known which shells are voids.
     pub(in crate::engine) may_nest_with: Vec<usize>,
     /// A box around it.
     pub(in crate::engine) aabb: Aabb,
@@ -65,7 +65,7 @@ impl PreparedModel {
     }
 
     /// Returns the shells with their surfaces, without those of which all triangles have two equal corners.
-    fn shell_parts(&self) -> Vec<ShellParts> {
+    pub(super) fn shell_parts(&self) -> Vec<ShellParts> {
         let joined = self.joined();
         let new = |shell: usize| ShellParts { shell: shell as u32, surfaces: Vec::new() };
         let mut shells: Vec<ShellParts> = (0..joined.of_shell.len()).map(new).collect();
@@ -81,8 +81,8 @@ impl PreparedModel {
     }
 }
 
-/// Joins voids to the bodies that have them. A shell is a void if the innermost one about it is none, unless the source
-/// tells.
+/// Assigns each void to its body. A shell is a void if the innermost shell about it is no void, unless the normals in the
+/// source show otherwise.
 fn grouped(shells: Vec<ShellParts>, boxes: &[ShellBoxes], around: &[Around]) -> Vec<BodyParts> {
     let depth = |index: usize| around[index].shells.len();
     // A chain: each shell about this one lies within all those that are less deep.

@@ -52,6 +52,8 @@ pub(super) struct Kept {
     pub(super) joined: OnceLock<Joined>,
     pub(super) bodies: OnceLock<Vec<BodyParts>>,
     pub(super) measured: OnceLock<Vec<MeasuredBody>>,
+    /// Whether the normals of each shell point out of it.
+    pub(super) faces_out: OnceLock<Vec<Option<bool>>>,
     pub(super) facts: OnceLock<Facts>,
     pub(super) shells: KnownShells,
     self_overlap: OnceLock<Option<SelfOverlap>>,

@@ -131,7 +131,7 @@ impl PreparedModel {
         let area = self.area_of(parts);
         let is_open = self.free_edges_of(parts) > 0;
         let shells: Vec<MeasuredShell> =
-            parts.shells.iter().map(|shell| self.measured_shell(shell, parts, origin)).collect();
+            parts.shells.iter().map(|shell| self.measured_shell(shell, &parts.aabb, origin)).collect();
         let one_sided = shells.iter().any(|shell| shell.state.is_one_sided);
         let why = if is_open {
             Some(VolumeUnknown::Open)
@@ -159,8 +159,23 @@ impl PreparedModel {
         MeasuredBody { orientation, facts, moments: Some(moments), turned }
     }
 
-    /// Returns the moments of a shell about `origin`, with all that closes it.
-    fn measured_shell(&self, shell: &ShellParts, parts: &BodyParts, origin: DVec3) -> MeasuredShell {
+    /// Returns, for each shell, whether its normals in the source point out of it; `None` where they do not agree with
+    /// each other, and where the sign of its volume is not known. Computed at first use.
+    pub(super) fn faces_out(&self) -> &[Option<bool>] {
+        computed::<Vec<Option<bool>>>(&self.kept.faces_out, || {
+            let mut faces_out = vec![None; self.joined().of_shell.len()];
+            let origin = self.control_box.center();
+            for shell in self.shell_parts() {
+                let measured = self.measured_shell(&shell, &self.control_box, origin);
+                let signs = measured.is_turned(false).zip(measured.state.of_source);
+                faces_out[shell.shell as usize] = signs.map(|(outward, of_source)| outward == of_source);
+            }
+            faces_out
+        })
+    }
+
+    /// Returns the moments of a shell in a box about `origin`, with all that closes it.
+    fn measured_shell(&self, shell: &ShellParts, aabb: &Aabb, origin: DVec3) -> MeasuredShell {
         let joined = self.joined();
         let state = joined.of_shell[shell.shell as usize];
         let mut moments = Moments::ZERO;
@@ -175,7 +190,7 @@ impl PreparedModel {
                 sum
             });
             sums.iter().for_each(|sum| moments.add(sum, false));
-            let radius = parts.aabb.max_distance_squared(origin).sqrt() + moved;
+            let radius = aabb.max_distance_squared(origin).sqrt() + moved;
             moments.add_surface(state.cracks, radius);
         }
         MeasuredShell { moments, state }

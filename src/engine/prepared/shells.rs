@@ -5,7 +5,6 @@ use crate::bezier::{BezierModel, PatchSet};
 use crate::bvh::Aabb;
 use crate::clearance::{Body, Goal, Search};
 use crate::closest::Target;
-use crate::facts::{Moments, of_patch};
 use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::solid::{Boundary, Enclosing, Relation, Side, SourceSolid};
@@ -27,8 +26,6 @@ pub(super) struct KnownShells {
     relations: Mutex<HashMap<[u32; 2], Relation>>,
     /// Whether two shells have no point in common, the lower number first.
     apart: Mutex<HashMap<[u32; 2], bool>>,
-    /// Whether the normals that the source has are out of a shell, where that is known.
-    faces_out: Mutex<HashMap<u32, Option<bool>>>,
     solids: OnceLock<Vec<SourceSolid>>,
     roles: OnceLock<Vec<Option<ShellRole>>>,
 }
@@ -44,6 +41,8 @@ pub(in crate::engine) struct Shells<'a> {
     solids: &'a [SourceSolid],
     /// As [`PreparedModel::roles`]; empty while these are not known.
     roles: &'a [Option<ShellRole>],
+    /// As [`PreparedModel::faces_out`]; empty where the roles of all shells are known.
+    faces_out: &'a [Option<bool>],
 }
 
 /// What a shell is to its body.
@@ -56,18 +55,21 @@ pub(super) struct ShellRole {
 impl PreparedModel {
     /// Returns the shells that joined edges connect, with the bodies that they are of.
     pub(in crate::engine) fn sides(&self) -> Shells<'_> {
-        // The side of one shell takes no bodies, which take a comparison of all shells.
-        let roles = if self.joined().of_shell.len() > 1 { self.roles() } else { &[] };
-        Shells { roles, ..self.shells() }
+        // To find the bodies, all shells are compared. One shell has no relations.
+        if self.joined().of_shell.len() < 2 {
+            return self.shells();
+        }
+        let is_known = self.body_parts().iter().all(|parts| parts.may_nest_with.is_empty());
+        let faces_out = if is_known { &[] } else { self.faces_out() };
+        Shells { roles: self.roles(), faces_out, ..self.shells() }
     }
 
     /// Returns what each shell is to its body; none where that is not known.
     fn roles(&self) -> &[Option<ShellRole>] {
         computed::<Vec<Option<ShellRole>>>(&self.kept.shells.roles, || {
             let mut roles = vec![None; self.joined().of_shell.len()];
-            for (body, parts) in
-                self.body_parts().iter().enumerate().filter(|(_, parts)| parts.may_nest_with.is_empty())
-            {
+            let bodies = self.body_parts().iter().enumerate();
+            for (body, parts) in bodies.filter(|(_, parts)| parts.may_nest_with.is_empty()) {
                 for (place, shell) in parts.shells.iter().enumerate() {
                     roles[shell.shell as usize] = Some(ShellRole { body: body as u32, is_void: place > 0 });
                 }
@@ -80,7 +82,7 @@ impl PreparedModel {
     pub(in crate::engine) fn shells(&self) -> Shells<'_> {
         let (boundary, bezier) = (self.boundary(), self.bezier());
         let (control_box, known, solids) = (self.control_box, &self.kept.shells, self.solids());
-        Shells { boundary, bezier, control_box, known, solids, roles: &[] }
+        Shells { boundary, bezier, control_box, known, solids, roles: &[], faces_out: &[] }
     }
 
     /// Returns the solid of the source that each shell bounds.
@@ -144,15 +146,18 @@ impl Shells<'_> {
         *locked(&self.known.relations).entry(pair).or_insert(found)
     }
 
-    /// Returns whether a shell may lie within another one, but for the distance up to which edges are joined: whether one
-    /// of some points of it is not certainly outside of that.
+    /// Returns whether a shell may lie within another one, or protrude from it by at most the distance up to which edges
+    /// are joined: whether one of its tested points is not certainly outside the other shell.
     pub(super) fn may_be_within(&self, shell: u32, other: u32) -> bool {
         self.enclosed_points(shell, other).any(|is_enclosed| is_enclosed != Some(false))
     }
 
-    /// Returns whether the first of two shells that are apart encloses the second one; any point of this tells.
+    /// Returns whether the first of two disjoint shells encloses the second one. Every point of the second decides this
+    /// (lemma S4 of docs/solids.md). Several points are compared; `None` if they disagree, or if none decides.
     pub(in crate::engine) fn has_within(&self, other: u32, shell: u32) -> Option<bool> {
-        self.enclosed_points(shell, other).flatten().next()
+        let mut decided = self.enclosed_points(shell, other).flatten();
+        let first = decided.next()?;
+        decided.all(|is_enclosed| is_enclosed == first).then_some(first)
     }
 
     /// Returns whether another shell encloses some points of a shell, each on another patch.
@@ -187,33 +192,8 @@ impl Shells<'_> {
 
     /// Returns whether the source certainly orients one of two shells as the outer one of a body and the other as a void.
     fn are_opposite(&self, pair: [u32; 2]) -> bool {
-        let [one, other] = pair.map(|shell| self.faces_out(shell));
+        let [one, other] = pair.map(|shell| self.faces_out.get(shell as usize).copied().flatten());
         one.zip(other).is_some_and(|(one, other)| one != other)
-    }
-
-    /// Returns whether the normals of a closed shell, as the source has them, are out of it; `None` where they do not
-    /// agree with each other, or the sign of its volume is not known.
-    pub(super) fn faces_out(&self, shell: u32) -> Option<bool> {
-        if let Some(&known) = locked(&self.known.faces_out).get(&shell) {
-            return known;
-        }
-        let found = self.faces_out_of_source(shell);
-        *locked(&self.known.faces_out).entry(shell).or_insert(found)
-    }
-
-    /// As [`Self::faces_out`], computed. O(patches).
-    fn faces_out_of_source(&self, shell: u32) -> Option<bool> {
-        let joined = self.boundary.joined();
-        let state = joined.of_shell[shell as usize];
-        let is_turned = state.of_source.filter(|_| state.free == 0 && !state.is_one_sided)?;
-        let (origin, moved) = (self.control_box.center(), self.bezier.point_error.after(0));
-        let mut moments = Moments::ZERO;
-        for patch in self.target(shell).patches.iter() {
-            moments.add(&of_patch(&patch, origin, moved), joined.turned[patch.surface]);
-        }
-        moments.add_surface(state.cracks, self.control_box.max_distance_squared(origin).sqrt() + moved);
-        let volume = moments.volume();
-        (volume.upper < 0.0 || volume.lower > 0.0).then_some((volume.lower > 0.0) != is_turned)
     }
 
     /// As [`Self::apart_after`], of the patches of two shells.

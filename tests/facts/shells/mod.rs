@@ -15,7 +15,7 @@ fn turned(quads: &[Quad]) -> Vec<Quad> {
     quads.iter().map(|&[a, b, c, d]| [d, c, b, a]).collect()
 }
 
-/// One model of solids that the source tells apart, each by its shells.
+/// Builds one model of several solids from their shells. The faces carry the numbers of their solid and shell.
 fn of_solids(solids: &[&[Vec<Quad>]]) -> PreparedModel {
     let faces = solids.iter().enumerate().flat_map(|(solid, shells)| {
         shells.iter().enumerate().flat_map(move |(shell, quads)| {

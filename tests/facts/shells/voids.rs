@@ -9,7 +9,7 @@ use nurbs_hausdorff::{
 };
 use std::f64::consts::PI;
 
-/// One model of shells that the source tells apart.
+/// Builds one model of several shells. The faces carry the number of their shell and no solid.
 fn of_shells(shells: &[Vec<Quad>]) -> PreparedModel {
     let faces = shells.iter().enumerate().flat_map(|(number, quads)| {
         faces(&of_quads(quads)).into_iter().map(move |mut face| {

@@ -15,7 +15,9 @@ import { texts } from "../texts/index.ts";
 /** The first line: what is certain of all pairs. */
 export function verdictText(result: CheckResult): string {
   const { bodies, pairCount, pairs } = result;
-  if (bodies.length === 1) return texts.bodies.oneBodyItHasNothing;
+  const crossed = bodies.filter((body) => body.selfOverlap !== null).length;
+  const faults = crossed > 0 ? texts.bodies.meetThemselves(crossed) : "";
+  if (bodies.length === 1) return `${texts.bodies.oneBodyItHasNothing}${faults}`;
   const of = (state: BodyPair["state"]) => pairs.filter((pair) => pair.state === state);
   const count = (state: BodyPair["state"]) => of(state).filter((pair) => !pair.intended).length;
   const meant = of("clash").filter((pair) => pair.intended).length;
@@ -33,8 +35,7 @@ export function verdictText(result: CheckResult): string {
   const open = result.rules.length;
   if (open > 0) return texts.bodies.rulesUndecided(open, others);
   if (undecided > 0) return texts.bodies.undecidedOf(undecided, all, others);
-  const crossed = bodies.filter((body) => body.selfOverlap !== null).length;
-  return `${texts.bodies.clean(all, others)}${crossed > 0 ? texts.bodies.meetThemselves(crossed) : ""}`;
+  return `${texts.bodies.clean(all, others)}${faults}`;
 }
 
 /** How near the bodies of a pair come, or how deep they are in each other; `scale` is the scene's units in one of the check's. */

@@ -4,7 +4,7 @@ use crate::edges::EdgeUses;
 use crate::faces::{Converted, convert};
 use crate::levels::{LevelId, Levels, placed_name};
 use crate::outline::outline;
-use crate::placed::{Placed, matrix};
+use crate::placed::{Owner, Placed, matrix};
 use crate::report::{FaceFault, Remark};
 use crate::topology::{Color, Face, Mesh, Orientation, ShapeKind, Topology};
 use glam::{DAffine3, DVec3};
@@ -71,8 +71,7 @@ pub(crate) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<A
                 converted.face.reversed = placed.reversed;
                 converted.face.face_name = Some(placed.name(file, number));
                 converted.face.color = placed.color;
-                converted.face.shell = placed.shell;
-                converted.face.solid = placed.solid.map(|(number, _)| number);
+                (converted.face.shell, converted.face.solid) = (placed.shell, placed.solid);
                 faces.insert(placed.key(), read.model.faces.len());
                 read.model.faces.push(converted.face);
             }
@@ -152,7 +151,7 @@ fn instances(
     for placed in placed {
         let Some(&index) = faces.get(&placed.key()) else { continue };
         let transform = matrix(&placed.location);
-        let solid = placed.solid.map(|(number, _)| number);
+        let solid = placed.solid;
         match instances.last_mut() {
             Some(instance) if instance.transform == transform && last == Some((placed.part, solid)) => {
                 instance.surfaces.push(index);
@@ -218,7 +217,7 @@ pub(crate) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)>
             return Err(Error::TooManyFaces { found, expected });
         }
     }
-    let (mut placed, mut owners) = (Vec::new(), Vec::new());
+    let mut placed = Vec::new();
     let mut levels = Levels::default();
     let mut met = Met::default();
     let (mut occurrences, mut groups) = (0, 0);
@@ -233,24 +232,24 @@ pub(crate) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)>
         let children = || shape.children.iter().filter(|child| counts[child.shape].faces > 0);
         match &shape.kind {
             ShapeKind::Face(_) | ShapeKind::Mesh(Mesh { is_picture: false, .. })
-                if met.is_first(shape_use.shape, &location, above.owner()) =>
+                if met.is_first(shape_use.shape, &location, above.owner) =>
             {
-                let (part, shell, solid) = (above.level, above.group, above.solid);
-                placed.push(Placed { shape: shape_use.shape, reversed, location, part, color, shell, solid });
-                owners.push(above.owner());
+                let Surroundings { level: part, group: shell, solid, owner, .. } = above;
+                let shape = shape_use.shape;
+                placed.push(Placed { shape, reversed, location, part, color, shell, solid, owner });
             }
             ShapeKind::Place { name, is_occurrence } => {
                 own.place = name.as_deref().or(own.place);
                 if *is_occurrence {
                     occurrences += 1;
-                    own.occurrence = Some(occurrences);
+                    own.owner.occurrence = Some(occurrences);
                 }
                 pending.extend(children().map(|&child| (child, own)));
             }
             kind @ (ShapeKind::Group(name) | ShapeKind::Solid(name)) => {
                 own.group = Some(groups);
                 if matches!(kind, ShapeKind::Solid(_)) {
-                    own.solid = Some((groups, shape_use.shape));
+                    (own.solid, own.owner.solid) = (Some(groups), Some(shape_use.shape));
                 }
                 groups += 1;
                 own.enter(name.as_deref(), shape.children.len() == 1, &mut levels);
@@ -260,9 +259,7 @@ pub(crate) fn placed_faces(file: &Topology) -> Result<(Vec<Placed>, Levels<'_>)>
             _ => {}
         }
     }
-    // One that stands alone as well is the solid's.
-    let mut owners = owners.into_iter();
-    placed.retain(|face: &Placed| owners.next().is_some_and(|owner| !met.is_solids(face, owner)));
+    placed.retain(|face| !met.is_also_of_solid(face));
     Ok((placed, levels))
 }
 
@@ -309,25 +306,11 @@ struct Surroundings<'a> {
     is_alone: bool,
     /// The name of the place that the use is.
     place: Option<&'a str>,
-    /// The innermost occurrence of a product that it is in, if any, by its number among those visited.
-    occurrence: Option<usize>,
+    owner: Owner,
     /// The innermost set of shapes that it is in, by its number among those visited.
     group: Option<u32>,
-    /// The solid that it is of, by its number among the sets of shapes visited, and as a shape.
-    solid: Option<(u32, usize)>,
-}
-
-impl Surroundings<'_> {
-    fn owner(&self) -> Owner {
-        Owner { occurrence: self.occurrence, solid: self.solid.map(|(_, shape)| shape) }
-    }
-}
-
-/// What a face is of.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-struct Owner {
-    occurrence: Option<usize>,
-    solid: Option<usize>,
+    /// The solid that it bounds, by its number among the sets of shapes visited.
+    solid: Option<u32>,
 }
 
 /// The faces met, with what they were met in.
@@ -335,11 +318,11 @@ struct Owner {
 struct Met(HashMap<(usize, [u64; 12]), HashSet<Owner>>);
 
 impl Met {
-    /// Returns whether a face that stands in no solid stands in one as well, at this place.
-    fn is_solids(&self, face: &Placed, owner: Owner) -> bool {
+    /// Returns whether a face that is placed outside solids is placed as a face of a solid, too, at the same place.
+    fn is_also_of_solid(&self, face: &Placed) -> bool {
         let met = self.0.get(&(face.shape, matrix(&face.location).map(f64::to_bits)));
-        let is_alike = |met: &Owner| met.occurrence == owner.occurrence && met.solid.is_some();
-        owner.solid.is_none() && met.is_some_and(|met| met.iter().any(is_alike))
+        let is_alike = |met: &Owner| met.occurrence == face.owner.occurrence && met.solid.is_some();
+        face.owner.solid.is_none() && met.is_some_and(|met| met.iter().any(is_alike))
     }
 
     /// Returns whether a face was not met at this place, but in other occurrences of products or other solids: what a

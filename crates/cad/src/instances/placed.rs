@@ -16,14 +16,24 @@ pub(crate) struct Placed {
     pub(crate) color: Option<Color>,
     /// The number of the innermost set of shapes that it stands in, a shell if the file has shells.
     pub(crate) shell: Option<u32>,
-    /// The solid that it bounds: its number, and its shape.
-    pub(crate) solid: Option<(u32, usize)>,
+    /// The number of the solid that it bounds, among the sets of shapes.
+    pub(crate) solid: Option<u32>,
+    pub(crate) owner: Owner,
+}
+
+/// What a face belongs to.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub(crate) struct Owner {
+    /// The innermost occurrence of a product, by its number among those visited.
+    pub(crate) occurrence: Option<usize>,
+    /// The shape of the solid.
+    pub(crate) solid: Option<usize>,
 }
 
 impl Placed {
-    /// What is one face of the model wherever it is placed: a face of a file, in one solid.
+    /// Returns the shape of the face and that of its solid. Placements with the same key are one face of the model.
     pub(crate) fn key(&self) -> (usize, Option<usize>) {
-        (self.shape, self.solid.map(|(_, shape)| shape))
+        (self.shape, self.owner.solid)
     }
 
     pub(crate) fn label<'a>(&self, file: &'a Topology) -> Option<&'a FaceLabel> {

@@ -43,16 +43,25 @@ fn a_face_in_several_places_becomes_instances() {
     assert!(model.faces().all(|face| face.is_reversed()));
 }
 
+/// A text with [`MOVE`] as its first location, and the faces of the squares [0, 1 + n]² for n from 0 to 2, whose areas tell
+/// them apart.
+fn squares() -> (BrepText, [usize; 3]) {
+    let mut text = BrepText::new();
+    text.location(MOVE);
+    let plane = text.surface(PLANE);
+    let faces = [1.0, 2.0, 3.0].map(|side| text.region(plane, &[rectangle([0.0, 0.0], [side, side])]));
+    (text, faces)
+}
+
+fn at(shape: usize, location: usize) -> Child {
+    Child { shape, sign: '+', location }
+}
+
 /// `TopExp_Explorer` meets the faces of a part at one place, then those of another, then again one
 /// at the first place; a face that two shells share is met once more and counted once.
 #[test]
 fn faces_are_in_the_explorers_order() {
-    let mut text = BrepText::new();
-    text.location(MOVE);
-    let plane = text.surface(PLANE);
-    // The squares [0, 1 + n]² have their number in their area.
-    let faces = [0.0, 1.0, 2.0].map(|n| text.region(plane, &[rectangle([0.0, 0.0], [1.0 + n, 1.0 + n])]));
-    let at = |shape, location| Child { shape, sign: '+', location };
+    let (mut text, faces) = squares();
     let shells = [[1, 0], [0, 1]].map(|order| text.shape("Sh\n", &order.map(|index| plus(faces[index]))));
     let last = text.shape("Sh\n", &[plus(faces[2])]);
     let shapes = [at(shells[0], 0), at(shells[1], 1), at(last, 0), at(shells[1], 0), at(last, 1)];
@@ -71,13 +80,9 @@ fn faces_are_in_the_explorers_order() {
 /// A solid of two shells at two places, and a shell that is of none.
 #[test]
 fn faces_have_the_numbers_of_their_solids() {
-    let mut text = BrepText::new();
-    text.location(MOVE);
-    let plane = text.surface(PLANE);
-    let faces = [0.0, 1.0, 2.0].map(|n| text.region(plane, &[rectangle([0.0, 0.0], [1.0 + n, 1.0 + n])]));
+    let (mut text, faces) = squares();
     let shells = faces.map(|face| text.shape("Sh\n", &[plus(face)]));
     let solid = text.shape("So\n", &[plus(shells[0]), plus(shells[1])]);
-    let at = |shape, location| Child { shape, sign: '+', location };
     let compound = text.shape("Co\n", &[at(solid, 0), at(solid, 1), at(shells[2], 0)]);
     let (model, _) = from_brep(&text.text(plus(compound))).unwrap();
     let solids: Vec<Option<u32>> = model.faces().map(|face| face.solid()).collect();
@@ -88,12 +93,8 @@ fn faces_have_the_numbers_of_their_solids() {
 /// Two shells of one solid at places of their own, as what a placed tool cut, and the whole at two places.
 #[test]
 fn shells_at_other_places_are_of_one_solid() {
-    let mut text = BrepText::new();
-    text.location(MOVE);
-    let plane = text.surface(PLANE);
-    let faces = [0.0, 1.0].map(|n| text.region(plane, &[rectangle([0.0, 0.0], [1.0 + n, 1.0 + n])]));
+    let (mut text, faces) = squares();
     let shells = faces.map(|face| text.shape("Sh\n", &[plus(face)]));
-    let at = |shape, location| Child { shape, sign: '+', location };
     let solid = text.shape("So\n", &[at(shells[0], 0), at(shells[1], 1)]);
     let compound = text.shape("Co\n", &[at(solid, 0), at(solid, 1)]);
     let (model, _) = from_brep(&text.text(plus(compound))).unwrap();
@@ -106,9 +107,7 @@ fn shells_at_other_places_are_of_one_solid() {
 /// alone as well, before its solid or after it, is the solid's.
 #[test]
 fn a_face_that_solids_share_is_one_of_each() {
-    let mut text = BrepText::new();
-    let plane = text.surface(PLANE);
-    let faces = [0.0, 1.0, 2.0].map(|n| text.region(plane, &[rectangle([0.0, 0.0], [1.0 + n, 1.0 + n])]));
+    let (mut text, faces) = squares();
     let shells = [[0, 1], [1, 2]].map(|pair| text.shape("Sh\n", &pair.map(|index| plus(faces[index]))));
     let solids = shells.map(|shell| text.shape("So\n", &[plus(shell)]));
     let loose = [0, 2].map(|face| text.shape("Sh\n", &[plus(faces[face])]));

@@ -21,7 +21,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
     let no_materials = |_: &std::path::Path| Ok((Vec::new(), Default::default()));
     let mut soup = Soup::default();
     let text = faces_alone(bytes, &mut soup);
-    let (models, _) = load_obj_buf(&mut std::io::Cursor::new(text.as_ref()), &options, no_materials)
+    let (models, _) = load_obj_buf(&mut std::io::Cursor::new(&text), &options, no_materials)
         .map_err(|error| FORMAT.syntax(error.to_string()))?;
     for tobj::Model { mesh, name } in models {
         soup.begin_group(Some(name).filter(|name| !name.is_empty() && name != NAMELESS));
@@ -40,37 +40,28 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
 }
 
 /// Returns the text with continued lines joined, without comments behind numbers, and without lines, points and what
-/// `tobj` takes for faces of them; these are noted. What `tobj` passes over and has a surface is named as left out.
-fn faces_alone<'a>(bytes: &'a [u8], soup: &mut Soup) -> Cow<'a, [u8]> {
+/// `tobj` takes for faces of them; these are noted. Surfaces and files that `tobj` ignores are named as left out.
+fn faces_alone(bytes: &[u8], soup: &mut Soup) -> Vec<u8> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let text = joined(bytes);
     let [mut lines, mut points, mut surfaces, mut files] = [0_usize; 4];
     let mut kept = Vec::with_capacity(text.len());
-    let mut is_changed = false;
     for line in text.split_inclusive(|&byte| byte == b'\n') {
         let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-        let word = words.next().unwrap_or_default();
-        match word {
+        match words.next().unwrap_or_default() {
             b"l" | b"curv" | b"cdc" => lines += 1,
             b"p" => points += 1,
             b"surf" | b"bzp" | b"bsp" | b"cdp" => surfaces += 1,
             b"call" => files += 1,
-            // `fo` is the older word for a face.
-            b"v" | b"f" | b"fo" if word == b"fo" || line.contains(&b'#') => {
+            word @ (b"v" | b"f" | b"fo") if word == b"fo" || line.contains(&b'#') => {
                 let statement = line.split(|&byte| byte == b'#').next().unwrap_or_default();
-                let rest = &statement.trim_ascii_start()[word.len()..];
-                kept.extend_from_slice(&word[..1]);
-                kept.extend_from_slice(rest.trim_ascii_end());
+                // `fo` is the older word for a face.
+                kept.push(word[0]);
+                kept.extend_from_slice(&statement.trim_ascii()[word.len()..]);
                 kept.push(b'\n');
-                is_changed = true;
-                continue;
             }
-            _ => {
-                kept.extend_from_slice(line);
-                continue;
-            }
+            _ => kept.extend_from_slice(line),
         }
-        is_changed = true;
     }
     if lines > 0 {
         soup.note("l", format!("{lines} lines are no surface"));
@@ -84,7 +75,7 @@ fn faces_alone<'a>(bytes: &'a [u8], soup: &mut Soup) -> Cow<'a, [u8]> {
     if files > 0 {
         soup.skip("call", format!("{files} other files that this one names are not read"));
     }
-    if is_changed { Cow::Owned(kept) } else { text }
+    kept
 }
 
 /// Returns the text with each line that ends with a backslash joined to the next one.

@@ -18,9 +18,9 @@ pub(super) const MIN_PAIRS: usize = 1_024;
 
 /// Two boxes of a shell.
 pub(super) struct ShellBoxes {
-    /// Of its control points: all of it is within.
+    /// The box of its control points, which contains the shell.
     pub(super) around: Aabb,
-    /// Of some of its points. A control net may reach out of what encloses its surface.
+    /// The box of some of its points. A shell that encloses this one contains it; the control points may lie outside.
     of_points: Aabb,
 }
 
@@ -29,9 +29,10 @@ pub(super) struct ShellBoxes {
 pub(super) struct Around {
     /// Those that are certainly about it and apart from it.
     pub(super) shells: Vec<usize>,
-    /// Those of which it is not known whether they are, or which of the two is a void.
+    /// The shells that may be about it, and those that may be a void together with it: it is not known which of the two.
     pub(super) unknown: Vec<usize>,
-    /// Whether it is a void, where it meets others within one shell and the source tells these apart.
+    /// Whether the normals in the source show that it is a void, or that it is none. They are only compared for shells
+    /// that meet within a common shell.
     pub(super) is_void: Option<bool>,
 }
 
@@ -65,48 +66,18 @@ impl PreparedModel {
         budget: &mut Budget,
     ) -> Vec<Around> {
         let mut around: Vec<Around> = shells.iter().map(|_| Around::default()).collect();
-        let nested = self.nested_boxes(shells, boxes);
         // Shells of larger meshes have no tree to be compared by.
         if !self.may_compare() {
+            let nested = self.nested_boxes(shells, boxes);
             nested.into_iter().for_each(|[inner, outer]| around[inner].unknown.push(outer));
             return around;
         }
-        let numbers = |pair: [usize; 2]| pair.map(|index| shells[index].shell);
-        // The ways in which two shells may nest, with one comparison for both.
-        let mut to_compare: BTreeMap<[usize; 2], Vec<[usize; 2]>> = BTreeMap::new();
-        for nested in nested {
-            let [inner, outer] = numbers(nested);
-            if self.shells().may_be_within(inner, outer) {
-                let pair = [nested[0].min(nested[1]), nested[0].max(nested[1])];
-                to_compare.entry(pair).or_default().push(nested);
-            }
-        }
-        let mut meetings = Vec::new();
-        for (place, (&pair, ways)) in to_compare.iter().enumerate() {
-            let are_apart = self.are_apart(numbers(pair), to_compare.len() - place, budget);
-            for &pair in ways {
-                let [inner, outer] = numbers(pair);
-                match are_apart {
-                    Some(true) => match self.shells().has_within(outer, inner) {
-                        Some(true) => around[pair[0]].shells.push(pair[1]),
-                        Some(false) => {}
-                        None => around[pair[0]].unknown.push(pair[1]),
-                    },
-                    Some(false) => meetings.push(Meeting { pair, is_nested: true }),
-                    None => around[pair[0]].unknown.push(pair[1]),
-                }
-            }
-        }
-        let mut siblings = self.siblings(boxes, &around);
-        siblings.retain(|&pair| !to_compare.contains_key(&pair) && self.may_be_of_one_solid(numbers(pair)));
-        for (place, &pair) in siblings.iter().enumerate() {
-            match self.are_apart(numbers(pair), siblings.len() - place, budget) {
-                Some(true) => {}
-                Some(false) => meetings.push(Meeting { pair, is_nested: false }),
-                None => do_not_know(&mut around, pair),
-            }
-        }
-        // Those with normals against each other tell first.
+        let to_compare = self.nested_pairs(shells, boxes);
+        let mut meetings = self.compare_nested(shells, &to_compare, budget, &mut around);
+        let mut siblings = self.siblings(shells, boxes, &around);
+        siblings.retain(|pair| !to_compare.contains_key(pair));
+        meetings.extend(self.compare_siblings(shells, &siblings, budget, &mut around));
+        // Shells with opposite normals are told apart first.
         for are_opposite in [true, false] {
             for meeting in &meetings {
                 self.tell_apart(meeting, are_opposite, shells, &mut around);
@@ -118,8 +89,73 @@ impl PreparedModel {
         around
     }
 
-    /// Returns the pairs of a closed shell and an open one that are of one solid of the source: the closed one may be a void
-    /// of what the open one does not close.
+    /// Returns the pairs of shells of which one may lie within the other, with the one or two ways, the inner shell first.
+    fn nested_pairs(
+        &self,
+        shells: &[ShellParts],
+        boxes: &[ShellBoxes],
+    ) -> BTreeMap<[usize; 2], Vec<[usize; 2]>> {
+        let mut pairs: BTreeMap<[usize; 2], Vec<[usize; 2]>> = BTreeMap::new();
+        for [inner, outer] in self.nested_boxes(shells, boxes) {
+            if self.shells().may_be_within(shells[inner].shell, shells[outer].shell) {
+                pairs.entry([inner.min(outer), inner.max(outer)]).or_default().push([inner, outer]);
+            }
+        }
+        pairs
+    }
+
+    /// Compares each of these pairs once. Enters which shells lie within which, and returns those that meet.
+    fn compare_nested(
+        &self,
+        shells: &[ShellParts],
+        pairs: &BTreeMap<[usize; 2], Vec<[usize; 2]>>,
+        budget: &mut Budget,
+        around: &mut [Around],
+    ) -> Vec<Meeting> {
+        let mut meetings = Vec::new();
+        for (place, (&pair, ways)) in pairs.iter().enumerate() {
+            let are_apart =
+                self.are_apart(pair.map(|index| shells[index].shell), pairs.len() - place, budget);
+            for &[inner, outer] in ways {
+                let is_within = match are_apart {
+                    Some(true) => self.shells().has_within(shells[outer].shell, shells[inner].shell),
+                    Some(false) => {
+                        meetings.push(Meeting { pair: [inner, outer], is_nested: true });
+                        continue;
+                    }
+                    None => None,
+                };
+                match is_within {
+                    Some(true) => around[inner].shells.push(outer),
+                    Some(false) => {}
+                    None => around[inner].unknown.push(outer),
+                }
+            }
+        }
+        meetings
+    }
+
+    /// Compares these pairs of shells, of which neither may lie within the other, and returns those that meet.
+    fn compare_siblings(
+        &self,
+        shells: &[ShellParts],
+        pairs: &[[usize; 2]],
+        budget: &mut Budget,
+        around: &mut [Around],
+    ) -> Vec<Meeting> {
+        let mut meetings = Vec::new();
+        for (place, &pair) in pairs.iter().enumerate() {
+            match self.are_apart(pair.map(|index| shells[index].shell), pairs.len() - place, budget) {
+                Some(true) => {}
+                Some(false) => meetings.push(Meeting { pair, is_nested: false }),
+                None => do_not_know(around, pair),
+            }
+        }
+        meetings
+    }
+
+    /// Returns the pairs of a closed shell and an open shell that bound one solid of the source. The closed shell may be a
+    /// void of that solid, whose outer shell has lost a face.
     fn of_open_solids(&self, shells: &[ShellParts]) -> Vec<[usize; 2]> {
         let (joined, solids) = (self.joined(), self.solids());
         let is_open = |index: usize| joined.of_shell[shells[index].shell as usize].free > 0;
@@ -148,19 +184,20 @@ impl PreparedModel {
         are_apart
     }
 
-    /// Returns the distance up to which edges are joined, so that a shell may reach out of the one about it.
+    /// Returns the distance up to which edges are joined. A void may protrude from its shell by as much.
     fn slack(&self) -> f64 {
         if self.may_compare() { self.boundary().reach() } else { 0.0 }
     }
 
-    /// Whether one of two shells may be a void of the other: the source does not have them as shells of two solids.
+    /// Returns whether one of two shells may be a void of the other: the source does not state that they bound different
+    /// solids.
     fn may_be_of_one_solid(&self, pair: [u32; 2]) -> bool {
         let [one, other] = pair.map(|shell| self.solids()[shell as usize]);
         one.may_be_of(other)
     }
 
-    /// Returns the pairs of closed shells of which the first may lie within the second, as a void of it or of what lies
-    /// within it: points of it are in the box of the second, but for the distance up to which edges are joined.
+    /// Returns the pairs of closed shells that may be of one solid and of which the first may lie within the second: the
+    /// corners of its patches are in the box of the second, enlarged by the distance up to which edges are joined.
     pub(super) fn nested_boxes(&self, shells: &[ShellParts], boxes: &[ShellBoxes]) -> Vec<[usize; 2]> {
         let (joined, slack) = (self.joined(), self.slack());
         let is_closed = |index: usize| joined.of_shell[shells[index].shell as usize].free == 0;
@@ -182,8 +219,9 @@ impl PreparedModel {
         pairs
     }
 
-    /// Returns the pairs of shells that lie within one shell and whose boxes meet, the lower place first.
-    fn siblings(&self, boxes: &[ShellBoxes], around: &[Around]) -> Vec<[usize; 2]> {
+    /// Returns the pairs of shells that lie within a common shell, may be of one solid and have boxes that meet, the lower
+    /// index first.
+    fn siblings(&self, shells: &[ShellParts], boxes: &[ShellBoxes], around: &[Around]) -> Vec<[usize; 2]> {
         let slack = self.slack();
         let inner: Vec<usize> = (0..around.len()).filter(|&index| !around[index].shells.is_empty()).collect();
         let mut pairs = Vec::new();
@@ -193,13 +231,14 @@ impl PreparedModel {
             pairs
                 .extend(near.filter(|&other| root(around, [one, other]).is_some()).map(|other| [one, other]));
         }
+        pairs.retain(|pair| self.may_be_of_one_solid(pair.map(|index| shells[index].shell)));
         pairs
     }
 
-    /// Enters what follows from two shells having points in common, where their normals in the source are against each
-    /// other, or where not: bodies that overlap, a body at the wall of a void, or a void at that of its body. What is a void
-    /// has normals against those of the outermost shell. Two with the normals of that are bodies only where something else
-    /// says so: other voids that they meet, or the number of shells about them.
+    /// Enters what follows from two shells that have points in common, if their normals in the source are opposite or not,
+    /// as `are_opposite` asks. The normals of a void are opposite to those of the outermost shell. Two shells whose normals
+    /// both agree with those of the outermost shell are bodies only if something else shows it: a void that they meet, or
+    /// an even number of shells about them.
     fn tell_apart(
         &self,
         meeting: &Meeting,
@@ -208,7 +247,7 @@ impl PreparedModel {
         around: &mut [Around],
     ) {
         let &Meeting { pair, is_nested } = meeting;
-        let faces_out = |index: usize| self.shells().faces_out(shells[index].shell);
+        let faces_out = |index: usize| self.faces_out()[shells[index].shell as usize];
         let Some(outermost) = root(around, pair) else {
             let [inner, outer] = pair.map(faces_out);
             if are_opposite && is_nested && inner.zip(outer).is_some_and(|(inner, outer)| inner != outer) {
@@ -225,14 +264,14 @@ impl PreparedModel {
             around[index].is_void == Some(false) || around[index].shells.len().is_multiple_of(2)
         };
         match are_voids {
-            // It may be a void of the body that it touches from within, or of the one about both.
+            // The void may belong to the body that it touches from within, or to the body about both.
             [Some(true), Some(false)] if is_nested => do_not_know(around, pair),
             [Some(one), Some(other)] if are_opposite => {
                 around[pair[0]].is_void = Some(one);
                 around[pair[1]].is_void = Some(other);
             }
             [Some(false), Some(false)] if pair.iter().all(is_body) => {}
-            // The common part of two voids would count twice.
+            // The common part of two voids would be subtracted twice.
             _ => do_not_know(around, pair),
         }
     }

@@ -37,7 +37,7 @@ fn work(model: &PreparedModel, mut budget: Budget) -> [usize; 2] {
     let all = budget.left;
     let around = model.arounds(&shells, &boxes, &mut budget);
     assert!(around.iter().any(|around| !around.unknown.is_empty()));
-    // Either of two spheres may be the inner one, and one comparison tells.
+    // Each pair of spheres counts in both directions, and one comparison decides both.
     [model.nested_boxes(&shells, &boxes).len() / 2, all - budget.left]
 }
 

@@ -27,7 +27,7 @@ export const bodies = {
   hasWhichNoRuleHas: (where: string, unknown: string) =>
     `${where} has ${unknown}, which no rule has.`,
   hasNoDistance: (where: string) => `${where} has no distance of at least 0.`,
-  oneBodyItHasNothing: "One body: it has nothing to clash with.",
+  oneBodyItHasNothing: "One body: it has nothing to clash with",
   undecided: (undecided: number) => `${undecided} undecided`,
   touching: (value: number) => `${value} touching`,
   near: (value: number) => `${value} near`,
