@@ -106,7 +106,7 @@ class BestFit:
     zone : Zone or None
         Interval of the least largest distance, with ``norm="largest"``.
     zone_proven : bool or None
-        Whether that interval is narrow: at most a twentieth of its upper bound wide.
+        Whether that interval is narrow: at most a hundredth of its upper bound wide.
     taken : tuple of int
         Number of freedoms, of six, that each datum took, in their order.
     """
@@ -141,7 +141,7 @@ def best_fit(
     zone_translation: float | None = None,
     zone_degrees: float = 1.0,
     limit: float | None = None,
-    max_boxes: int = 2000,
+    max_boxes: int = 5000,
     outliers: float = 0.0,
     robust: Literal["none", "trimmed", "tukey", "geman-mcclure"] | None = None,
     tolerance: float | None = None,

@@ -38,10 +38,10 @@ pub(super) struct Middle {
     /// Upper bounds on the angle and the shift between the middle and a motion of the cell.
     pub(super) angle: f64,
     pub(super) shift: f64,
-    /// An upper bound on e to the largest angle of a motion from the base.
-    pub(super) growth: f64,
+    /// An upper bound on the difference of a turn from the middle and the exponential of its first order (lemma Z1).
+    pub(super) twist: f64,
     /// The images of the axes of turns under the Jacobian of the exponential, in units of the radius.
-    turns: Vec<DVec3>,
+    pub(super) turns: Vec<DVec3>,
     /// The lengths beside a point's own that enter its image.
     lengths: f64,
 }
@@ -69,7 +69,7 @@ impl Chart {
         let above = 1.0 + gamma(32.0);
         let length = |of: &[f64]| of.iter().map(|half| half * half).sum::<f64>().sqrt() * above;
         let angle = length(&cell.half[..turns]) / self.radius * above;
-        let largest = vector.length() * above + angle;
+        let from_base = vector.length() * above;
         let jacobian = |axis: &DVec3| {
             let [first, second] = series(vector.length_squared());
             let once = vector.cross(*axis);
@@ -80,7 +80,7 @@ impl Chart {
             center: self.center + shift,
             angle,
             shift: length(&cell.half[turns..]),
-            growth: largest.exp() * above,
+            twist: from_base * angle * angle * (from_base + angle).exp() / 12.0 * above,
             turns: self.freedoms.turns.iter().map(jacobian).collect(),
             lengths: self.base.offset().length() + 2.0 * self.center.length() + shift.length(),
         }
@@ -118,9 +118,13 @@ impl Cell {
         [1.0, -1.0].map(|sign| std::array::from_fn(|k| self.middle[k] + sign * self.half[k]))
     }
 
-    /// Returns both halves across the longest side.
-    pub(super) fn halves(&self) -> [Self; 2] {
-        let axis = (1..COORDINATES).fold(0, |best, k| if self.half[k] > self.half[best] { k } else { best });
+    /// Returns the coordinate of the longest side.
+    pub(super) fn longest(&self) -> usize {
+        (1..COORDINATES).fold(0, |best, k| if self.half[k] > self.half[best] { k } else { best })
+    }
+
+    /// Returns both halves across the side of a coordinate.
+    pub(super) fn halves(&self, axis: usize) -> [Self; 2] {
         let half = 0.5 * self.half[axis];
         [-half, half].map(|off| {
             let mut part = *self;
@@ -159,15 +163,44 @@ mod tests {
                 let moved = (chart.motion(&at).apply(point) - image).dot(direction);
                 let error = (moved - 0.01 * slopes[axis]).abs();
                 let angle = if axis < 3 { 0.01 / chart.radius } else { 0.0 };
-                assert!(error <= 0.5 * middle.growth * angle * angle * arm + 1e-14, "{axis}: {error}");
+                assert!(error <= (0.5 * angle * angle + middle.twist) * arm + 1e-14, "{axis}: {error}");
             }
+        }
+    }
+
+    /// A turn from the middle of a cell differs from the exponential of its first order by at most the twist, and by
+    /// nearly as much where it is across the turn of the middle.
+    #[test]
+    fn the_twist_is_attained() {
+        let base = RigidTransform::IDENTITY;
+        let chart = Chart { base, freedoms: Freedoms::all(), center: DVec3::ZERO, radius: 1.0 };
+        let within = |vector: DVec3, step: DVec3| {
+            let (mut middle, mut half) = ([0.0; COORDINATES], [0.0; COORDINATES]);
+            middle[..3].copy_from_slice(&vector.to_array());
+            half[..3].copy_from_slice(&step.abs().to_array());
+            let middle = chart.middle(&Cell { middle, half });
+            let turn = DQuat::from_scaled_axis(vector + step) * DQuat::from_scaled_axis(-vector);
+            let [first, second] = series(vector.length_squared());
+            let once = vector.cross(step);
+            let exponential = DQuat::from_scaled_axis(step + first * once + second * vector.cross(once));
+            let apart = DVec3::AXES.map(|axis| (turn * axis - exponential * axis).length());
+            (apart.into_iter().fold(0.0, f64::max), middle.twist)
+        };
+        let (apart, twist) = within(0.1 * DVec3::X, 0.02 * DVec3::Y);
+        assert!(apart <= twist && apart >= 0.85 * twist, "{apart} of {twist}");
+        let random = &mut fastrand::Rng::with_seed(3);
+        for _ in 0..1000 {
+            let [vector, step] =
+                [1.0, 0.3].map(|size| size * DVec3::from_array([0; 3].map(|_| random.f64() - 0.5)));
+            let (apart, twist) = within(vector, step);
+            assert!(apart <= twist + 1e-14, "{apart} of {twist}");
         }
     }
 
     #[test]
     fn halves_cover_the_cell() {
         let cell = Cell { middle: [0.0; COORDINATES], half: [1.0, 1.0, 4.0, 1.0, 1.0, 0.0] };
-        let [low, high] = cell.halves();
+        let [low, high] = cell.halves(cell.longest());
         assert_eq!((low.middle[2], high.middle[2], low.half[2]), (-2.0, 2.0, 2.0));
         assert_eq!((low.half[0], low.middle[0]), (1.0, 0.0));
     }

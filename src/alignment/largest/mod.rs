@@ -5,6 +5,7 @@ mod bound;
 mod chart;
 mod contacts;
 mod fit;
+mod minorant;
 mod program;
 mod search;
 

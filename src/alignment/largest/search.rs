@@ -22,9 +22,10 @@ pub(crate) struct Goal {
     pub(crate) most_cells: usize,
 }
 
-/// A cell with its lower bound.
+/// A cell with its lower bound, and the coordinate across whose side it is halved.
 struct Entry {
     lower: f64,
+    widest: usize,
     cell: Cell,
 }
 
@@ -59,8 +60,8 @@ impl<'a, C: Clearance> BoxSearch<'a, C> {
         let mut halved = Vec::new();
         while halved.len() < 2 * CELLS_AT_ONCE && self.queue.peek().is_some_and(|one| one.lower < goal.lower)
         {
-            let Some(Entry { lower, cell }) = self.queue.pop() else { break };
-            halved.extend(cell.halves().map(|half| (lower, half)));
+            let Some(Entry { lower, widest, cell }) = self.queue.pop() else { break };
+            halved.extend(cell.halves(widest).map(|half| (lower, half)));
         }
         self.bound(halved);
         false
@@ -70,13 +71,13 @@ impl<'a, C: Clearance> BoxSearch<'a, C> {
     fn bound(&mut self, cells: Vec<(f64, Cell)>) {
         let bounds = map(cells.len(), |index| {
             let (before, cell) = &cells[index];
-            let [found, in_middle] = self.contacts.bounds(cell);
-            let lower = upper_max(*before, found);
-            (lower, lower > in_middle)
+            let (found, in_middle) = self.contacts.bounds(cell);
+            let lower = upper_max(*before, found.lower);
+            (Entry { lower, widest: found.widest, cell: *cell }, lower > in_middle)
         });
         self.cells += bounds.len();
-        for ((_, cell), (lower, is_refuted)) in cells.into_iter().zip(bounds) {
-            self.enter(Entry { lower, cell }, is_refuted);
+        for (entry, is_refuted) in bounds {
+            self.enter(entry, is_refuted);
         }
     }
 
@@ -89,7 +90,7 @@ impl<'a, C: Clearance> BoxSearch<'a, C> {
     pub(crate) fn audit(&mut self) {
         let least: Vec<Entry> = (0..AUDITED_CELLS).map_while(|_| self.queue.pop()).collect();
         let is_refuted = map(least.len(), |index| {
-            let Entry { lower, cell } = &least[index];
+            let Entry { lower, cell, .. } = &least[index];
             cell.opposite_corners().iter().any(|corner| *lower > self.contacts.largest(corner))
         });
         for (entry, is_refuted) in least.into_iter().zip(is_refuted) {

@@ -15,7 +15,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 /// The width of a zone that counts as proven, as a part of its upper bound.
-const PROVEN_WIDTH: f64 = 0.05;
+const PROVEN_WIDTH: f64 = 0.01;
 
 /// The width of the distance of the pose found, as a part of the largest distance of the samples.
 const DISTANCE_WIDTH: f64 = 0.005;
@@ -42,7 +42,7 @@ const DEFAULT_TRANSLATION: f64 = 0.01;
 const MAX_DEGREES: f64 = 45.0;
 
 /// The largest number of boxes unless the options name another: some seconds.
-const DEFAULT_BOXES: usize = 2000;
+const DEFAULT_BOXES: usize = 5000;
 
 /// The motions over which the least largest distance is bounded; names in camelCase when deserialized.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]

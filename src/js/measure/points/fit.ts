@@ -40,7 +40,7 @@ export interface ZoneOptions {
   degrees?: number;
   /** The distance that `passes` is about, in model units, 0 or more. */
   limit?: number;
-  /** The largest number of boxes of motions that are bounded; default 2000. */
+  /** The largest number of boxes of motions that are bounded; default 5000. */
   maxBoxes?: number;
 }
 
@@ -188,7 +188,7 @@ export interface BestFit {
   /** The interval of the least largest distance, with `norm: "largest"`. */
   zone?: Zone;
   /**
-   * Whether that interval is narrow: at most a twentieth of `zone.upper` wide. Otherwise `zone.upper` is
+   * Whether that interval is narrow: at most a hundredth of `zone.upper` wide. Otherwise `zone.upper` is
    * the zone that was found, and that none is less has not been shown.
    */
   zoneProven?: boolean;
