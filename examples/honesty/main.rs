@@ -41,7 +41,8 @@
 //! points, the other way round, and with the volumes that they are parts of. None of the shapes may be said to meet itself. Statistics of one in eight ordinary pairs are checked in the same way.
 //!
 //! With `--zones`, scans with noise and bumps are fitted to such shapes in the largest distance: of 120 motions of the
-//! box, drawn and descended to, none may lay all points nearer than `zone.lower`.
+//! box, drawn and descended to, none may lay all points nearer than `zone.lower`; half of the zones are of one side, inside or
+//! outside.
 //!
 //! With `--scores`, such shapes are scored before themselves, moved a little, and before others, one in four as triangles:
 //! parts of areas with like counterparts are compared with samples and cells of the other surface, and parts and lengths of

@@ -33,6 +33,11 @@ impl Residual {
     pub(crate) fn distance(&self) -> f64 {
         self.offset.length()
     }
+
+    /// Returns the offset along the direction: the distance with a sign where the direction has a side of its own.
+    pub(crate) fn height(&self) -> f64 {
+        self.direction.map_or_else(|| self.distance(), |direction| self.offset.dot(direction))
+    }
 }
 
 /// A model as the residuals of points.

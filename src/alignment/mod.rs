@@ -17,9 +17,9 @@ mod search;
 
 pub(crate) use by_hand::by_datums;
 pub use by_hand::{Datum, DatumFit, Feature, PointPair};
-pub(crate) use field::{Field, FootField, Place, direction_from_facet, foot_on_patches};
+pub(crate) use field::{Field, FootField, Place, Residual, direction_from_facet, foot_on_patches};
 pub(crate) use freedoms::Freedoms;
-pub(crate) use largest::{BoxSearch, Chart, Clear, Clearance, Contacts, Goal, LargestFit, contacts};
+pub(crate) use largest::{BoxSearch, Cell, Chart, Clear, Clearance, Contacts, Goal, LargestFit, contacts};
 pub use mean::Robust;
 pub(crate) use mean::{LocalFit, Loss, Step};
 pub(crate) use poses::{Candidate, distinct};

@@ -73,10 +73,11 @@ impl SignFoot<'_> {
 }
 
 /// The shells about the last point, near which the next one may lie.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(super) struct Known(Option<Ball>);
 
 /// A ball without points of the model.
+#[derive(Clone)]
 struct Ball {
     center: DVec3,
     radius: f64,
@@ -112,6 +113,13 @@ impl SignRule<'_> {
     /// `None` of a model that is not closed.
     pub(super) fn clear_radius(&self, clear: f64) -> Option<f64> {
         self.solid().map(|(shells, _)| shells.boundary.clear_radius(clear))
+    }
+
+    /// Returns the side of a point whose distance is not below `clear`; `None` of a model that is not closed. `known`
+    /// belongs to this model.
+    pub(super) fn side(&self, point: DVec3, clear: f64, known: &mut Known) -> Option<Side> {
+        let (shells, target) = self.solid()?;
+        Some(side(&shells, target, point, shells.boundary.clear_radius(clear), known))
     }
 
     /// Returns the distance of a point with its sign, as [`Signs`] states. `clear` is a lower bound

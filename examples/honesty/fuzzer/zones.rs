@@ -1,8 +1,10 @@
-//! Least zones: no motion of the box lays all points of a scan nearer to the model than the lower bound.
+//! Least zones: no motion of the box lays all points of a scan nearer to the model than the lower bound, nor farther out of
+//! one side.
 
 use super::brute::{Placed, Target};
 use super::check::Outcome;
-use super::sheet::sheets;
+use super::clearance::{Triangles, triangles_of};
+use super::sheet::{Sheet, sheets};
 use super::solids::Shapes;
 use super::surfaces::magnitude;
 use fastrand::Rng;
@@ -25,6 +27,16 @@ const STEPS: usize = 80;
 
 /// Rounding of distances, relative to the largest coordinate.
 const ROUNDING: f64 = 1e-9;
+
+/// The norms that are drawn: half of them of both sides.
+const NORMS: [FitNorm; 4] = [FitNorm::Largest, FitNorm::Largest, FitNorm::Outside, FitNorm::Inside];
+
+/// The distance from a sheet at which its outer side is looked up, relative to the diagonal, and the number of places.
+const BESIDE: f64 = 0.05;
+const PLACES: usize = 12;
+
+/// The sine of the angle to the normal up to which a foot is one inside a sheet.
+const MAX_SINE: f64 = 1e-3;
 
 /// Checks the zone of a seed: a scan with noise and bumps on a closed shape under an affine or a projective map.
 pub(crate) fn check_zone(seed: u64, shapes: &Shapes) -> Outcome {
@@ -53,9 +65,10 @@ pub(crate) fn check_zone(seed: u64, shapes: &Shapes) -> Outcome {
         return not_drawn();
     };
     let Ok(a) = PreparedModel::of_facets(&Facets::Cloud(cloud), None) else { return not_drawn() };
+    let norm = NORMS[rng.usize(0..NORMS.len())];
     let options = BestFitOptions {
         start: FitStart::Given,
-        norm: FitNorm::Largest,
+        norm,
         zone: ZoneOptions {
             translation: Some(magnitude(rng, -5.0, -1.5) * size),
             degrees: magnitude(rng, -3.0, 1.0),
@@ -74,10 +87,23 @@ pub(crate) fn check_zone(seed: u64, shapes: &Shapes) -> Outcome {
     let Some(zone) = found.zone else { return not_drawn() };
     let target = Target::new(&of_model);
     let rounding = ROUNDING * (model.bounding_box().farthest_from_origin() + size);
-    let motions = Motions { target: &target, points: &moved, origin, pose: found.transform, zone };
+    let sides = match norm {
+        FitNorm::Largest => None,
+        _ => Some(Sides::new(triangles_of(&model), &of_model, BESIDE * size, rng)),
+    };
+    let is_outside = norm == FitNorm::Outside;
+    let motions = Motions {
+        target: &target,
+        points: &moved,
+        origin,
+        pose: found.transform,
+        zone,
+        sides: sides.as_ref().map(|sides| (sides, is_outside)),
+    };
     let least = motions.least(rng);
-    let violations = (least < zone.lower - rounding)
-        .then(|| format!("seed {seed} ({name}): a motion lays all points within {least}: {zone:?}"));
+    let violations = (least < zone.lower - rounding).then(|| {
+        format!("seed {seed} ({name}, {norm:?}): a motion lays all points within {least}: {zone:?}")
+    });
     let converged = found.zone_proven == Some(true);
     Outcome {
         converged,
@@ -105,6 +131,45 @@ struct Motions<'a> {
     origin: DVec3,
     pose: RigidTransform,
     zone: Zone,
+    /// The sides of the model, and whether the outer one counts.
+    sides: Option<(&'a Sides<'a>, bool)>,
+}
+
+/// Where a closed model is inside: by rays, and near a sheet by the side of its normal.
+struct Sides<'a> {
+    triangles: Triangles,
+    sheets: &'a [Sheet],
+    /// Whether the normal of each sheet points out; `None` where no place of it was certain.
+    outwards: Vec<Option<bool>>,
+}
+
+impl<'a> Sides<'a> {
+    fn new(triangles: Triangles, sheets: &'a [Sheet], beside: f64, rng: &mut Rng) -> Self {
+        let mut at = |sheet: &Sheet| {
+            let tangents = sheet.tangents(sheet.at([rng.f64(), rng.f64()]));
+            let normal = beside * tangents.u.cross(tangents.v).normalize_or_zero();
+            let is_inside = [normal, -normal].map(|off| triangles.contain(tangents.point + off));
+            match is_inside {
+                [Some(false), Some(true)] => Some(true),
+                [Some(true), Some(false)] => Some(false),
+                _ => None,
+            }
+        };
+        let outwards = sheets.iter().map(|sheet| (0..PLACES).find_map(|_| at(sheet))).collect();
+        Self { triangles, sheets, outwards }
+    }
+
+    /// Returns whether a point is inside, where that is certain.
+    fn contain(&self, point: DVec3, foot: &Placed) -> Option<bool> {
+        self.triangles.contain(point).or_else(|| {
+            let tangents = self.sheets[foot.sheet].tangents(foot.parameters);
+            let normal = tangents.u.cross(tangents.v).normalize_or_zero();
+            let offset = point - tangents.point;
+            let is_along = offset.cross(normal).length() <= MAX_SINE * offset.length();
+            let is_out = self.outwards[foot.sheet].filter(|_| is_along)?;
+            Some((offset.dot(normal) > 0.0) != is_out)
+        })
+    }
 }
 
 /// A motion of the box, as a part of its largest turn and shift.
@@ -128,17 +193,20 @@ impl Motions<'_> {
         least
     }
 
-    /// Returns an upper bound on the largest distance of the points in a motion of the box.
+    /// Returns an upper bound on the largest distance of the points in a motion of the box, on both sides or on one.
     fn largest(&self, [turn, shift]: Motion, warm: &mut [Option<Placed>]) -> f64 {
         let center = DVec3::from_array(self.zone.center);
         let rotation = DQuat::from_scaled_axis(self.zone.degrees.to_radians() * turn);
-        let mut largest = 0.0_f64;
+        let mut largest = f64::NEG_INFINITY;
         for (point, warm) in self.points.iter().zip(warm) {
             let image = self.pose.apply(*point) - center;
             let image = center + rotation * image + self.zone.translation * shift;
             let found = self.target.near(image - self.origin, *warm);
             *warm = Some(found);
-            largest = largest.max(found.distance);
+            let is_on_the_other_side = self.sides.is_some_and(|(sides, is_outside)| {
+                sides.contain(image - self.origin, &found) == Some(is_outside)
+            });
+            largest = largest.max(if is_on_the_other_side { -found.distance } else { found.distance });
         }
         largest
     }

@@ -104,7 +104,7 @@ class BestFit:
     largest : float
         The largest distance of the samples there: an estimate.
     zone : Zone or None
-        Interval of the least largest distance, with ``norm="largest"``.
+        Interval of the least largest distance, with a norm of the largest distance.
     zone_proven : bool or None
         Whether that interval is narrow: at most a hundredth of its upper bound wide.
     taken : tuple of int
@@ -135,7 +135,7 @@ def best_fit(
     samples: int = 16,
     sampling: Sampling | None = None,
     start: Literal["any", "given", "axes", "boxes"] = "any",
-    norm: Literal["mean", "largest", "none"] = "mean",
+    norm: Literal["mean", "largest", "outside", "inside", "none"] = "mean",
     pairs: Sequence[Mapping[str, Any]] = (),
     datums: Sequence[Mapping[str, Any]] = (),
     zone_translation: float | None = None,
@@ -164,9 +164,10 @@ def best_fit(
     start : {"any", "given", "axes", "boxes"}
         Poses from which the fit starts: all rotations, ``transform`` alone, principal axes on each
         other, or ``transform`` with the middles of both boxes on each other.
-    norm : {"mean", "largest", "none"}
-        What is made least: the root mean square, the largest distance, or nothing: A then stays in
-        its first pose, whose residual is stated.
+    norm : {"mean", "largest", "outside", "inside", "none"}
+        What is made least: the root mean square; the largest distance; the largest distance of a
+        scan's points outside of B's body, or inside, which is negative if all are on the other
+        side; or nothing: A then stays in its first pose, whose residual is stated.
     pairs : sequence of mappings
         ``{"a": point, "b": point, "weight": 1.0}``, three or more: the first pose lays points of A
         on those of B.
@@ -176,10 +177,10 @@ def best_fit(
         ``{"point": {"point": p}}`` or ``{"face": {"index": i}}``. A is moved only in the freedoms
         that they leave.
     zone_translation, zone_degrees : float, optional
-        With ``norm="largest"``, the motions that ``zone`` is about: shifts up to this length, a
+        With a norm of the largest distance, the motions that ``zone`` is about: shifts up to this length, a
         hundredth of the larger diagonal if not given, and turns up to this angle.
     limit : float, optional
-        With ``norm="largest"``, the distance that ``zone.passes`` is about.
+        With a norm of the largest distance, that which ``zone.passes`` is about.
     max_boxes : int
         Largest number of boxes of motions that are bounded.
     outliers : float

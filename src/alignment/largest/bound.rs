@@ -4,7 +4,6 @@
 use super::chart::{Cell, Chart, Middle};
 use super::minorant::{Ball, Minorant, Proven, proven};
 use super::program::{Row, solve};
-use crate::alignment::field::Place;
 use crate::alignment::freedoms::{COORDINATES, Coordinates};
 use crate::rounding::{gamma, upper_max, upper_min};
 use glam::DVec3;
@@ -28,17 +27,24 @@ const MOVEMENT_ROUNDINGS: f64 = 16.0;
 /// What is known of B about a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Clear {
-    /// Bounds on the distance from the point to B.
+    /// Bounds on the distance from the point to B, or on that with a sign.
     pub(crate) lower: f64,
     pub(crate) upper: f64,
-    /// The unit vector from B to the point, about: a wrong one costs sharpness.
+    /// The unit vector along which it grows, about: a wrong one costs sharpness.
     pub(crate) direction: DVec3,
 }
 
-/// A model with certain bounds on the distances of points from it.
+/// A model with certain bounds on the distances of points from it, or on distances with a sign, which are negative on
+/// one side of a closed model. Either changes by no more than a point moves.
 pub(crate) trait Clearance: Sync {
-    /// Returns bounds on the distance of a point; `place` is where the last foot was. `None` for a model without points.
-    fn clear(&self, point: DVec3, place: &mut Place) -> Option<Clear>;
+    /// What is known from the last point.
+    type Memory: Clone + Default;
+
+    /// Whether distances have a sign.
+    const SIGNED: bool;
+
+    /// Returns bounds on the distance of a point. `None` for a model without points.
+    fn clear(&self, point: DVec3, memory: &mut Self::Memory) -> Option<Clear>;
 }
 
 /// Points of A, with the model B that they are laid on.
@@ -60,15 +66,15 @@ impl<C: Clearance> Contacts<'_, C> {
     pub(super) fn bounds(&self, cell: &Cell) -> (Proven, f64) {
         let middle = self.chart.middle(cell);
         let mut minorants = Vec::with_capacity(3 * self.points.len());
-        let mut place: Place = None;
-        let mut in_middle = 0.0;
+        let mut memory = C::Memory::default();
+        let mut in_middle = f64::NEG_INFINITY;
         for &point in self.points {
-            let upper = self.add(point, (cell, &middle), &mut place, &mut minorants);
+            let upper = self.add(point, (cell, &middle), &mut memory, &mut minorants);
             in_middle = upper_max(in_middle, upper.unwrap_or(f64::INFINITY));
         }
         let rows: Vec<Row> = minorants.iter().map(|minorant| minorant.row(cell)).collect();
         let found = solve(&rows, &cell.half).map_or_else(
-            || Proven { lower: 0.0, widest: cell.longest() },
+            || Proven { lower: f64::NEG_INFINITY, widest: cell.longest() },
             |found| proven(&minorants, &found.weights, cell),
         );
         (found, in_middle)
@@ -78,12 +84,16 @@ impl<C: Clearance> Contacts<'_, C> {
     /// points alone. O(points log B).
     pub(super) fn largest(&self, at: &Coordinates) -> f64 {
         let middle = self.chart.middle(&Cell { middle: *at, half: [0.0; COORDINATES] });
-        let mut place: Place = None;
+        let mut memory = C::Memory::default();
         let upper = |&point: &DVec3| {
-            let clear = self.clearance.clear(middle.motion.apply(point), &mut place)?;
+            let clear = self.clearance.clear(middle.motion.apply(point), &mut memory)?;
             Some(clear.upper + self.error + middle.rounding(point.length()))
         };
-        self.points.iter().map(upper).map(|found| found.unwrap_or(f64::INFINITY)).fold(0.0, upper_max)
+        self.points
+            .iter()
+            .map(upper)
+            .map(|found| found.unwrap_or(f64::INFINITY))
+            .fold(f64::NEG_INFINITY, upper_max)
     }
 
     /// Adds the minorants of one point: by its distance, and by the balls on both sides of B. Returns an upper bound
@@ -92,7 +102,7 @@ impl<C: Clearance> Contacts<'_, C> {
         &self,
         point: DVec3,
         at: (&Cell, &Middle),
-        place: &mut Place,
+        memory: &mut C::Memory,
         minorants: &mut Vec<Minorant>,
     ) -> Option<f64> {
         let middle = at.1;
@@ -100,15 +110,16 @@ impl<C: Clearance> Contacts<'_, C> {
         let error = self.error + middle.rounding(point.length());
         let turned = middle.angle * ((image - middle.center).length() + error);
         let reach = (middle.shift + turned + error) * (1.0 + gamma(MOVEMENT_ROUNDINGS));
-        let clear = self.clearance.clear(image, place)?;
+        let clear = self.clearance.clear(image, memory)?;
         minorants.push(Minorant::constant(clear.lower - reach));
         for side in [1.0, -1.0] {
-            // On the other side of B a point is in no ball until it has moved through B.
-            if side < 0.0 && clear.lower > reach {
+            // On the other side of B a point is in no ball until it has moved through B, and a distance with a sign
+            // falls there.
+            if side < 0.0 && (C::SIGNED || clear.lower > reach) {
                 continue;
             }
             let along = side * clear.direction;
-            minorants.extend(self.by_ball((image, error), (along, reach), at, *place));
+            minorants.extend(self.by_ball((image, error), (along, reach), at, memory.clone()));
         }
         Some(clear.upper + error)
     }
@@ -119,14 +130,14 @@ impl<C: Clearance> Contacts<'_, C> {
         (image, error): (DVec3, f64),
         (along, reach): (DVec3, f64),
         (cell, middle): (&Cell, &Middle),
-        mut place: Place,
+        mut memory: C::Memory,
     ) -> Option<Minorant> {
         let enough = SHRINK * reach * reach / self.width;
         let most = upper_min(self.largest_ball, enough);
         let least = LEAST_REACH * reach;
         let mut of_radius = |radius: f64| {
             let center = image + radius * along;
-            let clear = self.clearance.clear(center, &mut place)?.lower;
+            let clear = self.clearance.clear(center, &mut memory)?.lower;
             let ball = Ball { center, clear, image, error };
             let minorant = Minorant::of_ball(&ball, middle, &self.chart.freedoms)?;
             Some((minorant.row(cell).value, radius, minorant))
@@ -168,7 +179,9 @@ mod tests {
     struct Plane;
 
     impl Clearance for Plane {
-        fn clear(&self, point: DVec3, _place: &mut Place) -> Option<Clear> {
+        type Memory = ();
+        const SIGNED: bool = false;
+        fn clear(&self, point: DVec3, (): &mut ()) -> Option<Clear> {
             let [lower, upper] = [-1e-15, 1e-15].map(|rounding| point.z.abs() * (1.0 + rounding));
             Some(Clear { lower, upper, direction: DVec3::Z * point.z.signum() })
         }
@@ -178,7 +191,9 @@ mod tests {
     struct Sphere;
 
     impl Clearance for Sphere {
-        fn clear(&self, point: DVec3, _place: &mut Place) -> Option<Clear> {
+        type Memory = ();
+        const SIGNED: bool = false;
+        fn clear(&self, point: DVec3, (): &mut ()) -> Option<Clear> {
             let inwards = if point.length() < 5.0 { -1.0 } else { 1.0 };
             let distance = (5.0 - point.length()).abs();
             let [lower, upper] = [-1e-15, 1e-15].map(|rounding| distance * (1.0 + rounding));

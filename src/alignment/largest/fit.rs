@@ -39,6 +39,8 @@ pub(crate) struct LargestFit<F> {
     center: DVec3,
     pub(crate) radius: f64,
     freedoms: Freedoms,
+    /// Whether heights count, and not distances.
+    signed: bool,
     pub(crate) motion: RigidTransform,
     residuals: Vec<Residual>,
     places: Vec<Place>,
@@ -49,10 +51,11 @@ pub(crate) struct LargestFit<F> {
 }
 
 impl<F: Field> LargestFit<F> {
-    /// Starts from a pose; `None` for a field or samples without points. A step below `smallest` ends the fit.
+    /// Starts from a pose; `None` for a field or samples without points. A step below `smallest` ends the fit. With
+    /// `signed` heights are made least, and not distances.
     pub(crate) fn new(
         field: F,
-        samples: &Samples,
+        (samples, signed): (&Samples, bool),
         freedoms: &Freedoms,
         smallest: f64,
         motion: RigidTransform,
@@ -66,6 +69,7 @@ impl<F: Field> LargestFit<F> {
             center: samples.center,
             radius,
             freedoms: freedoms.clone(),
+            signed,
             motion,
             residuals: Vec::new(),
             places: Vec::new(),
@@ -83,7 +87,7 @@ impl<F: Field> LargestFit<F> {
         self.freedoms.center_of(&self.motion, self.center)
     }
 
-    /// Returns the largest distance of the samples that count.
+    /// Returns the largest distance of the samples that count, or their largest height.
     pub(crate) fn largest(&self) -> f64 {
         self.largest
     }
@@ -99,7 +103,7 @@ impl<F: Field> LargestFit<F> {
 
     fn measure(&mut self) -> Option<()> {
         (self.residuals, self.places) = residuals(&self.field, &self.counted, &self.places, &self.motion)?;
-        self.largest = largest(&self.residuals)?;
+        self.largest = self.largest_of(&self.residuals)?;
         Some(())
     }
 
@@ -108,11 +112,11 @@ impl<F: Field> LargestFit<F> {
         self.rounds += 1;
         self.measure()?;
         let (all, _) = residuals(&self.field, &self.points, &[], &self.motion)?;
-        let limit = (1.0 + FARTHER) * self.largest + self.smallest;
+        let limit = self.largest + FARTHER * self.largest.abs() + self.smallest;
         let mut far: Vec<(f64, DVec3)> = all
             .iter()
             .zip(&self.points)
-            .map(|(residual, &point)| (residual.distance(), point))
+            .map(|(residual, &point)| (self.length(residual), point))
             .filter(|(distance, _)| *distance > limit)
             .collect();
         far.sort_by(|one, other| other.0.total_cmp(&one.0));
@@ -123,23 +127,37 @@ impl<F: Field> LargestFit<F> {
         Some(self.counted.len() > before)
     }
 
-    /// Returns the rows of the program about the pose, two a sample: its distance, and the same with B passed.
+    /// Returns the rows of the program about the pose, two a sample: its distance, and the same with B passed; of a height
+    /// the first one alone.
     pub(crate) fn rows(&self) -> Vec<Row> {
         let center = self.center();
         let row = |residual: &Residual| {
-            let distance = residual.distance();
+            let length = self.length(residual);
             let direction = residual.direction.unwrap_or_else(|| residual.offset.normalize_or_zero());
             let slope = self.freedoms.slopes(residual.point - center, self.radius, direction);
-            let passed = Row { value: -distance, slope: slope.map(|value| -value) };
-            [Row { value: distance, slope }, passed]
+            let passed = Row { value: -length, slope: slope.map(|value| -value) };
+            [Row { value: length, slope }, passed].into_iter().take(self.rows_of_a_sample())
         };
         self.residuals.iter().flat_map(row).collect()
+    }
+
+    fn rows_of_a_sample(&self) -> usize {
+        if self.signed { 1 } else { 2 }
+    }
+
+    /// Returns what is made least.
+    fn length(&self, residual: &Residual) -> f64 {
+        if self.signed { residual.height() } else { residual.distance() }
+    }
+
+    fn largest_of(&self, residuals: &[Residual]) -> Option<f64> {
+        residuals.iter().map(|residual| self.length(residual)).reduce(upper_max)
     }
 
     /// Returns the samples, in A's own frame, of rows, each once and in their order.
     pub(crate) fn points_of(&self, rows: &[usize]) -> Vec<DVec3> {
         let mut known = Vec::new();
-        for index in rows.iter().map(|row| row / 2) {
+        for index in rows.iter().map(|row| row / self.rows_of_a_sample()) {
             if !known.contains(&index) {
                 known.push(index);
             }
@@ -154,7 +172,7 @@ impl<F: Field> LargestFit<F> {
         let rows = self.rows();
         let Some(solution) = solve(&rows, &half) else { return Step::Converged };
         let predicted = self.largest - solution.value;
-        if !(predicted > LEAST_GAIN * self.largest) || self.trust < self.smallest {
+        if !(predicted > LEAST_GAIN * self.largest.abs()) || self.trust < self.smallest {
             return match self.rounds < MAX_ROUNDS && self.join() == Some(true) {
                 true => Step::Better,
                 false => Step::Converged,
@@ -164,7 +182,7 @@ impl<F: Field> LargestFit<F> {
         let motion = self.freedoms.followed(&self.motion, &step, (self.center(), self.radius));
         let next = residuals(&self.field, &self.counted, &self.places, &motion);
         let Some((found, places)) = next else { return Step::Converged };
-        let gained = self.largest - largest(&found).unwrap_or(f64::INFINITY);
+        let gained = self.largest - self.largest_of(&found).unwrap_or(f64::INFINITY);
         if gained < POOR * predicted {
             self.trust *= 0.25;
         } else if gained > GOOD * predicted {
@@ -177,8 +195,4 @@ impl<F: Field> LargestFit<F> {
         self.largest -= gained;
         Step::Better
     }
-}
-
-fn largest(residuals: &[Residual]) -> Option<f64> {
-    residuals.iter().map(Residual::distance).reduce(upper_max)
 }

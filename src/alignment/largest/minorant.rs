@@ -75,7 +75,8 @@ impl Minorant {
         let third = moment * angle.powi(3) / 6.0 + shift * turned * angle / (2.0 * radius);
         let fourth = far * turned * angle.powi(3) / (12.0 * radius);
         let twisted = (far + shift) * arm.length() * middle.twist / radius;
-        let lengths = radius + ball.clear + ball.image.length() + middle.center.length() + shift + turned;
+        let lengths =
+            radius + ball.clear.abs() + ball.image.length() + middle.center.length() + shift + turned;
         let curved = (shift * shift + turned * (shift + far * angle)) / radius;
         let above = 1.0 + gamma(ROUNDINGS);
         let rest = (third + fourth + twisted) * above + ball.error + gamma(ROUNDINGS) * (lengths + curved);
@@ -142,9 +143,10 @@ pub(super) fn proven(minorants: &[Minorant], weights: &[(usize, f64)], cell: &Ce
         size += weight * minorants[index].size(cell);
     }
     let rounding = gamma(SUM_ROUNDINGS * (weights.len() + COORDINATES * COORDINATES) as f64);
-    let bound = (sum.value - sum.rest - sum.bent(&cell.half) - sum.moved(&cell.half) - rounding * size)
-        / (total * (1.0 + rounding));
-    let lower = if bound.is_finite() { bound * (1.0 - gamma(4.0)) } else { 0.0 };
+    let least = sum.value - sum.rest - sum.bent(&cell.half) - sum.moved(&cell.half) - rounding * size;
+    let mean = least / total;
+    let bound = mean - (rounding + gamma(4.0)) * mean.abs();
+    let lower = if bound.is_finite() { bound } else { f64::NEG_INFINITY };
     let spread = |k: usize| {
         let slopes: f64 =
             weights.iter().map(|&(index, weight)| weight * minorants[index].slope[k].abs()).sum();

@@ -10,7 +10,7 @@ mod program;
 mod search;
 
 pub(crate) use bound::{Clear, Clearance, Contacts};
-pub(crate) use chart::Chart;
+pub(crate) use chart::{Cell, Chart};
 pub(crate) use contacts::contacts;
 pub(crate) use fit::LargestFit;
 pub(crate) use search::{BoxSearch, Goal};

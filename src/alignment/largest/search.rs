@@ -35,20 +35,22 @@ ordered_by!(Entry, |entry| -entry.lower);
 /// A search over the cells of a box, those with the least bounds first.
 ///
 /// Every bound is audited at the middle of its cell, and those that the result rests on at two of its corners as well: the
-/// points of A are no farther from B there than their certified closest points. A bound above that is refuted: it counts
-/// as 0.
+/// points of A are no farther from B there than their certified closest points. A bound above that is refuted: the floor
+/// takes its place.
 pub(crate) struct BoxSearch<'a, C> {
     contacts: Contacts<'a, C>,
+    /// What no distance is below.
+    floor: f64,
     queue: BinaryHeap<Entry>,
     cells: usize,
     refuted: usize,
 }
 
 impl<'a, C: Clearance> BoxSearch<'a, C> {
-    /// Bounds the whole box.
-    pub(crate) fn new(contacts: Contacts<'a, C>, cell: Cell) -> Self {
-        let mut search = Self { contacts, queue: BinaryHeap::new(), cells: 0, refuted: 0 };
-        search.bound(vec![(0.0, cell)]);
+    /// Bounds the whole box; no distance is below `floor`, wherever A's points are.
+    pub(crate) fn new(contacts: Contacts<'a, C>, cell: Cell, floor: f64) -> Self {
+        let mut search = Self { contacts, floor, queue: BinaryHeap::new(), cells: 0, refuted: 0 };
+        search.bound(vec![(floor, cell)]);
         search
     }
 
@@ -83,7 +85,7 @@ impl<'a, C: Clearance> BoxSearch<'a, C> {
 
     fn enter(&mut self, entry: Entry, is_refuted: bool) {
         self.refuted += usize::from(is_refuted);
-        self.queue.push(if is_refuted { Entry { lower: 0.0, ..entry } } else { entry });
+        self.queue.push(if is_refuted { Entry { lower: self.floor, ..entry } } else { entry });
     }
 
     /// Audits the least bounds, on which the result rests, at two corners of their cells.
@@ -100,7 +102,7 @@ impl<'a, C: Clearance> BoxSearch<'a, C> {
 
     /// Returns a lower bound on the largest distance over the box.
     pub(crate) fn lower(&self) -> f64 {
-        self.queue.peek().map_or(0.0, |one| one.lower)
+        self.queue.peek().map_or(self.floor, |one| one.lower)
     }
 
     /// Returns the number of cells that were bounded.
@@ -118,7 +120,6 @@ impl<'a, C: Clearance> BoxSearch<'a, C> {
 #[cfg(not(target_arch = "wasm32"))]
 mod tests {
     use super::*;
-    use crate::alignment::field::Place;
     use crate::alignment::freedoms::Freedoms;
     use crate::alignment::largest::{Chart, Clear};
     use crate::model::RigidTransform;
@@ -128,7 +129,9 @@ mod tests {
     struct Plane(f64);
 
     impl Clearance for Plane {
-        fn clear(&self, point: DVec3, _place: &mut Place) -> Option<Clear> {
+        type Memory = ();
+        const SIGNED: bool = false;
+        fn clear(&self, point: DVec3, (): &mut ()) -> Option<Clear> {
             let distance = point.z.abs();
             Some(Clear { lower: self.0 * distance, upper: distance, direction: DVec3::Z * point.z.signum() })
         }
@@ -149,7 +152,7 @@ mod tests {
             largest_ball: 1e3,
             width: 1e-3,
         };
-        let mut search = BoxSearch::new(contacts, chart.cell(0.0, 1e-3));
+        let mut search = BoxSearch::new(contacts, chart.cell(0.0, 1e-3), 0.0);
         search.audit();
         (search.lower(), search.refuted())
     }

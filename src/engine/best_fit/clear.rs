@@ -23,6 +23,10 @@ pub(super) enum Kind<'a> {
 }
 
 impl Clearance for ToModel<'_> {
+    type Memory = Place;
+
+    const SIGNED: bool = false;
+
     fn clear(&self, point: DVec3, place: &mut Place) -> Option<Clear> {
         match self.kind {
             Kind::Patches(target) => {

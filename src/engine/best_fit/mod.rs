@@ -2,6 +2,10 @@
 
 mod clear;
 mod faces;
+mod one_side;
+#[cfg(all(test, feature = "shapes", not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod one_side_tests;
 mod options;
 mod points;
 mod start;
@@ -15,6 +19,7 @@ mod zone_tests;
 
 use super::prepared::PreparedTarget;
 use super::query::Opened;
+use super::signs::{SignRule, SignSource, Signs};
 use super::{Computation, Engine, PreparedModel};
 use crate::alignment::{
     Candidate, FootField, LargestFit, LocalFit, Loss, Samples, Search, Step, distinct, random_residual,
@@ -23,9 +28,10 @@ use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::progress::{Monitor, Progress};
 use clear::{Kind, ToModel};
+use one_side::{Counted, OneSide, OneSideField};
 pub use options::{BestFit, BestFitOptions, FitNorm, FitPose, FitStart, LeftOut};
 use start::Start;
-use zone::ZonePair;
+use zone::{To, ZonePair};
 pub use zone::{Zone, ZoneOptions};
 
 /// The largest number of samples of a fit: more change the pose by less than the accuracy of a scan.
@@ -69,15 +75,16 @@ impl Engine {
     ///
     /// `pairs`, `datums` and the other starts make the first pose by hand; with [`FitNorm::None`] A stays there.
     /// With [`FitNorm::Largest`] the fit in the mean is followed by that in the largest distance, and `zone`
-    /// is a certain interval: the least largest distance of all of A over a box of motions about the pose found.
+    /// is a certain interval: the least largest distance of all of A over a box of motions about the pose found. With
+    /// [`FitNorm::Outside`] and [`FitNorm::Inside`] it is of the distances of a scan's points on one side.
     ///
     /// `converged` says that the last fit ended by itself, and that its residual is at most a tenth
     /// of that of random poses, or that all poses known come to it.
     /// O(samples log patches) a step.
     ///
     /// # Errors
-    /// [`Error::OptionOutOfRange`]; [`Error::OptionInvalid`]; [`Error::UnitsDiffer`];
-    /// [`Error::Cancelled`].
+    /// [`Error::OptionOutOfRange`]; [`Error::OptionInvalid`]; [`Error::UnitsDiffer`]; [`Error::NotClosed`] of a norm of
+    /// one side without a body; [`Error::Cancelled`].
     pub fn best_fit<'a>(
         &'a self,
         a: &'a PreparedModel,
@@ -208,21 +215,42 @@ impl<'a> Pair<'a> {
             progress.step(steps, fit.rms());
             progress.checkpoint(steps as f64 / most as f64).await?;
         }
-        if self.options.norm != FitNorm::Largest {
+        let (smallest, freedoms) = (self.smallest(), &start.freedoms);
+        let found = if let Some(counted) = Counted::of(self.options.norm) {
+            let signs = SignSource::new(self.b, 0.0);
+            let side = self.one_side(signs.rule(), counted)?;
+            let field = OneSideField { foot: self.field, rule: side.rule, counted, size: side.to.size };
+            let largest = LargestFit::new(field, (&self.samples, true), freedoms, smallest, fit.motion)
+                .ok_or(Error::EmptyModel)?;
+            let points = self.a.fit_samples(self.options.samples, self.options.sampling).points;
+            self.zone_pair(To::One(side, points)).fit(largest, freedoms, progress).await?
+        } else if self.options.norm == FitNorm::Largest {
+            let largest = LargestFit::new(self.field, (&self.samples, false), freedoms, smallest, fit.motion)
+                .ok_or(Error::EmptyModel)?;
+            self.zone_pair(To::Both(self.to_model())).fit(largest, freedoms, progress).await?
+        } else {
             return Ok(Last { steps, ended, zone: None });
-        }
-        let pair = self.zone_pair();
-        let smallest = self.smallest();
-        let largest = LargestFit::new(self.field, &self.samples, &start.freedoms, smallest, fit.motion)
-            .ok_or(Error::EmptyModel)?;
-        let found = pair.fit(largest, &start.freedoms, progress).await?;
+        };
         *fit = LocalFit::new(self.field, fit.samples(), self.loss, smallest, found.motion)
             .ok_or(Error::EmptyModel)?
             .within(&start.freedoms);
         Ok(Last { steps: steps + found.steps, ended: ended && found.ended, zone: Some(found.zone) })
     }
 
-    fn zone_pair(&self) -> ZonePair<'_> {
+    /// Returns B as what is measured on one side.
+    fn one_side<'b>(&'b self, rule: SignRule<'b>, counted: Counted) -> Result<OneSide<'b>> {
+        if self.a.facets().is_none() {
+            let found =
+                "found a norm of one side and surfaces of A, expected a scan, whose points are measured";
+            return Err(Error::OptionInvalid { found: found.to_owned() });
+        }
+        if rule.signs() != Signs::Solid {
+            return Err(Error::NotClosed { found: self.b.solid().free_edges.len() });
+        }
+        Ok(OneSide { to: self.to_model(), rule, counted })
+    }
+
+    fn to_model(&self) -> ToModel<'_> {
         let (kind, error) = match (self.b.facets(), self.held) {
             (None, Some(held)) => (Kind::Patches(&held.target), held.point_error(self.b)),
             (facets, _) => {
@@ -231,10 +259,14 @@ impl<'a> Pair<'a> {
             }
         };
         let size = self.b.bounding_box().diagonal();
+        ToModel { kind, error, gap: SEARCH_GAP * self.diagonal, size }
+    }
+
+    fn zone_pair<'b>(&'b self, to: To<'b>) -> ZonePair<'b> {
         ZonePair {
             a: self.a,
             b: self.b,
-            to: ToModel { kind, error, gap: SEARCH_GAP * self.diagonal, size },
+            to,
             diagonal: self.diagonal,
             options: &self.options.zone,
             max_steps: self.options.max_steps,

@@ -44,6 +44,12 @@ pub enum FitNorm {
     Mean,
     /// The largest distance of A's points: Chebyshev's norm, the minimum zone of ISO 1101.
     Largest,
+    /// The largest distance of A's points outside of B's body, which is negative where all lie within it: how far A stands
+    /// out. A is a scan, a cloud or a mesh whose points are its vertices, and B is closed.
+    Outside,
+    /// The largest distance of A's points within B's body, which is negative where all lie outside of it: stock on
+    /// A everywhere. Of the same models.
+    Inside,
     /// None: A stays in its first pose, and the fit only states the residual there.
     None,
 }
@@ -68,7 +74,7 @@ pub struct BestFitOptions {
     /// Datums of A on those of B in their order, which A keeps: they take the place of `start`, from the
     /// pose of `pairs` or else of `transform`, and the fit moves A only in the freedoms that they leave.
     pub datums: Vec<Datum>,
-    /// The motions over which the least largest distance is bounded, if that is the norm.
+    /// The motions over which the least largest distance is bounded, if the norm is one of it.
     pub zone: ZoneOptions,
     /// The length, in model units, below which a step ends the fit, positive.
     pub tolerance: Option<f64>,
@@ -130,14 +136,15 @@ impl BestFitOptions {
             let found = "found outliers and robust none, expected a rule that leaves them out".to_owned();
             return Err(Error::OptionInvalid { found });
         }
-        if self.norm == FitNorm::Largest && self.loss().robust != Robust::None {
-            let found =
-                "found the norm largest with outliers or a rule for them, expected all points to count";
+        let has_zone = matches!(self.norm, FitNorm::Largest | FitNorm::Outside | FitNorm::Inside);
+        if has_zone && self.loss().robust != Robust::None {
+            let found = "found a norm of the largest distance with outliers or a rule for them, expected all points to count";
             return Err(Error::OptionInvalid { found: found.to_owned() });
         }
-        self.zone.validate()?;
-        if self.zone.limit.is_some() && self.norm != FitNorm::Largest {
-            let found = "found a limit without the norm largest, whose zone alone is compared with it";
+        self.zone.validate(has_zone && self.norm != FitNorm::Largest)?;
+        if self.zone.limit.is_some() && !has_zone {
+            let found =
+                "found a limit without a norm of the largest distance, whose zone alone is compared with it";
             return Err(Error::OptionInvalid { found: found.to_owned() });
         }
         if self.max_steps == 0 {
@@ -194,10 +201,10 @@ pub struct BestFit {
     pub rms: f64,
     /// The largest distance of A's samples there, of those not left out: an estimate.
     pub largest: f64,
-    /// The interval of the least largest distance, if that is the norm.
+    /// The interval of the least largest distance, if that is the norm, on both sides or on one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub zone: Option<Zone>,
-    /// Whether that interval is narrow: its width at most a twentieth of the upper bound. Else `zone.upper`
+    /// Whether that interval is narrow: its width at most a hundredth of the upper bound. Else `zone.upper`
     /// is the zone that was found, and that none is less has not been shown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub zone_proven: Option<bool>,

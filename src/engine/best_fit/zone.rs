@@ -1,10 +1,13 @@
 //! The interval of the least largest distance of A's points over a box of motions.
 
 use super::clear::ToModel;
-use crate::alignment::{BoxSearch, Chart, Contacts, Freedoms, Goal, LargestFit, Step, contacts};
+use super::one_side::OneSide;
+use crate::alignment::{
+    BoxSearch, Cell, Chart, Clearance, Contacts, Field, Freedoms, Goal, LargestFit, Step, contacts,
+};
 use crate::engine::options::at_least_zero;
 use crate::engine::section::Section;
-use crate::engine::{CertifiedOptions, DistanceOptions, DistanceResult, Engine, Method, PreparedModel};
+use crate::engine::{CertifiedOptions, DistanceOptions, Engine, Method, PreparedModel};
 use crate::error::{Error, Result};
 use crate::facets::facet_rounding;
 use crate::flatness::MAX_HALVINGS;
@@ -53,7 +56,7 @@ pub struct ZoneOptions {
     pub translation: Option<f64>,
     /// The largest angle from the pose found, in degrees, 0 to 45; 1 by default.
     pub degrees: f64,
-    /// The distance that the verdict is about, in model units, 0 or more.
+    /// The distance that the verdict is about, in model units; 0 or more unless the norm is of one side.
     pub limit: Option<f64>,
     /// The largest number of boxes of motions that are bounded, at least 1.
     pub max_boxes: usize,
@@ -66,9 +69,13 @@ impl Default for ZoneOptions {
 }
 
 impl ZoneOptions {
-    pub(super) fn validate(&self) -> Result<()> {
+    /// `signed` distances may have a limit below 0.
+    pub(super) fn validate(&self, signed: bool) -> Result<()> {
+        match self.limit {
+            Some(limit) if signed && limit.is_finite() => {}
+            limit => at_least_zero("limit", limit.unwrap_or(0.0))?,
+        }
         at_least_zero("translation", self.translation.unwrap_or(0.0))?;
-        at_least_zero("limit", self.limit.unwrap_or(0.0))?;
         at_least_zero("degrees", self.degrees)?;
         if self.degrees > MAX_DEGREES {
             return Err(Error::out_of_range("degrees", self.degrees, "0 to 45"));
@@ -80,7 +87,8 @@ impl ZoneOptions {
     }
 }
 
-/// The least, over a box of motions, of the largest distance of A's points to B, as an interval.
+/// The least, over a box of motions, of the largest distance of A's points to B, as an interval; with a norm of one side
+/// of the largest distance with its sign, below 0 if all points can lie on the other side.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 #[non_exhaustive]
@@ -109,7 +117,7 @@ pub struct Zone {
 impl Zone {
     /// Returns whether the interval is narrow; `exact` is a length that is rounding.
     pub(super) fn is_proven(&self, exact: f64) -> bool {
-        self.upper - self.lower <= PROVEN_WIDTH * self.upper || self.upper <= exact
+        self.upper - self.lower <= upper_max(PROVEN_WIDTH * self.upper.abs(), exact)
     }
 }
 
@@ -117,10 +125,25 @@ impl Zone {
 pub(super) struct ZonePair<'a> {
     pub(super) a: &'a PreparedModel,
     pub(super) b: &'a PreparedModel,
-    pub(super) to: ToModel<'a>,
+    pub(super) to: To<'a>,
     pub(super) diagonal: f64,
     pub(super) options: &'a ZoneOptions,
     pub(super) max_steps: usize,
+}
+
+/// The model from which distances are measured.
+pub(super) enum To<'a> {
+    Both(ToModel<'a>),
+    /// One side, with the points of A.
+    One(OneSide<'a>, Vec<DVec3>),
+}
+
+impl To<'_> {
+    fn gap(&self) -> f64 {
+        match self {
+            Self::Both(to) | Self::One(OneSide { to, .. }, _) => to.gap,
+        }
+    }
 }
 
 /// A fit that has ended.
@@ -136,7 +159,7 @@ impl ZonePair<'_> {
     /// them and the fit goes on. Then bounds all poses of the box.
     pub(super) async fn fit(
         &self,
-        mut fit: LargestFit<impl crate::alignment::Field>,
+        mut fit: LargestFit<impl Field>,
         freedoms: &Freedoms,
         progress: &mut Progress<'_>,
     ) -> Result<LargestFound> {
@@ -149,12 +172,16 @@ impl ZonePair<'_> {
                 steps += usize::from(!ended);
                 progress.checkpoint(0.0).await?;
             }
-            let found = self.distance(&fit, progress).await?;
-            if best.is_none_or(|(upper, _)| found.upper < upper) {
-                best = Some((found.upper, fit.motion));
+            let (upper, farthest) = match &self.to {
+                To::Both(_) => self.distance(&fit, progress).await?,
+                To::One(side, points) => self.on_one_side(side, points, &fit.motion)?,
+            };
+            if best.is_none_or(|(known, _)| upper < known) {
+                best = Some((upper, fit.motion));
             }
-            let is_beyond = found.upper > (1.0 + BEYOND_SAMPLES) * fit.largest() + self.to.gap;
-            if !is_beyond || fit.add(fit.motion.apply_inverse(found.witness.a.point.into())).is_none() {
+            let largest = fit.largest();
+            let is_beyond = upper > largest + BEYOND_SAMPLES * largest.abs() + self.to.gap();
+            if !is_beyond || fit.add(farthest).is_none() {
                 break;
             }
         }
@@ -162,31 +189,48 @@ impl ZonePair<'_> {
         fit.motion = motion;
         let chart =
             Chart { base: motion, freedoms: freedoms.clone(), center: fit.center(), radius: fit.radius };
-        let zone = self.bounded(&chart, &fit, upper, progress).await?;
+        let zone = match &self.to {
+            To::Both(to) => self.bounded(to, &chart, &fit, upper, progress).await?,
+            To::One(side, _) => self.bounded(side, &chart, &fit, upper, progress).await?,
+        };
         Ok(LargestFound { motion, zone, steps, ended })
     }
 
-    /// Measures the distance of all of A in the pose of a fit.
+    /// Returns an upper bound on the largest distance on one side of the points of A under a motion, and the point.
+    fn on_one_side(
+        &self,
+        side: &OneSide<'_>,
+        points: &[DVec3],
+        motion: &RigidTransform,
+    ) -> Result<(f64, DVec3)> {
+        let (upper, index) = side.largest(points, motion).ok_or(Error::EmptyModel)?;
+        Ok((upper + self.error_of(points, motion), points[index]))
+    }
+
+    /// Measures the distance of all of A in the pose of a fit; returns an upper bound, and the farthest point as A's own.
     async fn distance(
         &self,
-        fit: &LargestFit<impl crate::alignment::Field>,
+        fit: &LargestFit<impl Field>,
         progress: &mut Progress<'_>,
-    ) -> Result<DistanceResult> {
+    ) -> Result<(f64, DVec3)> {
         let budget = CertifiedOptions { max_cells: Some(DISTANCE_CELLS), ..CertifiedOptions::default() };
         let options = DistanceOptions {
             method: Method::Certified(budget),
-            tolerance: Some(upper_max(self.to.gap, DISTANCE_WIDTH * fit.largest())),
+            tolerance: Some(upper_max(self.to.gap(), DISTANCE_WIDTH * fit.largest())),
             transform: fit.motion,
             ..DistanceOptions::default()
         };
         let mut section = Section { whole: progress.monitor(), part: [super::SEARCH_SHARE, 0.0] };
-        Engine::cpu().distance_of(self.a, self.b, &options, &mut section).await
+        let found = Engine::cpu().distance_of(self.a, self.b, &options, &mut section).await?;
+        Ok((found.upper, fit.motion.apply_inverse(found.witness.a.point.into())))
     }
 
-    async fn bounded(
+    /// Bounds all poses of the box.
+    async fn bounded<C: Clearance>(
         &self,
+        clearance: &C,
         chart: &Chart,
-        fit: &LargestFit<impl crate::alignment::Field>,
+        fit: &LargestFit<impl Field>,
         upper: f64,
         progress: &mut Progress<'_>,
     ) -> Result<Zone> {
@@ -196,20 +240,21 @@ impl ZonePair<'_> {
         let chosen = contacts(&fit.rows(), &cell.half);
         let mut points = fit.points_of(&chosen);
         points.truncate(MOST_CONTACTS);
-        let width = PROVEN_WIDTH * upper;
+        let width = PROVEN_WIDTH * upper.abs();
         let contacts = Contacts {
             chart,
-            clearance: &self.to,
+            clearance,
             error: self.error_of(&points, &chart.base),
             points: &points,
             largest_ball: 4.0 * self.diagonal,
-            width: upper_max(self.to.gap, width),
+            width: upper_max(self.to.gap(), width),
         };
+        let floor = if C::SIGNED { -self.farthest(&points, chart, &cell) } else { 0.0 };
         let narrow = upper - width;
         let decided = limit.filter(|&limit| upper > limit).map(f64::next_up);
         let goal = Goal { lower: decided.unwrap_or(narrow), most_cells: max_boxes };
-        let mut search = BoxSearch::new(contacts, cell);
-        while upper > self.to.gap && !search.advance(goal) {
+        let mut search = BoxSearch::new(contacts, cell, floor);
+        while upper > floor + self.to.gap() && !search.advance(goal) {
             progress.checkpoint(search.cells() as f64 / max_boxes as f64).await?;
         }
         search.audit();
@@ -222,6 +267,19 @@ impl ZonePair<'_> {
         let center = chart.center.to_array();
         let (boxes, refuted) = (search.cells(), search.refuted());
         Ok(Zone { lower, upper, degrees, translation, center, boxes, refuted, passes })
+    }
+
+    /// Returns what the distance of no point from B exceeds under a motion of a cell, generously: the distance from the
+    /// middle of B's box, its diagonal, and twice the movement.
+    fn farthest(&self, points: &[DVec3], chart: &Chart, cell: &Cell) -> f64 {
+        let of_b = self.b.bounding_box();
+        let image = |&point: &DVec3| {
+            let image = chart.base.apply(point);
+            let arm = (image - chart.center).length() / chart.radius;
+            let moved: f64 = cell.half.iter().map(|half| half * (1.0 + arm)).sum();
+            (image - of_b.center()).length() + 2.0 * moved
+        };
+        points.iter().map(image).fold(0.0, upper_max) + of_b.diagonal()
     }
 
     /// Returns an upper bound on the distance of computed points from those of A that they stand for: samples,

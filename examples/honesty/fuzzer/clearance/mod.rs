@@ -10,6 +10,7 @@ use crate::proof::{self, LeastClaim, Motion, Settings, Verdict, Witness};
 use crate::support::evaluator::point;
 use fastrand::Rng;
 use glam::DVec3;
+pub(crate) use inside::Triangles;
 use nurbs_hausdorff::internals::engine::Engine;
 use nurbs_hausdorff::{ClearanceOptions, ClearanceResult, Overlap, RigidTransform, SurfacePoint};
 use poses::Posed;

@@ -38,13 +38,16 @@ export interface ZoneOptions {
   translation?: number;
   /** The largest angle, in degrees, 0 to 45; default 1. */
   degrees?: number;
-  /** The distance that `passes` is about, in model units, 0 or more. */
+  /** The distance that `passes` is about, in model units; 0 or more with `norm: "largest"`. */
   limit?: number;
   /** The largest number of boxes of motions that are bounded; default 5000. */
   maxBoxes?: number;
 }
 
-/** The least, over a box of motions, of the largest distance of the points of `a`: certain. */
+/**
+ * The least, over a box of motions, of the largest distance of the points of `a`: certain. With a norm of one side
+ * distances on the other one are negative.
+ */
 export interface Zone {
   /** No motion of the box brings all points of `a` nearer to `b` than this. */
   lower: number;
@@ -85,10 +88,11 @@ export interface BestFitOptions {
    */
   start?: "any" | "given" | "axes" | "boxes";
   /**
-   * What the fit makes least: the root mean square of the distances (default), the largest distance,
+   * What the fit makes least: the root mean square of the distances (default); the largest distance; the largest
+   * distance of a scan's points outside of the body of `b`, or inside, which is negative if all are on the other side;
    * or nothing: `a` then stays in its first pose, whose residual is stated.
    */
-  norm?: "mean" | "largest" | "none";
+  norm?: "mean" | "largest" | "outside" | "inside" | "none";
   /** Points of `a` with those of `b`, three or more: the first pose lays them on each other. */
   pairs?: PointPair[];
   /**
@@ -96,7 +100,7 @@ export interface BestFitOptions {
    * `a` only in the freedoms that they leave.
    */
   datums?: Datum[];
-  /** The motions over which the least largest distance is bounded, with `norm: "largest"`. */
+  /** The motions over which the least largest distance is bounded, with a norm of the largest one. */
   zone?: ZoneOptions;
   /** The share of the samples, 0 to 0.95, that lie on nothing of `b` and are left out; default 0. */
   outliers?: number;
@@ -185,7 +189,7 @@ export interface BestFit {
   rms: number;
   /** The largest of these distances: an estimate. */
   largest: number;
-  /** The interval of the least largest distance, with `norm: "largest"`. */
+  /** The interval of the least largest distance, with a norm of the largest one. */
   zone?: Zone;
   /**
    * Whether that interval is narrow: at most a hundredth of `zone.upper` wide. Otherwise `zone.upper` is

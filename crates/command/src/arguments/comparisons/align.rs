@@ -18,8 +18,9 @@ pub(crate) struct AlignArguments {
     /// each other, or the middles of boxes on each other.
     #[arg(long, value_enum, default_value_t = StartName::Any)]
     from: StartName,
-    /// What the fit makes least: the mean of squared distances, the largest distance, or none: A then stays where
-    /// --from, --pairs and --datum lay it.
+    /// What the fit makes least: the mean of squared distances; the largest distance; that of a scan's points outside of B's
+    /// body or inside, below 0 if all are on the other side; or none: A then stays where --from, --pairs and
+    /// --datum lay it.
     #[arg(long, value_enum, default_value_t = NormName::Mean)]
     norm: NormName,
     /// A file of pairs of points, three or more, from which the fit starts: lines x y z x y z of A and B, with
@@ -30,17 +31,17 @@ pub(crate) struct AlignArguments {
     /// the index of faces, plane:x,y,z,nx,ny,nz=…, axis:… by a point and a direction, or point:x,y,z=x,y,z.
     #[arg(long, value_name = "KIND:A=B", allow_hyphen_values = true)]
     datum: Vec<DatumText>,
-    /// With --norm largest: the distance within which all of A should lie, in model units.
-    #[arg(long, value_name = "LENGTH")]
+    /// With --norm largest, outside or inside: the distance within which all of A should lie, in model units.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) limit: Option<f64>,
-    /// With --norm largest: the largest shift of the motions that the interval is about; a hundredth of the
+    /// With such a norm: the largest shift of the motions that the interval is about; a hundredth of the
     /// larger diagonal if not given.
     #[arg(long, hide_short_help = true, value_name = "LENGTH")]
     box_translation: Option<f64>,
-    /// With --norm largest: the largest angle of the motions that the interval is about.
+    /// With such a norm: the largest angle of the motions that the interval is about.
     #[arg(long, hide_short_help = true, value_name = "DEGREES", default_value_t = ZoneOptions::default().degrees)]
     box_degrees: f64,
-    /// With --norm largest: the largest number of boxes of motions that are bounded.
+    /// With such a norm: the largest number of boxes of motions that are bounded.
     #[arg(long, hide_short_help = true, value_name = "BOXES", default_value_t = ZoneOptions::default().max_boxes)]
     max_boxes: usize,
     /// The share of A's samples that lie on nothing of B and are left out, from 0 to 0.95.
@@ -103,5 +104,5 @@ impl AlignArguments {
 }
 
 named!(StartName, FitStart, Any, Given, Axes, Boxes);
-named!(NormName, FitNorm, Mean, Largest, None);
+named!(NormName, FitNorm, Mean, Largest, Outside, Inside, None);
 named!(RobustName, Robust, None, Trimmed, Tukey, GemanMcclure);
