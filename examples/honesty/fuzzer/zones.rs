@@ -1,5 +1,5 @@
-//! Least zones: no motion of the box lays all points of a scan nearer to the model than the lower bound, nor farther out of
-//! one side.
+//! Least zones, of both sides and of one: no motion of the box lays all points of a scan nearer to the model than the
+//! lower bound, and the audit of the search refutes none of its own bounds.
 
 use super::brute::{Placed, Target};
 use super::check::Outcome;
@@ -101,15 +101,17 @@ pub(crate) fn check_zone(seed: u64, shapes: &Shapes) -> Outcome {
         sides: sides.as_ref().map(|sides| (sides, is_outside)),
     };
     let least = motions.least(rng);
-    let violations = (least < zone.lower - rounding).then(|| {
+    let violated = (least < zone.lower - rounding).then(|| {
         format!("seed {seed} ({name}, {norm:?}): a motion lays all points within {least}: {zone:?}")
     });
+    let refuted =
+        (zone.refuted > 0).then(|| format!("seed {seed} ({name}, {norm:?}): bounds are refuted: {zone:?}"));
     let converged = found.zone_proven == Some(true);
     Outcome {
         converged,
         cells: zone.boxes,
         seconds,
-        violations: violations.into_iter().collect(),
+        violations: violated.into_iter().chain(refuted).collect(),
         ..Outcome::default()
     }
 }

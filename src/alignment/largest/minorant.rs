@@ -73,7 +73,7 @@ impl Minorant {
         let Middle { angle, shift, .. } = *middle;
         let moment = arm.cross(direction).length();
         let third = moment * angle.powi(3) / 6.0 + shift * turned * angle / (2.0 * radius);
-        let fourth = far * turned * angle.powi(3) / (12.0 * radius);
+        let fourth = far * turned * angle.powi(3) / (24.0 * radius);
         let twisted = (far + shift) * arm.length() * middle.twist / radius;
         let lengths =
             radius + ball.clear.abs() + ball.image.length() + middle.center.length() + shift + turned;
@@ -154,4 +154,157 @@ pub(super) fn proven(minorants: &[Minorant], weights: &[(usize, f64)], cell: &Ce
     };
     let widest = (1..COORDINATES).fold(0, |best, k| if spread(k) > spread(best) { k } else { best });
     Proven { lower, widest }
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::super::chart::Chart;
+    use super::*;
+    use crate::model::RigidTransform;
+
+    /// A ball about `center`, 1 away from B, and the image of a point in the middle of a cell about the origin.
+    #[derive(Clone, Copy)]
+    struct Case {
+        cell: Cell,
+        center: DVec3,
+        image: DVec3,
+    }
+
+    impl Case {
+        fn chart() -> Chart {
+            let base = RigidTransform::IDENTITY;
+            Chart { base, freedoms: Freedoms::all(), center: DVec3::ZERO, radius: 1.0 }
+        }
+
+        fn minorant(&self, error: f64) -> Minorant {
+            let middle = Self::chart().middle(&self.cell);
+            let ball = Ball { center: self.center, clear: 1.0, image: self.image, error };
+            Minorant::of_ball(&ball, &middle, &Freedoms::all()).unwrap()
+        }
+
+        /// What the minorant is below: 1 less the distance from the centre, under the motion of coordinates from the
+        /// middle.
+        fn bound(&self, y: &Coordinates) -> f64 {
+            let chart = Self::chart();
+            let at = std::array::from_fn(|k| self.cell.middle[k] + y[k]);
+            let own = chart.motion(&self.cell.middle).apply_inverse(self.image);
+            1.0 - (self.center - chart.motion(&at).apply(own)).length()
+        }
+    }
+
+    /// The value of a minorant without what is left out.
+    fn at(minorant: &Minorant, y: &Coordinates) -> f64 {
+        let mut value = minorant.value;
+        for j in 0..COORDINATES {
+            value += minorant.slope[j] * y[j];
+            value += (j..COORDINATES).map(|k| minorant.form[j][k] * y[j] * y[k]).sum::<f64>();
+        }
+        value
+    }
+
+    fn drawn(random: &mut fastrand::Rng, size: f64) -> DVec3 {
+        size * (2.0 * DVec3::from_array([0; 3].map(|_| random.f64())) - 1.0)
+    }
+
+    #[test]
+    fn a_minorant_is_nowhere_above_the_distance_that_a_ball_leaves() {
+        let random = &mut fastrand::Rng::with_seed(7);
+        for _ in 0..400 {
+            let size = 10.0_f64.powf(-3.0 * random.f64());
+            let half: Coordinates = std::array::from_fn(|_| size * random.f64());
+            let middle = std::array::from_fn(|_| random.f64() - 0.5);
+            let cell = Cell { middle, half };
+            let image = drawn(random, 2.0);
+            let case = Case { cell, center: image + drawn(random, 3.0), image };
+            let minorant = case.minorant(0.0);
+            for _ in 0..20 {
+                // Corners, and points within.
+                let y: Coordinates = std::array::from_fn(|k| {
+                    let part = 2.0 * random.f64() - 1.0;
+                    half[k] * if random.bool() { part.signum() } else { part }
+                });
+                let (found, bound) = (at(&minorant, &y) - minorant.rest, case.bound(&y));
+                assert!(found <= bound + 1e-13, "{found} {bound} {y:?}");
+            }
+        }
+    }
+
+    /// Each part of what is left out is attained but for the share that is stated: without it the minorant is above.
+    #[test]
+    fn what_is_left_out_is_attained() {
+        let small = 1e-9;
+        let assert_attained = |name: &str, case: &Case, y: Coordinates, share: f64| {
+            let minorant = case.minorant(0.0);
+            let above = at(&minorant, &y) - case.bound(&y);
+            let rest = minorant.rest;
+            assert!(above <= rest && above >= share * rest, "{name}: {above} of {rest}");
+        };
+        let cell = |half: Coordinates| Cell { middle: [0.0; COORDINATES], half };
+        // The sine of a turn about z, which moves the point along y, towards a far centre.
+        let half = [small, small, 0.1, small, small, small];
+        let case = Case { cell: cell(half), center: DVec3::new(1.0, 1e6, 0.0), image: DVec3::X };
+        assert_attained("sine", &case, [0.0, 0.0, 0.1, 0.0, 0.0, 0.0], 0.9);
+        // The cosine, of a centre just beyond the origin, whose distance is nearly the mean of squares.
+        let case = Case { cell: cell(half), center: -0.05 * DVec3::X, image: DVec3::X };
+        assert_attained("cosine", &case, [0.0, 0.0, 0.1, 0.0, 0.0, 0.0], 0.8);
+        // A shift inwards of a point that is turned about the centre.
+        let half = [small, small, 0.1, 1e-4, small, small];
+        let case = Case { cell: cell(half), center: DVec3::ZERO, image: DVec3::X };
+        assert_attained("shift", &case, [0.0, 0.0, 0.1, -1e-4, 0.0, 0.0], 0.9);
+        // The turn of the middle about x, and that of the cell about y: exact but for e to the turn of the middle.
+        let middle = [0.1, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let half = [small, 1e-4, small, small, small, small];
+        let turned = Cell { middle, half };
+        let case = Case { cell: turned, center: -DVec3::Z, image: DVec3::Y };
+        assert_attained("twist", &case, [0.0, 1e-4, 0.0, 0.0, 0.0, 0.0], 0.5);
+    }
+
+    /// An image that is off by its error in the worst direction is as near as stated.
+    #[test]
+    fn the_error_of_an_image_is_taken_off() {
+        let cell = Cell { middle: [0.0; COORDINATES], half: [0.0; COORDINATES] };
+        let case = Case { cell, center: DVec3::new(1.0, 5.0, 0.0), image: DVec3::X };
+        let off = Case { image: DVec3::X - 0.01 * DVec3::Y, ..case };
+        let minorant = case.minorant(0.01);
+        let [found, bound] = [minorant.value - minorant.rest, off.bound(&[0.0; COORDINATES])];
+        assert!(found <= bound && found >= bound - 1e-12, "{found} {bound}");
+    }
+
+    /// No motion of a cell is below what weights prove, and one corner attains it where one product of two coordinates
+    /// bends the sum.
+    #[test]
+    fn weights_prove_the_least_of_a_sum() {
+        let random = &mut fastrand::Rng::with_seed(9);
+        let mut attained = 0;
+        for trial in 0..300 {
+            let minorants: Vec<Minorant> = (0..3)
+                .map(|_| {
+                    let mut minorant = Minorant::constant(random.f64() - 0.5);
+                    minorant.slope = [0; COORDINATES].map(|_| random.f64() - 0.5);
+                    let (j, k) = (random.usize(0..COORDINATES), random.usize(0..COORDINATES));
+                    minorant.form[j.min(k)][j.max(k)] = random.f64() - 0.5;
+                    minorant
+                })
+                .collect();
+            let minorants = if trial % 2 == 0 { minorants[..1].to_vec() } else { minorants };
+            let weights: Vec<(usize, f64)> = (0..minorants.len()).map(|k| (k, 0.1 + random.f64())).collect();
+            let cell = Cell { middle: [0.0; COORDINATES], half: [0; COORDINATES].map(|_| random.f64()) };
+            let found = proven(&minorants, &weights, &cell).lower;
+            let total: f64 = weights.iter().map(|(_, weight)| weight).sum();
+            let mean = |y: &Coordinates| {
+                weights.iter().map(|&(k, weight)| weight / total * at(&minorants[k], y)).sum::<f64>()
+            };
+            let least = (0..1_usize << COORDINATES)
+                .map(|signs| {
+                    mean(&std::array::from_fn(|k| {
+                        if (signs >> k) & 1 == 0 { cell.half[k] } else { -cell.half[k] }
+                    }))
+                })
+                .fold(f64::INFINITY, f64::min);
+            assert!(found <= least, "{found} of {least}");
+            attained += usize::from(found >= least - 1e-12);
+        }
+        assert!(attained > 20, "{attained}");
+    }
 }
