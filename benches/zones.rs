@@ -31,6 +31,9 @@ const PARTS: [&str; 9] = [
 /// The boxes: shifts in parts of the diagonal, and angles in degrees.
 const BOXES: [[f64; 2]; 2] = [[0.002, 0.2], [0.01, 1.0]];
 
+/// The largest number of boxes of motions that are bounded, four times the default.
+const MAX_BOXES: usize = 20_000;
+
 /// The noise of a scan, and the sag of a bent part, in parts of the diagonal.
 const NOISE: f64 = 1e-3;
 const SAG: f64 = 2e-3;
@@ -69,7 +72,8 @@ fn measure(name: &str, kind: &str, part: &PreparedModel) {
     let given = BestFitOptions { start: FitStart::Given, ..BestFitOptions::default() };
     let mean = Engine::cpu().best_fit(&a, part, &given).wait().unwrap();
     for [shift, degrees] in BOXES {
-        let zone = ZoneOptions { translation: Some(shift * diagonal), degrees, ..ZoneOptions::default() };
+        let translation = Some(shift * diagonal);
+        let zone = ZoneOptions { translation, degrees, max_boxes: MAX_BOXES, ..ZoneOptions::default() };
         let options = BestFitOptions { norm: FitNorm::Largest, zone, ..given.clone() };
         let started = Instant::now();
         let fit = Engine::cpu().best_fit(&a, part, &options).wait().unwrap();

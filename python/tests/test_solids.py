@@ -82,6 +82,11 @@ def test_poses_by_hand_and_the_least_zone():
     fit = nh.best_fit(longer, moved, norm="largest", start="given", zone_degrees=0.5, limit=0.04)
     assert fit.zone is not None and fit.zone.lower <= 0.05 <= fit.zone.upper
     assert fit.zone.passes is False and fit.zone.lower > 0.04
+    # Points 0.1 before four faces, two by two opposite ones: stock of 0.1, and no more.
+    scan = np.array([(-0.1, 1, 5.5), (3.1, 1, 5.5), (1.5, 1, 4.9), (1.5, 1, 6.1)])
+    fit = nh.best_fit(scan, moved, norm="inside", start="given", zone_translation=0.1, limit=-0.2)
+    assert fit.zone is not None and fit.zone.lower <= -0.1 <= fit.zone.upper
+    assert fit.zone.passes is False and fit.zone.upper < -0.09
 
 
 def test_sides_of_a_box_and_of_an_open_one():

@@ -67,8 +67,8 @@ impl Minorant {
                 form[j][axes + k] = -shift.dot(moved) / radius;
             }
         }
-        for k in axes..freedoms.count() {
-            form[k][k] = -0.5 / radius;
+        for (k, row) in form.iter_mut().enumerate().take(freedoms.count()).skip(axes) {
+            row[k] = -0.5 / radius;
         }
         let Middle { angle, shift, .. } = *middle;
         let moment = arm.cross(direction).length();
@@ -195,12 +195,9 @@ mod tests {
 
     /// The value of a minorant without what is left out.
     fn at(minorant: &Minorant, y: &Coordinates) -> f64 {
-        let mut value = minorant.value;
-        for j in 0..COORDINATES {
-            value += minorant.slope[j] * y[j];
-            value += (j..COORDINATES).map(|k| minorant.form[j][k] * y[j] * y[k]).sum::<f64>();
-        }
-        value
+        let dot = |a: &Coordinates, b: &Coordinates| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let bent: f64 = minorant.form.iter().zip(y).map(|(row, side)| side * dot(row, y)).sum();
+        minorant.value + dot(&minorant.slope, y) + bent
     }
 
     fn drawn(random: &mut fastrand::Rng, size: f64) -> DVec3 {

@@ -101,6 +101,15 @@ impl AlignArguments {
             transform: self.placement.transform()?,
         })
     }
+
+    /// Returns where the distances of the norm are, if on one side, as words behind a zone.
+    pub(crate) fn side(&self) -> &'static str {
+        match self.norm {
+            NormName::Outside => " outside of B",
+            NormName::Inside => " inside B",
+            _ => "",
+        }
+    }
 }
 
 named!(StartName, FitStart, Any, Given, Axes, Boxes);

@@ -109,6 +109,33 @@ fn a_limit_that_no_motion_keeps_fails_and_one_that_the_pose_keeps_passes() {
     assert!(text.contains("\nzone       0.09") && text.contains("no motion of the box"), "{text}");
 }
 
+/// Six points 0.1 before the faces of a cube of side 2: no motion leaves more stock everywhere.
+#[test]
+fn stock_on_a_body_is_a_zone_below_zero() {
+    let faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
+    let sign = |corner: usize, axis: usize| if (corner >> axis) & 1 == 0 { -1.0 } else { 1.0 };
+    let mut cube = String::new();
+    for corner in 0..8 {
+        cube += &format!("v {} {} {}\n", sign(corner, 0), sign(corner, 1), sign(corner, 2));
+    }
+    for face in faces {
+        cube += &format!("f {}\n", face.map(|corner| (corner + 1).to_string()).join(" "));
+    }
+    let cube = file("align-cube.obj", &cube);
+    let scan = file("align-stock.xyz", "1.1 0 0\n-1.1 0 0\n0 1.1 0\n0 -1.1 0\n0 0 1.1\n0 0 -1.1\n");
+    let fit = |limit: &str| {
+        let norm = ["align", &scan, &cube, "--from", "given", "--norm", "inside", "--box-translation", "0.1"];
+        run(&[&norm as &[&str], &["--limit", limit, "--json"]].concat())
+    };
+    let passed = fit("-0.09");
+    assert_eq!(status(&passed), 0, "{}", String::from_utf8_lossy(&passed.stdout));
+    let failed = fit("-0.11");
+    assert_eq!(status(&failed), 1, "{}", String::from_utf8_lossy(&failed.stdout));
+    let output = run(&["align", &scan, &cube, "--from", "given", "--norm", "inside"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("\nzone       -0.10") && text.contains(" inside B\n"), "{text}");
+}
+
 #[test]
 fn pairs_and_datums_lay_a_part_by_hand() {
     let part = square("align-by-hand.json", [0.0; 4]);
