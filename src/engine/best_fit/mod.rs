@@ -3,9 +3,6 @@
 mod clear;
 mod faces;
 mod one_side;
-#[cfg(all(test, feature = "shapes", not(target_arch = "wasm32")))]
-#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
-mod one_side_tests;
 mod options;
 mod points;
 mod start;
@@ -13,9 +10,6 @@ mod start;
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests;
 mod zone;
-#[cfg(all(test, feature = "shapes", not(target_arch = "wasm32")))]
-#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
-mod zone_tests;
 
 use super::prepared::PreparedTarget;
 use super::query::Opened;

@@ -1,13 +1,10 @@
 //! Zones on one side whose least largest distance is known.
 
-use super::*;
-use crate::facets::{Facets, PointCloud, TriangleMesh};
+use super::super::*;
+use super::cloud;
+use crate::facets::{Facets, TriangleMesh};
 use crate::shapes::shape;
 use glam::{DQuat, DVec3};
-
-fn cloud(points: Vec<DVec3>) -> PreparedModel {
-    PreparedModel::of_facets(&Facets::Cloud(PointCloud::new(points).unwrap()), None).unwrap()
-}
 
 /// A ball with its centre and radius.
 fn ball() -> (PreparedModel, DVec3, f64) {

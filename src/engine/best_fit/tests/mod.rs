@@ -1,11 +1,18 @@
 //! Fits from poses over all rotations, of parts whose pose is known.
 
+mod one_side;
+mod zone;
+
 use super::*;
 use crate::alignment::Robust;
 use crate::facets::{Facets, PointCloud};
 use crate::iteration::SamplingRule;
 use crate::shapes::shape;
 use glam::{DQuat, DVec3};
+
+fn cloud(points: Vec<DVec3>) -> PreparedModel {
+    PreparedModel::of_facets(&Facets::Cloud(PointCloud::new(points).unwrap()), None).unwrap()
+}
 
 /// A rotation by an angle in degrees, about one of a few axes, and a shift.
 fn pose(degrees: f64, index: usize) -> RigidTransform {

@@ -1,16 +1,12 @@
 //! Zones of parts whose least zone is known, and of others against many motions.
 
-use super::*;
+use super::super::*;
+use super::cloud;
 use crate::engine::ClosestPointOptions;
-use crate::facets::{Facets, PointCloud};
 use crate::iteration::SamplingRule;
 use crate::shapes::shape;
 use crate::{Model, SurfaceArrays};
 use glam::{DQuat, DVec3};
-
-fn cloud(points: Vec<DVec3>) -> PreparedModel {
-    PreparedModel::of_facets(&Facets::Cloud(PointCloud::new(points).unwrap()), None).unwrap()
-}
 
 /// The square of side 20 in the plane z = 0.
 fn plate() -> PreparedModel {
