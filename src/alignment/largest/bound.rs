@@ -14,7 +14,7 @@ const SHRINK: f64 = 4.0;
 /// The largest number of balls that are tried on a side of a point.
 const MAX_BALLS: usize = 5;
 
-/// The number of balls between two that were tried: the best radius is met within a sixth.
+/// The number of balls between two that were tried: the best radius is met within a fifth.
 const REFINEMENTS: usize = 3;
 
 /// A ball is tried only down to this multiple of the point's movement: below it the curvature of the ball takes

@@ -73,7 +73,7 @@ fn shown(shapes: &Shapes<'_>) -> HashSet<u64> {
 }
 
 /// Returns the faces and bodies that were not reached, without those that are parts of other bodies, of what was
-/// refused, and of annotations.
+/// reached or refused, and of annotations.
 fn loose(shapes: &Shapes<'_>) -> Vec<u64> {
     let file = shapes.file;
     let mut candidates = Vec::new();
@@ -81,11 +81,11 @@ fn loose(shapes: &Shapes<'_>) -> Vec<u64> {
     for &number in &file.numbers {
         let kind = file.keyword(number);
         let (is_face, is_body) = (is_face(kind), is_body(file, number));
-        let was_refused = shapes.was_refused(number);
-        if (is_face || is_body) && !was_refused && !shapes.was_reached(number) {
+        let (was_refused, was_reached) = (shapes.was_refused(number), shapes.was_reached(number));
+        if (is_face || is_body) && !was_refused && !was_reached {
             candidates.push(number);
         }
-        if (is_body || was_refused || kind == "ORIENTED_FACE" || kind.contains("ANNOTATION"))
+        if (is_body || was_refused || was_reached || kind == "ORIENTED_FACE" || kind.contains("ANNOTATION"))
             && let Ok(entity) = file.entity(number)
         {
             parts.extend(entity.all_references());

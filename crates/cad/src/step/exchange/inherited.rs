@@ -2,7 +2,7 @@
 
 /// The entities of complex instances, each before those that it inherits from, and the parts whose
 /// attributes follow the name, in the order of the simple instance (ISO 10303-42).
-pub(super) const INHERITED: [(&str, &[&str]); 62] = [
+pub(super) const INHERITED: [(&str, &[&str]); 69] = [
     ("B_SPLINE_SURFACE_WITH_KNOTS", &["B_SPLINE_SURFACE", "B_SPLINE_SURFACE_WITH_KNOTS"]),
     ("BEZIER_SURFACE", &["B_SPLINE_SURFACE"]),
     ("QUASI_UNIFORM_SURFACE", &["B_SPLINE_SURFACE"]),
@@ -68,4 +68,11 @@ pub(super) const INHERITED: [(&str, &[&str]); 62] = [
     ("GEOMETRIC_CURVE_SET", &["GEOMETRIC_SET"]),
     ("GEOMETRIC_SET", &["GEOMETRIC_SET"]),
     ("MAPPED_ITEM", &["MAPPED_ITEM"]),
+    ("COMPLEX_TRIANGULATED_FACE", &["TESSELLATED_FACE", "COMPLEX_TRIANGULATED_FACE"]),
+    ("TRIANGULATED_FACE", &["TESSELLATED_FACE", "TRIANGULATED_FACE"]),
+    ("COMPLEX_TRIANGULATED_SURFACE_SET", &["TESSELLATED_SURFACE_SET", "COMPLEX_TRIANGULATED_SURFACE_SET"]),
+    ("TRIANGULATED_SURFACE_SET", &["TESSELLATED_SURFACE_SET", "TRIANGULATED_SURFACE_SET"]),
+    ("TESSELLATED_SOLID", &["TESSELLATED_SOLID"]),
+    ("TESSELLATED_SHELL", &["TESSELLATED_SHELL"]),
+    ("TESSELLATED_GEOMETRIC_SET", &["TESSELLATED_GEOMETRIC_SET"]),
 ];

@@ -76,7 +76,7 @@ impl<'a> Record<'a> {
         if let [(kind, _)] = self.parts.as_slice() {
             let kind = (*kind).to_owned();
             let attributes = self.parts.pop().map(|(_, values)| values).unwrap_or_default();
-            return Entity { number, kind, attributes, weights: None };
+            return Entity { number, kind, attributes, weights: None, location: None };
         }
         let leaf = INHERITED.iter().find(|(leaf, _)| self.has(leaf));
         let (kind, inherited) = match leaf {
@@ -91,7 +91,9 @@ impl<'a> Record<'a> {
         let own: Vec<Value<'a>> = inherited.iter().filter_map(|part| take(part)).flatten().collect();
         let weights = take("RATIONAL_B_SPLINE_CURVE").or_else(|| take("RATIONAL_B_SPLINE_SURFACE"));
         let weights = weights.and_then(|values| values.into_iter().next());
-        Entity { number, kind, attributes: name.into_iter().chain(own).collect(), weights }
+        let location = take("REPOSITIONED_TESSELLATED_ITEM");
+        let location = location.and_then(|values| values.first().and_then(reference));
+        Entity { number, kind, attributes: name.into_iter().chain(own).collect(), weights, location }
     }
 }
 
@@ -134,6 +136,8 @@ pub(in crate::step) struct Entity<'a> {
     attributes: Vec<Value<'a>>,
     /// The weights of a rational B-spline.
     pub(in crate::step) weights: Option<Value<'a>>,
+    /// The placement of a tessellated item that is repositioned.
+    pub(in crate::step) location: Option<u64>,
 }
 
 impl<'a> Entity<'a> {

@@ -4,6 +4,7 @@ use super::Shapes;
 use super::items::{MAX_NESTING, has_no_surface};
 use crate::report::FaceFault;
 use crate::step::exchange::{Entity, Value, count, numbers_of};
+use crate::step::geometry::operator;
 use crate::topology::{FaceLabel, Mesh, ShapeKind};
 use glam::DVec3;
 use std::collections::HashMap;
@@ -61,8 +62,24 @@ impl Shapes<'_> {
         }
     }
 
-    /// Appends the triangles of an item, and for each part the face or body that it is a picture of.
+    /// Appends the triangles of an item where it places them, and for each part the face or body that it is a picture of.
     fn collect(
+        &mut self,
+        entity: &Entity<'_>,
+        mesh: &mut Mesh,
+        links: &mut Vec<Option<u64>>,
+        nesting: usize,
+    ) -> Result<(), FaceFault> {
+        let before = mesh.vertices.len();
+        self.collect_parts(entity, mesh, links, nesting)?;
+        if let Some(location) = entity.location {
+            let map = operator(self.file, location, &self.scale())?;
+            mesh.vertices[before..].iter_mut().for_each(|point| *point = map.transform_point3(*point));
+        }
+        Ok(())
+    }
+
+    fn collect_parts(
         &mut self,
         entity: &Entity<'_>,
         mesh: &mut Mesh,

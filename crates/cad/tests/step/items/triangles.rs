@@ -63,6 +63,27 @@ fn triangles_alone_are_a_mesh() {
     }
 }
 
+/// Items that are repositioned, as a set and within one: each placement moves what it has, and those about it too.
+#[test]
+fn repositioned_triangles_are_where_their_placements_move_them() {
+    let mut text = StepText::new();
+    let points = corners(&mut text, 5.0);
+    let inner = text.axis([0.0, 7.0, 0.0], [0.0, 0.0, 1.0]);
+    let face = text.add(format!(
+        "(GEOMETRIC_REPRESENTATION_ITEM() REPOSITIONED_TESSELLATED_ITEM(#{inner}) REPRESENTATION_ITEM('tri') \
+         TESSELLATED_FACE(#{points},4,((0.,0.,1.)),$) TESSELLATED_ITEM() \
+         TESSELLATED_STRUCTURED_ITEM() TRIANGULATED_FACE((),((1,2,4),(1,4,3))))"
+    ));
+    let outer = text.axis([0.0, 0.0, 4.0], [0.0, 0.0, 1.0]);
+    let set = text.add(format!(
+        "(GEOMETRIC_REPRESENTATION_ITEM() REPOSITIONED_TESSELLATED_ITEM(#{outer}) REPRESENTATION_ITEM('set') \
+         TESSELLATED_GEOMETRIC_SET((#{face})) TESSELLATED_ITEM())"
+    ));
+    let mesh = mesh(&text.of(&[set], UnitsOf::Millimetres));
+    assert_eq!((mesh.triangles().len(), area(&mesh)), (2, 1.0));
+    assert!(mesh.vertices().iter().all(|point| point.z == 9.0 && (7.0..=8.0).contains(&point.y)));
+}
+
 #[test]
 fn triangles_beside_faces_are_named() {
     for kind in SQUARES {
