@@ -135,7 +135,7 @@ fn facts_sides_grids_and_statistics_are_those_of_second_ways() {
 }
 
 /// Scans whose least zones are compared with motions of the box.
-const ZONES: u64 = 12;
+const ZONES: u64 = 24;
 
 #[test]
 fn no_motion_of_a_box_is_better_than_the_least_zone() {
