@@ -42,6 +42,9 @@ impl Residual {
 
 /// A model as the residuals of points.
 pub(crate) trait Field: Sync {
+    /// Whether residuals are measured by their heights, which may be negative, and not by their distances.
+    const SIGNED: bool = false;
+
     /// Returns the residual of a point; `place` is where its foot was last, and is set to where it is
     /// now. `None` for a model without points.
     fn residual(&self, point: DVec3, place: &mut Place) -> Option<Residual>;

@@ -27,20 +27,20 @@ const MOVEMENT_ROUNDINGS: f64 = 16.0;
 /// What is known of B about a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Clear {
-    /// Bounds on the distance from the point to B, or on that with a sign.
+    /// Bounds on the distance from the point to B, or on the signed distance.
     pub(crate) lower: f64,
     pub(crate) upper: f64,
     /// The unit vector along which it grows, about: a wrong one costs sharpness.
     pub(crate) direction: DVec3,
 }
 
-/// A model with certain bounds on the distances of points from it, or on distances with a sign, which are negative on
-/// one side of a closed model. Either changes by no more than a point moves.
+/// A model with certain bounds on the distances of points from it, or on signed distances, which are negative on one side
+/// of a closed model. Both are 1-Lipschitz.
 pub(crate) trait Clearance: Sync {
     /// What is known from the last point.
     type Memory: Clone + Default;
 
-    /// Whether distances have a sign.
+    /// Whether distances are signed.
     const SIGNED: bool;
 
     /// Returns bounds on the distance of a point. `None` for a model without points.
@@ -113,8 +113,7 @@ impl<C: Clearance> Contacts<'_, C> {
         let clear = self.clearance.clear(image, memory)?;
         minorants.push(Minorant::constant(clear.lower - reach));
         for side in [1.0, -1.0] {
-            // On the other side of B a point is in no ball until it has moved through B, and a distance with a sign
-            // falls there.
+            // A point is in no ball on the other side of B until it has moved through B. A signed distance falls there.
             if side < 0.0 && (C::SIGNED || clear.lower > reach) {
                 continue;
             }
@@ -279,13 +278,13 @@ mod tests {
             let lower = bound(&[z * DVec3::Z], h, 0.0);
             let least = z * (2.0_f64.sqrt() * h).cos();
             // What is left out, of fourth order, and the curvature of the ball.
-            let rest = z * (h * 3.0_f64.sqrt()).powi(4) / 12.0 + z * z * h * h / 1e3;
+            let rest = z * (h * 3.0_f64.sqrt()).powi(4) / 24.0 + z * z * h * h / 1e3;
             assert!(lower <= least && lower >= z * (1.0 - h * h) - 1.01 * rest, "{h}: {lower} of {least}");
         }
     }
 
-    /// The ends of two bars of length 6, 0.5 above and below a plane: what an end of the upper bar comes down, the lower
-    /// one's goes down too, and a turn brings all nearer by the arc of 0.5 alone, not by that of 3.
+    /// The ends of two bars of length 6, one 0.5 above a plane and one 0.5 below it. A turn moves the ends of both bars on
+    /// one side by the same arc, so that one comes nearer by what the other recedes. What remains is the arc of 0.5.
     #[test]
     fn arcs_on_both_sides_cancel() {
         let ends = [[3.0, 0.5], [3.0, -0.5], [-3.0, 0.5], [-3.0, -0.5]].map(|[x, z]| DVec3::new(x, 0.0, z));
@@ -293,7 +292,7 @@ mod tests {
             let lower = bound(&ends, h, 0.0);
             let least = 0.5 * h.cos();
             // The bound has the arc of a turn about y, too, what is left out, and the curvature of the ball.
-            let rest = 3.0 * (3.0_f64.sqrt() * h).powi(3) / 6.0 + 3.0 * (3.0_f64.sqrt() * h).powi(4) / 12.0;
+            let rest = 3.0 * (3.0_f64.sqrt() * h).powi(3) / 6.0 + 3.0 * (3.0_f64.sqrt() * h).powi(4) / 24.0;
             assert!(lower <= least && lower >= 0.5 * (1.0 - h * h) - rest - 0.01 * h * h, "{h}: {lower}");
         }
     }

@@ -38,7 +38,7 @@ pub(super) struct Middle {
     /// Upper bounds on the angle and the shift between the middle and a motion of the cell.
     pub(super) angle: f64,
     pub(super) shift: f64,
-    /// An upper bound on the difference of a turn from the middle and the exponential of its first order (lemma Z1).
+    /// An upper bound on the difference between a turn from the middle and the exponential of its linear part (lemma Z1).
     pub(super) twist: f64,
     /// The images of the axes of turns under the Jacobian of the exponential, in units of the radius.
     pub(super) turns: Vec<DVec3>,

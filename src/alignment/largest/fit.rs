@@ -39,8 +39,6 @@ pub(crate) struct LargestFit<F> {
     center: DVec3,
     pub(crate) radius: f64,
     freedoms: Freedoms,
-    /// Whether heights count, and not distances.
-    signed: bool,
     pub(crate) motion: RigidTransform,
     residuals: Vec<Residual>,
     places: Vec<Place>,
@@ -51,11 +49,12 @@ pub(crate) struct LargestFit<F> {
 }
 
 impl<F: Field> LargestFit<F> {
-    /// Starts from a pose; `None` for a field or samples without points. A step below `smallest` ends the fit. With
-    /// `signed` heights are made least, and not distances.
+    const ROWS_OF_A_SAMPLE: usize = if F::SIGNED { 1 } else { 2 };
+
+    /// Starts from a pose; `None` for a field or samples without points. A step below `smallest` ends the fit.
     pub(crate) fn new(
         field: F,
-        (samples, signed): (&Samples, bool),
+        samples: &Samples,
         freedoms: &Freedoms,
         smallest: f64,
         motion: RigidTransform,
@@ -69,7 +68,6 @@ impl<F: Field> LargestFit<F> {
             center: samples.center,
             radius,
             freedoms: freedoms.clone(),
-            signed,
             motion,
             residuals: Vec::new(),
             places: Vec::new(),
@@ -103,7 +101,7 @@ impl<F: Field> LargestFit<F> {
 
     fn measure(&mut self) -> Option<()> {
         (self.residuals, self.places) = residuals(&self.field, &self.counted, &self.places, &self.motion)?;
-        self.largest = self.largest_of(&self.residuals)?;
+        self.largest = Self::largest_of(&self.residuals)?;
         Some(())
     }
 
@@ -116,7 +114,7 @@ impl<F: Field> LargestFit<F> {
         let mut far: Vec<(f64, DVec3)> = all
             .iter()
             .zip(&self.points)
-            .map(|(residual, &point)| (self.length(residual), point))
+            .map(|(residual, &point)| (Self::length(residual), point))
             .filter(|(distance, _)| *distance > limit)
             .collect();
         far.sort_by(|one, other| other.0.total_cmp(&one.0));
@@ -132,32 +130,28 @@ impl<F: Field> LargestFit<F> {
     pub(crate) fn rows(&self) -> Vec<Row> {
         let center = self.center();
         let row = |residual: &Residual| {
-            let length = self.length(residual);
+            let length = Self::length(residual);
             let direction = residual.direction.unwrap_or_else(|| residual.offset.normalize_or_zero());
             let slope = self.freedoms.slopes(residual.point - center, self.radius, direction);
             let passed = Row { value: -length, slope: slope.map(|value| -value) };
-            [Row { value: length, slope }, passed].into_iter().take(self.rows_of_a_sample())
+            [Row { value: length, slope }, passed].into_iter().take(Self::ROWS_OF_A_SAMPLE)
         };
         self.residuals.iter().flat_map(row).collect()
     }
 
-    fn rows_of_a_sample(&self) -> usize {
-        if self.signed { 1 } else { 2 }
-    }
-
     /// Returns what is made least.
-    fn length(&self, residual: &Residual) -> f64 {
-        if self.signed { residual.height() } else { residual.distance() }
+    fn length(residual: &Residual) -> f64 {
+        if F::SIGNED { residual.height() } else { residual.distance() }
     }
 
-    fn largest_of(&self, residuals: &[Residual]) -> Option<f64> {
-        residuals.iter().map(|residual| self.length(residual)).reduce(upper_max)
+    fn largest_of(residuals: &[Residual]) -> Option<f64> {
+        residuals.iter().map(Self::length).reduce(upper_max)
     }
 
     /// Returns the samples, in A's own frame, of rows, each once and in their order.
     pub(crate) fn points_of(&self, rows: &[usize]) -> Vec<DVec3> {
         let mut known = Vec::new();
-        for index in rows.iter().map(|row| row / self.rows_of_a_sample()) {
+        for index in rows.iter().map(|row| row / Self::ROWS_OF_A_SAMPLE) {
             if !known.contains(&index) {
                 known.push(index);
             }
@@ -182,7 +176,7 @@ impl<F: Field> LargestFit<F> {
         let motion = self.freedoms.followed(&self.motion, &step, (self.center(), self.radius));
         let next = residuals(&self.field, &self.counted, &self.places, &motion);
         let Some((found, places)) = next else { return Step::Converged };
-        let gained = self.largest - self.largest_of(&found).unwrap_or(f64::INFINITY);
+        let gained = self.largest - Self::largest_of(&found).unwrap_or(f64::INFINITY);
         if gained < POOR * predicted {
             self.trust *= 0.25;
         } else if gained > GOOD * predicted {

@@ -1,6 +1,6 @@
-//! Functions of the motions of a cell that the distance of a point from B never falls below: a value, slopes, a
-//! quadratic form and a remainder. Their weighted sums bound the largest distance; in sums forms of several points
-//! cancel. Lemmas Z1 and Z2 of docs/alignment.md.
+//! Minorants: functions of the motions of a cell that bound the distance of a point from B from below. Each has a value,
+//! slopes, a quadratic form and a remainder. A weighted sum of minorants bounds the largest distance, and the forms of
+//! several points may cancel in it. Lemmas Z1 and Z2 of docs/alignment.md.
 
 use super::chart::{Cell, Middle};
 use super::program::Row;
@@ -18,8 +18,8 @@ const SUM_ROUNDINGS: f64 = 4.0;
 /// these do not.
 const LEAST_SLOPE: f64 = 0.125;
 
-/// A ball without points of B, about a point that lies `clear` from B at least; q is the image of a point of A
-/// in the middle of the cell, known within `error`.
+/// A ball without points of B: its centre lies at least `clear` from B. `image` is the image of a point of A in the middle
+/// of the cell, within `error`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ball {
     pub(super) center: DVec3,
@@ -227,7 +227,7 @@ mod tests {
         }
     }
 
-    /// Each part of what is left out is attained but for the share that is stated: without it the minorant is above.
+    /// The minorant without its remainder exceeds the distance by at least the stated share of the remainder.
     #[test]
     fn what_is_left_out_is_attained() {
         let small = 1e-9;

@@ -214,12 +214,12 @@ impl<'a> Pair<'a> {
             let signs = SignSource::new(self.b, 0.0);
             let side = self.one_side(signs.rule(), counted)?;
             let field = OneSideField { foot: self.field, rule: side.rule, counted, size: side.to.size };
-            let largest = LargestFit::new(field, (&self.samples, true), freedoms, smallest, fit.motion)
+            let largest = LargestFit::new(field, &self.samples, freedoms, smallest, fit.motion)
                 .ok_or(Error::EmptyModel)?;
             let points = self.a.fit_samples(self.options.samples, self.options.sampling).points;
             self.zone_pair(To::One(side, points)).fit(largest, freedoms, progress).await?
         } else if self.options.norm == FitNorm::Largest {
-            let largest = LargestFit::new(self.field, (&self.samples, false), freedoms, smallest, fit.motion)
+            let largest = LargestFit::new(self.field, &self.samples, freedoms, smallest, fit.motion)
                 .ok_or(Error::EmptyModel)?;
             self.zone_pair(To::Both(self.to_model())).fit(largest, freedoms, progress).await?
         } else {

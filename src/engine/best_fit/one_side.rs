@@ -42,8 +42,9 @@ impl Counted {
 
 /// The distances of points from a closed model, positive on the side that counts.
 ///
-/// With the strips between its joined edges the model bounds a body, whose distance with a sign changes by no more than a
-/// point moves. It is not above that from the faces, and below it by no more than strips are from these.
+/// The faces of the model, and the strips between its joined edges, bound a body. The signed distance from this boundary
+/// changes by no more than a point moves. Its length is at most the distance from the faces, and less by at most the
+/// distance of the strips from the faces.
 pub(super) struct OneSide<'a> {
     pub(super) to: ToModel<'a>,
     pub(super) rule: SignRule<'a>,
@@ -56,7 +57,13 @@ impl Clearance for OneSide<'_> {
     const SIGNED: bool = true;
 
     fn clear(&self, point: DVec3, (place, known): &mut Self::Memory) -> Option<Clear> {
-        let clear = self.to.clear(point, place)?;
+        self.with_side(point, self.to.clear(point, place)?, known)
+    }
+}
+
+impl OneSide<'_> {
+    /// Returns the bounds on the distance with its sign from those without.
+    fn with_side(&self, point: DVec3, clear: Clear, known: &mut Known) -> Option<Clear> {
         let sign = self.counted.sign(self.rule.side(point, clear.lower, known)?);
         let least = upper_max(0.0, self.rule.clear_radius(clear.lower)?);
         let [lower, upper] = match sign {
@@ -66,21 +73,20 @@ impl Clearance for OneSide<'_> {
         };
         Some(Clear { lower, upper, direction: sign.unwrap_or(1.0) * clear.direction })
     }
-}
 
-impl OneSide<'_> {
     /// Returns the largest upper bound of points under a motion, with its place. A point whose distance is not above that
     /// of another one needs no side. O(points log patches).
     pub(super) fn largest(&self, points: &[DVec3], motion: &RigidTransform) -> Option<(f64, usize)> {
         let parts = map_ranges(points.len(), |range| {
-            let mut memory = (None, Known::default());
+            let (mut place, mut known) = (None, Known::default());
             let mut most = (f64::NEG_INFINITY, 0);
             for index in range {
                 let image = motion.apply(points[index]);
-                if self.to.clear(image, &mut memory.0)?.upper <= most.0 {
+                let clear = self.to.clear(image, &mut place)?;
+                if clear.upper <= most.0 {
                     continue;
                 }
-                let upper = self.clear(image, &mut memory)?.upper;
+                let upper = self.with_side(image, clear, &mut known)?.upper;
                 if upper > most.0 {
                     most = (upper, index);
                 }
@@ -92,7 +98,7 @@ impl OneSide<'_> {
     }
 }
 
-/// Residuals whose directions are those in which the distance on one side grows: estimates, as all that a fit goes by.
+/// Residuals whose directions are those in which the distance on one side grows. They are estimates.
 #[derive(Clone, Copy)]
 pub(super) struct OneSideField<'a> {
     pub(super) foot: FootField<'a>,
@@ -103,6 +109,8 @@ pub(super) struct OneSideField<'a> {
 }
 
 impl Field for OneSideField<'_> {
+    const SIGNED: bool = true;
+
     fn residual(&self, point: DVec3, place: &mut Place) -> Option<Residual> {
         let residual = self.foot.residual(point, place)?;
         let direction = residual.direction?;

@@ -44,11 +44,11 @@ pub enum FitNorm {
     Mean,
     /// The largest distance of A's points: Chebyshev's norm, the minimum zone of ISO 1101.
     Largest,
-    /// The largest distance of A's points outside of B's body, which is negative where all lie within it: how far A stands
-    /// out. A is a scan, a cloud or a mesh whose points are its vertices, and B is closed.
+    /// The largest distance of A's points outside of B's body: how far A stands out. It is negative if all points lie within
+    /// the body. A is a cloud, or a mesh, whose vertices are measured. B is closed.
     Outside,
-    /// The largest distance of A's points within B's body, which is negative where all lie outside of it: stock on
-    /// A everywhere. Of the same models.
+    /// The largest distance of A's points within B's body. It is negative if all points lie outside: A has stock everywhere.
+    /// A and B are as above.
     Inside,
     /// None: A stays in its first pose, and the fit only states the residual there.
     None,

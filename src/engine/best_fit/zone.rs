@@ -87,8 +87,8 @@ impl ZoneOptions {
     }
 }
 
-/// The least, over a box of motions, of the largest distance of A's points to B, as an interval; with a norm of one side
-/// of the largest distance with its sign, below 0 if all points can lie on the other side.
+/// The least, over a box of motions, of the largest distance of A's points to B, as an interval. With a norm of one side
+/// distances are signed, and the interval is below 0 if all points can lie on the other side.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
 #[non_exhaustive]
@@ -269,8 +269,8 @@ impl ZonePair<'_> {
         Ok(Zone { lower, upper, degrees, translation, center, boxes, refuted, passes })
     }
 
-    /// Returns what the distance of no point from B exceeds under a motion of a cell, generously: the distance from the
-    /// middle of B's box, its diagonal, and twice the movement.
+    /// Returns a coarse upper bound on the distances of points from B under the motions of a cell: the distance from the
+    /// middle of B's box, the diagonal of the box, and twice the movement.
     fn farthest(&self, points: &[DVec3], chart: &Chart, cell: &Cell) -> f64 {
         let of_b = self.b.bounding_box();
         let image = |&point: &DVec3| {

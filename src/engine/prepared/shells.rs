@@ -146,8 +146,8 @@ impl Shells<'_> {
         *locked(&self.known.relations).entry(pair).or_insert(found)
     }
 
-    /// Returns whether a shell may lie within another one, or protrude from it by at most the distance up to which edges
-    /// are joined: whether one of its tested points is not certainly outside the other shell.
+    /// Returns whether a shell may lie within another shell: one of its tested points is not certainly outside. A shell
+    /// that protrudes by less than the distance up to which edges are joined counts as one that lies within.
     pub(super) fn may_be_within(&self, shell: u32, other: u32) -> bool {
         self.enclosed_points(shell, other).any(|is_enclosed| is_enclosed != Some(false))
     }

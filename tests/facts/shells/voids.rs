@@ -204,7 +204,8 @@ fn instances_may_be_of_one_solid() {
     }
 }
 
-/// The void of a solid of which a face is left out may be one, and nothing clashes with it for certain.
+/// A solid has lost a face of its outer shell, so that its cavity is not known to be a void. The cavity clashes with no
+/// other body for certain.
 #[test]
 fn a_void_of_an_open_solid_is_no_body_for_certain() {
     let [housing, cavity, part] = seated(1.5);

@@ -31,8 +31,8 @@ pub(super) struct Around {
     pub(super) shells: Vec<usize>,
     /// The shells that may be about it, and those that may be a void together with it: it is not known which of the two.
     pub(super) unknown: Vec<usize>,
-    /// Whether the normals in the source show that it is a void, or that it is none. They are only compared for shells
-    /// that meet within a common shell.
+    /// `Some(true)` if the normals in the source show that the shell is a void, `Some(false)` if they show that it is not.
+    /// Normals are compared only for shells that meet within a common shell.
     pub(super) is_void: Option<bool>,
 }
 
@@ -77,7 +77,7 @@ impl PreparedModel {
         let mut siblings = self.siblings(shells, boxes, &around);
         siblings.retain(|pair| !to_compare.contains_key(pair));
         meetings.extend(self.compare_siblings(shells, &siblings, budget, &mut around));
-        // Shells with opposite normals are told apart first.
+        // Pairs with opposite normals come first: what they show decides other pairs.
         for are_opposite in [true, false] {
             for meeting in &meetings {
                 self.tell_apart(meeting, are_opposite, shells, &mut around);
@@ -89,7 +89,7 @@ impl PreparedModel {
         around
     }
 
-    /// Returns the pairs of shells of which one may lie within the other, with the one or two ways, the inner shell first.
+    /// Returns the pairs of shells that may be nested. Each pair has one or two possible orders, the inner shell first.
     fn nested_pairs(
         &self,
         shells: &[ShellParts],
@@ -135,7 +135,7 @@ impl PreparedModel {
         meetings
     }
 
-    /// Compares these pairs of shells, of which neither may lie within the other, and returns those that meet.
+    /// Compares pairs of shells that are not nested, and returns those that meet.
     fn compare_siblings(
         &self,
         shells: &[ShellParts],
@@ -196,8 +196,8 @@ impl PreparedModel {
         one.may_be_of(other)
     }
 
-    /// Returns the pairs of closed shells that may be of one solid and of which the first may lie within the second: the
-    /// corners of its patches are in the box of the second, enlarged by the distance up to which edges are joined.
+    /// Returns the pairs of closed shells that may bound one solid and be nested, the inner shell first. The corners of the
+    /// inner shell's patches lie in the box of the outer shell, enlarged by the distance up to which edges are joined.
     pub(super) fn nested_boxes(&self, shells: &[ShellParts], boxes: &[ShellBoxes]) -> Vec<[usize; 2]> {
         let (joined, slack) = (self.joined(), self.slack());
         let is_closed = |index: usize| joined.of_shell[shells[index].shell as usize].free == 0;

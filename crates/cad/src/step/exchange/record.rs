@@ -92,7 +92,7 @@ impl<'a> Record<'a> {
         let weights = take("RATIONAL_B_SPLINE_CURVE").or_else(|| take("RATIONAL_B_SPLINE_SURFACE"));
         let weights = weights.and_then(|values| values.into_iter().next());
         let location = take("REPOSITIONED_TESSELLATED_ITEM");
-        let location = location.and_then(|values| values.first().and_then(reference));
+        let location = location.map(|values| values.into_iter().next().unwrap_or(Value::Nothing));
         Entity { number, kind, attributes: name.into_iter().chain(own).collect(), weights, location }
     }
 }
@@ -137,7 +137,7 @@ pub(in crate::step) struct Entity<'a> {
     /// The weights of a rational B-spline.
     pub(in crate::step) weights: Option<Value<'a>>,
     /// The placement of a tessellated item that is repositioned.
-    pub(in crate::step) location: Option<u64>,
+    pub(in crate::step) location: Option<Value<'a>>,
 }
 
 impl<'a> Entity<'a> {

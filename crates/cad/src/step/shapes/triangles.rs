@@ -3,7 +3,7 @@
 use super::Shapes;
 use super::items::{MAX_NESTING, has_no_surface};
 use crate::report::FaceFault;
-use crate::step::exchange::{Entity, Value, count, numbers_of};
+use crate::step::exchange::{Entity, Value, count, numbers_of, reference};
 use crate::step::geometry::operator;
 use crate::topology::{FaceLabel, Mesh, ShapeKind};
 use glam::DVec3;
@@ -72,7 +72,8 @@ impl Shapes<'_> {
     ) -> Result<(), FaceFault> {
         let before = mesh.vertices.len();
         self.collect_parts(entity, mesh, links, nesting)?;
-        if let Some(location) = entity.location {
+        if let Some(location) = &entity.location {
+            let location = reference(location).ok_or_else(|| entity.unknown("a placement of its own"))?;
             let map = operator(self.file, location, &self.scale())?;
             mesh.vertices[before..].iter_mut().for_each(|point| *point = map.transform_point3(*point));
         }

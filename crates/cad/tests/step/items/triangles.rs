@@ -149,6 +149,24 @@ fn triangles_stand_where_they_are_mapped() {
     assert_eq!((mesh.vertices().len(), right), (16, 8));
 }
 
+/// A repositioned item without a placement is named, and its triangles are not read where they are defined.
+#[test]
+fn repositioned_triangles_without_a_placement_are_named() {
+    for location in ["$", ""] {
+        let mut number = 0;
+        let (model, report) = beside_a_box(|text| {
+            let face = square(text, SQUARES[0], 9.0);
+            number = text.add(format!(
+                "(GEOMETRIC_REPRESENTATION_ITEM() REPOSITIONED_TESSELLATED_ITEM({location}) REPRESENTATION_ITEM('') \
+                 TESSELLATED_GEOMETRIC_SET((#{face})) TESSELLATED_ITEM())"
+            ));
+            vec![number]
+        });
+        assert_eq!(named(&report), [("STEP_ENTITY", Some(number as u64))], "{location}");
+        assert_eq!(model.faces().len(), 6);
+    }
+}
+
 #[test]
 fn damaged_triangles_are_named() {
     for rest in [
