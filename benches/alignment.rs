@@ -13,8 +13,8 @@ mod support;
 
 use nurbs_hausdorff::shapes::shape;
 use nurbs_hausdorff::{
-    BestFit, BestFitOptions, DQuat, DVec3, Engine, Facets, FieldOptions, Model, PointCloud, PreparedModel,
-    RigidTransform,
+    BestFit, BestFitOptions, DQuat, DVec3, Engine, Facets, FieldOptions, FitNorm, FitStart, Model,
+    PointCloud, PreparedModel, RigidTransform,
 };
 use std::time::Instant;
 use support::shared;
@@ -52,6 +52,10 @@ const NOISE: f64 = 1e-3;
 
 /// The mean movement of the part's points, in diagonals, up to which a pose counts as found.
 const FOUND: f64 = 0.01;
+
+/// The ratio to the residual of the true pose, and the part of the diagonal, up to which another one is as good.
+const AS_GOOD: f64 = 2.0;
+const EXACT: f64 = 1e-6;
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|name| !name.starts_with('-')).collect();
@@ -120,7 +124,14 @@ fn measure(name: &str, model: &Model, kind: &str, scan: Option<[f64; 2]>, poses:
             points.iter().map(at).collect()
         };
         let ratio = fit.rms / fit.rms_random;
-        match outcome(&fit, &truth, &original(&cloud), diagonal) {
+        let is_free = fit.freedoms > 0 && {
+            let at_truth =
+                BestFitOptions { transform: truth, start: FitStart::Given, norm: FitNorm::None, ..options };
+            let a = moved.as_ref().unwrap_or(&prepared);
+            let at_truth = Engine::cpu().best_fit(a, &prepared, &at_truth).wait().unwrap();
+            fit.rms <= AS_GOOD * at_truth.rms + EXACT * diagonal
+        };
+        match outcome(&fit, is_free, &truth, &original(&cloud), diagonal) {
             Outcome::Found => tally.found += 1,
             Outcome::Ambiguous => tally.ambiguous += 1,
             Outcome::Missed => {
@@ -147,8 +158,8 @@ enum Outcome {
 }
 
 /// A pose counts as found where it moves the part's points to their truth. It is ambiguous where that
-/// is among the others, or where the part moves freely in the fit.
-fn outcome(fit: &BestFit, truth: &RigidTransform, points: &[DVec3], diagonal: f64) -> Outcome {
+/// is among the others, or where the part moves freely in the fit and lies as well as in its true pose.
+fn outcome(fit: &BestFit, is_free: bool, truth: &RigidTransform, points: &[DVec3], diagonal: f64) -> Outcome {
     let is_true = |motion: &RigidTransform| {
         let squares = points.iter().map(|&point| motion.apply(point).distance_squared(truth.apply(point)));
         (squares.sum::<f64>() / points.len() as f64).sqrt() <= FOUND * diagonal
@@ -156,7 +167,7 @@ fn outcome(fit: &BestFit, truth: &RigidTransform, points: &[DVec3], diagonal: f6
     if is_true(&fit.transform) {
         return Outcome::Found;
     }
-    if fit.ambiguous.iter().any(|pose| is_true(&pose.transform)) || fit.freedoms > 0 {
+    if fit.ambiguous.iter().any(|pose| is_true(&pose.transform)) || is_free {
         return Outcome::Ambiguous;
     }
     Outcome::Missed

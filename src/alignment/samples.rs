@@ -3,6 +3,9 @@
 use crate::model::RigidTransform;
 use glam::DVec3;
 
+/// The rounds in which the centre of the nearest points and these points follow from each other.
+const KEPT_ROUNDS: usize = 3;
+
 /// Weighted points; the weights sum to 1.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Samples {
@@ -49,6 +52,32 @@ impl Samples {
         Self::new(chosen, weights)
     }
 
+    /// Returns the samples without this share of them, which are farthest from where most are: points far off would
+    /// shift the centre and stretch the gyration. O(n log n).
+    pub(crate) fn without_farthest(&self, share: f64) -> Self {
+        if share == 0.0 {
+            return self.clone();
+        }
+        let count = ((1.0 - share) * self.points.len() as f64).round() as usize;
+        let round = |center: DVec3| {
+            let mut order: Vec<usize> = (0..self.points.len()).collect();
+            let squared = |index: &usize| self.points[*index].distance_squared(center);
+            order.sort_by(|one, other| squared(one).total_cmp(&squared(other)));
+            order.truncate(count);
+            let of = |index: &usize| (self.points[*index], self.weights[*index]);
+            let (points, weights) = order.iter().map(of).unzip();
+            Self::new(points, weights)
+        };
+        let first = round(DVec3::from_array([0, 1, 2].map(|axis| self.median(axis))));
+        (1..KEPT_ROUNDS).fold(first, |kept, _| round(kept.center))
+    }
+
+    fn median(&self, axis: usize) -> f64 {
+        let mut values: Vec<f64> = self.points.iter().map(|point| point[axis]).collect();
+        values.sort_by(f64::total_cmp);
+        values.get(values.len() / 2).copied().unwrap_or(0.0)
+    }
+
     /// Returns the middle of the box of the points under a motion; `None` without points.
     pub(crate) fn middle(&self, motion: &RigidTransform) -> Option<DVec3> {
         let images = || self.points.iter().map(|&point| motion.apply(point));
@@ -86,6 +115,21 @@ mod tests {
         // 3/4 at the distance 1, 1/4 at 3: the mean square is 3.
         assert!((samples.gyration - 3.0_f64.sqrt()).abs() < 1e-15);
         assert_eq!(samples.extent(), 3.0);
+    }
+
+    /// Of the corners of a square and two points far to one side, the corners stay, whichever comes first.
+    #[test]
+    fn points_far_off_do_not_shift_the_centre() {
+        let far = [DVec3::new(9.0, 1.0, 4.0), DVec3::new(8.0, 1.0, -3.0)];
+        let corners = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+        let corners = corners.map(|[x, y]| DVec3::new(x, y, 0.0));
+        for points in [[&far[..], &corners].concat(), [&corners[..], &far].concat()] {
+            let kept = Samples::new(points, vec![1.0; 6]).without_farthest(1.0 / 3.0);
+            assert_eq!((kept.points.len(), kept.center), (4, DVec3::ZERO));
+            assert!((kept.gyration - 2.0_f64.sqrt()).abs() < 1e-15);
+        }
+        let all = Samples::new(corners.to_vec(), vec![1.0; 4]);
+        assert_eq!(all.without_farthest(0.0), all);
     }
 
     #[test]

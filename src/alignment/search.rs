@@ -17,8 +17,10 @@ const ROTATIONS: usize = 600;
 /// The number of rotations where A's centre is tried beside B's as well, for parts of a model.
 const ROTATIONS_BESIDE: usize = 240;
 
-/// Samples and steps with which a start is tried by the grid.
+/// Samples and steps with which a start is tried by the grid; twice as many samples where some are left out, as which
+/// ones is to be learnt from them.
 const GRID_SAMPLES: usize = 128;
+const GRID_SAMPLES_AND_OUTLIERS: usize = 256;
 const GRID_STEPS: usize = 12;
 
 /// Samples, steps and number of the poses that are fitted by exact feet: a cube has 24 equal ones.
@@ -58,6 +60,8 @@ pub(crate) struct Search<'a> {
     field: FootField<'a>,
     loss: Loss,
     grid: FootGrid,
+    /// The samples that stand for A's centre and size: those that are not far off.
+    kept: Samples,
     coarse: Samples,
     exact: Samples,
     fine: Samples,
@@ -79,10 +83,11 @@ impl<'a> Search<'a> {
         loss: Loss,
     ) -> Option<Self> {
         let grid = FootGrid::new(&field, of_b)?;
-        let (a, b) = (Principal::of(samples), Principal::of(other));
+        let kept = samples.without_farthest(loss.outliers);
+        let (a, b) = (Principal::of(&kept), Principal::of(other));
         let rotations: Vec<DQuat> =
             a.onto(&b).into_iter().chain((0..ROTATIONS).map(|index| spiral(index, ROTATIONS))).collect();
-        let laid = |rotation: DQuat, on: DVec3| RigidTransform::about(rotation, samples.center, on);
+        let laid = |rotation: DQuat, on: DVec3| RigidTransform::about(rotation, kept.center, on);
         let starts = given.iter().copied();
         let starts = starts.chain(rotations.iter().map(|&rotation| laid(rotation, other.center)));
         let places = (0..6).map(|k| {
@@ -97,7 +102,12 @@ impl<'a> Search<'a> {
             field,
             loss,
             grid,
-            coarse: samples.thinned(GRID_SAMPLES),
+            kept: kept.clone(),
+            coarse: samples.thinned(if loss.outliers > 0.0 {
+                GRID_SAMPLES_AND_OUTLIERS
+            } else {
+                GRID_SAMPLES
+            }),
             exact: samples.thinned(EXACT_SAMPLES),
             fine: samples.thinned(FINE_SAMPLES),
             starts: starts.collect(),
@@ -123,7 +133,7 @@ impl<'a> Search<'a> {
 
     fn is_poor(&self) -> bool {
         let least = self.found.iter().map(|one| one.rms).fold(f64::INFINITY, f64::min);
-        !(least <= POOR * self.coarse.gyration)
+        !(least <= POOR * self.kept.gyration)
     }
 
     fn try_start(&self, motion: RigidTransform) -> Option<Candidate> {
@@ -145,13 +155,13 @@ impl<'a> Search<'a> {
     /// Fits the best poses by exact feet, first with few samples, then with more; returns them in
     /// the order of their residuals.
     pub(crate) fn best(&mut self) -> Vec<Candidate> {
-        let found = distinct(std::mem::take(&mut self.found), &self.coarse, MOST_EXACT);
-        let floor = GRID_ERROR * self.coarse.gyration;
+        let found = distinct(std::mem::take(&mut self.found), &self.kept, MOST_EXACT);
+        let floor = GRID_ERROR * self.kept.gyration;
         let exact = self.refined(within(found, WORSE, floor), &self.exact, EXACT_STEPS);
-        let exact = distinct(exact, &self.exact, MOST_FINE);
-        let floor = 1e-3 * self.coarse.gyration;
+        let exact = distinct(exact, &self.kept, MOST_FINE);
+        let floor = 1e-3 * self.kept.gyration;
         let fine = self.refined(within(exact, WORSE, floor), &self.fine, FINE_STEPS);
-        distinct(fine, &self.fine, MOST_FINE)
+        distinct(fine, &self.kept, MOST_FINE)
     }
 
     fn refined(&self, candidates: Vec<Candidate>, samples: &Samples, steps: usize) -> Vec<Candidate> {
@@ -190,10 +200,11 @@ pub(crate) fn random_residual(
     loss: Loss,
 ) -> Option<f64> {
     let few = samples.thinned(RANDOM_SAMPLES);
+    let kept = samples.without_farthest(loss.outliers);
     let of = |index: usize| {
         let rotation = spiral(index, RANDOM_POSES);
-        let shift = RANDOM_SHIFT * few.gyration * (rotation * DVec3::Z);
-        let motion = RigidTransform::about(rotation, few.center, other.center + shift);
+        let shift = RANDOM_SHIFT * kept.gyration * (rotation * DVec3::Z);
+        let motion = RigidTransform::about(rotation, kept.center, other.center + shift);
         Some(LocalFit::new(field, &few, loss, 0.0, motion)?.rms())
     };
     let mut all = map(RANDOM_POSES, of).into_iter().collect::<Option<Vec<f64>>>()?;

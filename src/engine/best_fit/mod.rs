@@ -73,7 +73,7 @@ impl Engine {
     /// [`FitNorm::Outside`] and [`FitNorm::Inside`] it is of the distances of a scan's points on one side.
     ///
     /// `converged` says that the last fit ended by itself, and that its residual is at most a tenth
-    /// of that of random poses, or that all poses known come to it.
+    /// of that of random poses.
     /// O(samples log patches) a step.
     ///
     /// # Errors
@@ -168,9 +168,9 @@ impl<'a> Pair<'a> {
         let last = self.last(&mut fit, &start, progress).await?;
         progress.finish();
         let rms = fit.rms();
-        let (ambiguous, of_one_basin) = self.ambiguous(&found, &fit, search_field)?;
+        let ambiguous = self.ambiguous(&found, &fit, search_field)?;
         let scale = fit.scale();
-        let is_fit = rms <= CONVERGED_SHARE * rms_random + EXACT * self.diagonal || of_one_basin;
+        let is_fit = rms <= CONVERGED_SHARE * rms_random + EXACT * self.diagonal;
         let kept = fit.distances().iter().copied().filter(|distance| *distance <= scale);
         Ok(BestFit {
             transform: fit.motion,
@@ -267,24 +267,24 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// Returns the other poses that fit nearly as well, and whether all that the search kept do.
+    /// Returns the other poses that fit nearly as well.
     fn ambiguous(
         &self,
         found: &Found,
         fit: &LocalFit<'_, FootField<'_>>,
         field: FootField<'_>,
-    ) -> Result<(Vec<FitPose>, bool)> {
+    ) -> Result<Vec<FitPose>> {
         let compared = self.samples.thinned(COMPARED_SAMPLES);
         let best = LocalFit::new(field, &compared, self.loss, 0.0, fit.motion).ok_or(Error::EmptyModel)?;
         let best = Candidate { motion: fit.motion, rms: best.rms() };
         let most = AMBIGUOUS * best.rms + EXACT * self.diagonal;
         let near = |one: &Candidate| one.rms <= most;
-        let of_one_basin = !found.poses.is_empty() && found.poses.iter().all(near);
         let others = found.poses.iter().copied().filter(near);
         let all = std::iter::once(Candidate { rms: -1.0, ..best }).chain(others).collect();
-        let others = distinct(all, &compared, usize::MAX).into_iter().skip(1);
+        let kept = compared.without_farthest(self.loss.outliers);
+        let others = distinct(all, &kept, usize::MAX).into_iter().skip(1);
         let poses = others.map(|Candidate { motion, rms }| FitPose { transform: motion, rms });
-        Ok((poses.collect(), of_one_basin))
+        Ok(poses.collect())
     }
 
     /// Searches poses from the given one and from all rotations.
@@ -318,15 +318,14 @@ impl<'a> Pair<'a> {
     /// more than rounding.
     fn best_start(&self, found: &Found, start: &Start) -> Result<LocalFit<'_, FootField<'a>>> {
         let smallest = self.smallest();
-        let given = self.local(&self.samples, smallest, start.motion)?.within(&start.freedoms);
-        let Some(best) = found.poses.first() else { return Ok(given) };
+        let Some(best) = found.poses.first() else {
+            return Ok(self.local(&self.samples, smallest, start.motion)?.within(&start.freedoms));
+        };
         let compared = self.samples.thinned(COMPARED_SAMPLES);
         let mut near = self.local(&compared, smallest, start.motion)?;
         near.run(NEAR_STEPS);
-        if near.rms() <= (1.0 + NEARLY_EQUAL) * best.rms + EXACT * self.diagonal {
-            return Ok(given);
-        }
-        self.local(&self.samples, smallest, best.motion)
+        let is_as_good = near.rms() <= (1.0 + NEARLY_EQUAL) * best.rms + EXACT * self.diagonal;
+        self.local(&self.samples, smallest, if is_as_good { near.motion } else { best.motion })
     }
 
     fn left_out(&self, distances: &[f64], scale: f64) -> LeftOut {

@@ -55,6 +55,9 @@ fn assert_found(part: &PreparedModel, found: &BestFit, truth: &RigidTransform, w
     let least = std::iter::once(&found.transform).chain(others).map(|motion| off(part, motion, truth));
     let least = least.fold(f64::INFINITY, f64::min);
     assert!(least <= within, "{least} off, rms {} of {}", found.rms, found.rms_random);
+    // Residuals of listed poses are of fewer samples.
+    let listed = found.ambiguous.iter().map(|pose| pose.rms).fold(f64::INFINITY, f64::min);
+    assert!(found.rms <= 1.2 * listed + within, "{} is worse than a listed {listed}", found.rms);
 }
 
 /// A wing has no symmetry but its own: 0° to 180°, where a local fit ends elsewhere.
@@ -105,6 +108,19 @@ fn symmetric_parts_are_free_or_ambiguous() {
         assert!(found.converged && found.rms < 1e-6, "{name}: {found:?}");
         assert_eq!(found.freedoms, freedoms, "{name}");
     }
+}
+
+/// A ball lies about a smaller one no better than by chance, though no pose is better: in its middle the residual is the
+/// difference of both radii, and that of a random pose is hardly larger.
+#[test]
+fn a_ball_about_a_smaller_one_is_no_fit() {
+    let ball = prepared("sphere");
+    let (center, radius) = (ball.bounding_box().center(), ball.bounding_box().diagonal() / 12.0_f64.sqrt());
+    let points = ball.fit_samples(24, SamplingRule::Uniform).thinned(1500).points;
+    let larger = cloud(points.into_iter().map(|point| center + 3.0 * (point - center)).collect());
+    let found = fit(&larger, &ball, &BestFitOptions::default());
+    assert!((found.rms - 2.0 * radius).abs() < 1e-3 * radius, "{} of {radius}", found.rms);
+    assert!(!found.converged, "{} of {}", found.rms, found.rms_random);
 }
 
 /// A third of the points lie anywhere: left out they change nothing, and least squares of all say that they
