@@ -32,6 +32,8 @@ pub(super) struct Whole {
     pub(super) side: BoundarySide,
     /// Whether it is a strip between edges of patches, over which nothing is integrated.
     pub(super) is_strip: bool,
+    /// Whether it is the strip about a corner, of which only a hull is known.
+    pub(super) is_hull: bool,
     /// The distance from the patch within which the other solid's patch lies that takes its place; 0 where none does.
     pub(super) reach: f64,
     pub(super) root: Piece,
@@ -110,6 +112,7 @@ impl Patches {
                 center,
                 side: side(surface),
                 is_strip: false,
+                is_hull: false,
                 reach: 0.0,
                 root,
                 carrier: OnceLock::new(),
@@ -125,6 +128,7 @@ impl Patches {
                 center,
                 side,
                 is_strip: true,
+                is_hull: strip.is_hull,
                 reach: 0.0,
                 root,
                 carrier: OnceLock::new(),

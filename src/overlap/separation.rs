@@ -32,7 +32,8 @@ pub(super) fn are_told<'a>(
     margin: f64,
     tried: &mut Vec<&'a Fitted>,
 ) -> bool {
-    if normal(piece).dot(normal(other)).abs() < MIN_COSINE {
+    // A strip has hardly a normal.
+    if !(piece.0.is_strip || other.0.is_strip) && normal(piece).dot(normal(other)).abs() < MIN_COSINE {
         return false;
     }
     let of_other = other.0.exact_carrier();

@@ -29,14 +29,14 @@ impl Strip {
         }
     }
 
-    /// Returns a patch of degree 1 across the strip in whose hull it lies, as do its parts in those of the patch's:
-    /// points of partners at one parameter are joined by its lines. Of a corner, a box around it.
+    /// Returns a patch of degree 1 across the strip, which is the strip: its lines join the points of partners at one
+    /// parameter. Of a corner, a box around it.
     pub(super) fn ruled(&self) -> Ruled {
         match self {
             Self::Corner(_) => {
                 let aabb = self.bounding_box();
                 let controls = aabb.corners().map(|corner| (corner - aabb.min).extend(1.0));
-                Ruled { center: aabb.min, degree: 3, controls: controls.to_vec() }
+                Ruled { center: aabb.min, degree: 3, controls: controls.to_vec(), is_hull: true }
             }
             Self::Pair([a, b]) => {
                 let degree = a.controls.len().max(b.controls.len()) - 1;
@@ -44,7 +44,7 @@ impl Strip {
                 let moved = |control: &DVec4| (control.xyz() + control.w * offset).extend(control.w);
                 let other = b.controls.iter().map(moved).collect();
                 let rows = [elevated(a.controls.clone(), degree), elevated(other, degree)];
-                Ruled { center: a.center, degree, controls: rows.concat() }
+                Ruled { center: a.center, degree, controls: rows.concat(), is_hull: false }
             }
         }
     }
@@ -66,6 +66,8 @@ pub(crate) struct Ruled {
     pub(crate) degree: usize,
     /// Homogeneous, relative to the centre.
     pub(crate) controls: Vec<DVec4>,
+    /// Whether it is the hull of the control points that contains what it stands for, and not the patch.
+    pub(crate) is_hull: bool,
 }
 
 /// The sizes at which strips are divided no further.

@@ -1,6 +1,6 @@
 //! All pairs of bodies: assemblies whose answers are known.
 
-use crate::models::{box_of_faces, cuboid, faces, mesh, moved, of, placed_all, prepared, stretched};
+use crate::models::{box_of_faces, circle, cuboid, faces, mesh, moved, of, placed_all, prepared, stretched};
 use nurbs_hausdorff::{
     CheckOptions, CheckResult, CheckRules, DQuat, DVec3, Engine, Error, Model, ModelArrays, NamedModel,
     NamesOfPair, PairState, PreparedModel, RequiredDistance, Rule, SurfaceArrays, shapes,
@@ -144,16 +144,6 @@ fn tilted() -> [f64; 12] {
     let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 2.0) / 3.0, 0.7);
     let [x, y, z] = DVec3::AXES.map(|axis| turn * axis);
     [x.x, y.x, z.x, 3.0, x.y, y.y, z.y, -2.0, x.z, y.z, z.z, 0.5]
-}
-
-/// The control points of a circle about z: quarters of degree 2.
-fn circle(radius: f64, height: f64) -> Vec<[f64; 4]> {
-    let corners = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [1, 0]];
-    let weight = |index: usize| if index.is_multiple_of(2) { 1.0 } else { 0.5_f64.sqrt() };
-    let point = |(index, [x, y]): (usize, [i32; 2])| {
-        [radius * f64::from(x), radius * f64::from(y), height, weight(index)]
-    };
-    corners.into_iter().enumerate().map(point).collect()
 }
 
 /// A tube about z from 0 to `length`, of four ruled faces.

@@ -109,3 +109,13 @@ pub(crate) fn cube_with_pocket(depth: f64) -> Vec<Quad> {
         .chain([[d, c, b, a], floor])
         .collect()
 }
+
+/// The control points of a circle about z: quarters of degree 2.
+pub(crate) fn circle(radius: f64, height: f64) -> Vec<[f64; 4]> {
+    let corners = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [1, 0]];
+    let weight = |index: usize| if index.is_multiple_of(2) { 1.0 } else { 0.5_f64.sqrt() };
+    let point = |(index, [x, y]): (usize, [i32; 2])| {
+        [radius * f64::from(x), radius * f64::from(y), height, weight(index)]
+    };
+    corners.into_iter().enumerate().map(point).collect()
+}

@@ -34,7 +34,7 @@ pub(in crate::overlap) struct Form {
 }
 
 impl Form {
-    /// Returns f on a piece; of a strip on the hull of its control points, where no parameters count.
+    /// Returns f on a piece; of the strip about a corner on the hull of its control points, where no parameters count.
     pub(in crate::overlap) fn new(carrier: &Carrier, whole: &Whole, piece: &Piece) -> Self {
         let controls = whole.around(piece, carrier.origin);
         let distance = controls.iter().map(|control| control.xyz().length() / control.w).fold(0.0, upper_max);
@@ -46,7 +46,7 @@ impl Form {
         let slope = carrier.gradient.length() + 2.0 * carrier.curvature * distance;
         let error = gamma(roundings) * size + gamma(COORDINATE_ROUNDINGS) * slope * spread;
         let degree = whole.degree();
-        if whole.is_strip || controls.len() > MAX_PRODUCTS {
+        if whole.is_hull || controls.len() > MAX_PRODUCTS {
             // f is off its mean at control points by at most the norm times the mean of their squared distances.
             let radius = piece.radius * (1.0 + gamma(DIFFERENCE_ROUNDINGS));
             let weights: Vec<f64> = controls.iter().map(|control| control.w).collect();
@@ -201,16 +201,20 @@ mod tests {
         assert!(sizes[5] < sizes[1] / 150.0, "{sizes:?}");
     }
 
-    /// Strips lie in the hulls of their control points: any mean of these has a value in the range.
+    fn strip(degree: usize, controls: Vec<DVec4>, is_hull: bool) -> Patches {
+        let strip = Ruled { center: DVec3::new(0.2, 0.4, -0.3), degree, controls, is_hull };
+        let none = &extract(&shapes::cylinder(1.0, 1.0).unwrap()).patches;
+        Patches::new(none, std::iter::once(strip), None, |_| BoundarySide::Outward)
+    }
+
+    /// A corner lies in the hull of its control points: any mean of these has a value in the range.
     #[test]
-    fn hulls_of_strips_have_their_values_in_the_range() {
+    fn hulls_of_corners_have_their_values_in_the_range() {
         let random = &mut fastrand::Rng::with_seed(13);
         let mut widest = 0.0_f64;
         for _ in 0..100 {
             let controls: Vec<DVec4> = (0..4).map(|_| vector(random).extend(1.0)).collect();
-            let strip = Ruled { center: vector(random), degree: 1, controls };
-            let none = &extract(&shapes::cylinder(1.0, 1.0).unwrap()).patches;
-            let patches = Patches::new(none, std::iter::once(strip), None, |_| BoundarySide::Outward);
+            let patches = strip(1, controls, true);
             let whole = patches.wholes.last().unwrap();
             let carrier = carrier(random);
             let [low, high] = Form::new(&carrier, whole, &whole.root).range();
@@ -228,5 +232,39 @@ mod tests {
         }
         // Hulls have larger values than any control point.
         assert!(widest > 0.1, "{widest}");
+    }
+
+    /// The strip between two curves with weights is the set of the segments between their points at one parameter: these
+    /// have their values in the range, and nearly all of it.
+    #[test]
+    fn segments_of_strips_have_their_values_in_the_range() {
+        let random = &mut fastrand::Rng::with_seed(14);
+        let mut fullest = 0.0_f64;
+        for _ in 0..100 {
+            let weighted = |random: &mut fastrand::Rng| {
+                let weight = 0.5 + random.f64();
+                (vector(random) * weight).extend(weight)
+            };
+            let rows: [Vec<DVec4>; 2] = [(); 2].map(|()| (0..3).map(|_| weighted(random)).collect());
+            let patches = strip(2, rows.concat(), false);
+            let whole = patches.wholes.last().unwrap();
+            let carrier = carrier(random);
+            let [low, high] = Form::new(&carrier, whole, &whole.root).range();
+            let on = |row: &[DVec4], t: f64| {
+                let shares = [(1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t), t * t];
+                let sum =
+                    shares.iter().zip(row).fold(DVec4::ZERO, |sum, (share, &control)| sum + *share * control);
+                whole.center + sum.xyz() / sum.w
+            };
+            let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+            for place in 0..400 {
+                let (along, across) = (f64::from(place % 20) / 19.0, f64::from(place / 20) / 19.0);
+                let value = carrier.at(on(&rows[0], along).lerp(on(&rows[1], along), across));
+                assert!(low - 1e-13 <= value && value <= high + 1e-13, "{low} {value} {high}");
+                (least, most) = (least.min(value), most.max(value));
+            }
+            fullest = fullest.max((most - least) / (high - low));
+        }
+        assert!(fullest > 0.9, "{fullest}");
     }
 }

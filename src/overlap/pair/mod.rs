@@ -3,6 +3,7 @@
 mod shared;
 mod shift;
 
+use super::piece::Whole;
 use super::solid::{BoundarySide, PlacedSolid};
 use crate::rounding::{gamma, upper_max};
 use glam::DVec3;
@@ -46,21 +47,24 @@ impl Pair {
         partners.retain([&a.patches, &b.patches], |whole| whole.side != BoundarySide::Unknown);
         let margins = [b.margin(&a), a.margin(&b)];
         let margin = upper_max(margins[0], margins[1]);
+        let mut are_parted = false;
         let vector = if partners.are_all() {
             DVec3::ZERO
         } else {
             // Half of this times the area is the width.
             let most = width / if a.area < b.area { a.area } else { b.area };
             let lengths = [PART_OF_CARRIERS, PART_OF_PIECES].map(|part| part * most);
-            let lengths = lengths.map(|length| length * moved_part(&a, &partners, diagonal));
+            let lengths = lengths.map(|length| length * moved_part(&a, &partners));
             let patches = [&a.patches, &b.patches];
             let lie_on = |length: &f64| lie_on_each_other(patches, &partners, *length);
             let length = if has_stalled { Some(lengths[1]) } else { lengths.into_iter().find(lie_on) };
+            are_parted = length.is_some();
             shift(patches, margin, length.unwrap_or(0.0))
         };
         let mut pair = Self { solids: [a, b], partners, shift: DVec3::ZERO, change: 0.0, margins };
         if vector != DVec3::ZERO {
-            pair = pair.shifted(-vector, margin);
+            pair = pair
+                .shifted(-vector, |whole| plane(whole, margin).is_some() || are_parted && is_parted(whole));
         }
         for (solid, placed) in pair.solids.iter_mut().enumerate() {
             for (index, whole) in placed.patches.wholes.iter_mut().enumerate() {
@@ -70,14 +74,14 @@ impl Pair {
         pair
     }
 
-    /// Moves the first solid. The motion separates plane patches, which then need no partners.
-    fn shifted(self, vector: DVec3, margin: f64) -> Self {
+    /// Moves the first solid. Patches that the motion parts need no partners then.
+    fn shifted(self, vector: DVec3, is_parted: impl Fn(&Whole) -> bool) -> Self {
         let Self { solids: [a, b], mut partners, .. } = self;
         let area = if a.area < b.area { a.area } else { b.area };
         let length = vector.length();
         let change = 0.5 * length * area * (1.0 + gamma(CHANGE_ROUNDINGS));
         let rounding = gamma(MOTION_ROUNDINGS) * (a.aabb.farthest_from_origin() + length);
-        partners.retain([&a.patches, &b.patches], |whole| plane(whole, margin).is_none());
+        partners.retain([&a.patches, &b.patches], |whole| !is_parted(whole));
         partners.add(length + rounding);
         let a = a.moved_by(vector, rounding);
         let margins = [b.margin(&a), a.margin(&b)];
@@ -85,13 +89,22 @@ impl Pair {
     }
 }
 
+/// Returns whether carriers tell a patch from one like it that a motion has parted from it: where that is longer than the
+/// error of both, they cross along curves and are apart elsewhere.
+fn is_parted(whole: &Whole) -> bool {
+    whole.exact_carrier().is_some()
+}
+
 /// Returns about the part of a motion for which what it changes of patches that are paired is no more than what it
 /// changes of the volume.
-fn moved_part(first: &PlacedSolid, partners: &Partners, diagonal: f64) -> f64 {
-    let paired = first.patches.faces().enumerate().filter(|&(index, _)| partners.of(0, index).is_some());
-    // A patch of this radius has about this area and border.
-    let change = |radius: f64| 4.0 * radius * radius + diagonal * 8.0 * radius / 3.0;
-    let sum: f64 = paired.map(|(_, whole)| change(whole.root.radius)).sum();
+fn moved_part(first: &PlacedSolid, partners: &Partners) -> f64 {
+    let faces = first.patches.faces().enumerate();
+    let paired = faces.filter(|&(index, whole)| partners.of(0, index).is_some() && !is_parted(whole));
+    let change = |whole: &Whole| {
+        let weight = first.patches.weight(whole, &whole.root, first.aabb.center(), 0.0);
+        weight.displacement(1.0, first.patches.slopes(whole, &whole.root).border())
+    };
+    let sum: f64 = paired.map(|(_, whole)| change(whole)).sum();
     if sum > first.area { first.area / sum } else { 1.0 }
 }
 
@@ -129,7 +142,7 @@ mod tests {
         let pair = Pair::new([disc, block], 1e-3, false);
         assert_eq!((pair.shift, pair.change), (DVec3::ZERO, 0.0));
         let length = 0.004;
-        let Pair { change, shift, .. } = pair.shifted(length * DVec3::Z, 1e-9);
+        let Pair { change, shift, .. } = pair.shifted(length * DVec3::Z, |_| false);
         assert_eq!(shift, length * DVec3::Z);
         assert!((PI * length..1.03 * PI * length).contains(&change), "{change}");
     }
