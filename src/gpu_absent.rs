@@ -3,12 +3,13 @@
 
 use crate::bezier::BezierModel;
 use crate::certified::BranchAndBound;
-use crate::closest::Target;
+use crate::closest::{Located, Target};
 use crate::error::{Error, Result};
 use crate::hierarchy::{GridTree, LevelBounds};
 use crate::iteration::{Candidate, Projected, Rule, Sampling, StatusCounts};
 use crate::model::RigidTransform;
 use crate::progress::Progress;
+use glam::DVec3;
 use std::marker::PhantomData;
 use std::ops::Range;
 use std::sync::Arc;
@@ -50,6 +51,10 @@ impl Gpu {
         match *self {}
     }
 
+    pub(crate) fn upload_point_target(&self, _: &Target) -> GpuPointTarget {
+        match *self {}
+    }
+
     pub(crate) fn upload_target(&self, _: &Target) -> GpuTarget {
         match *self {}
     }
@@ -79,6 +84,10 @@ pub(crate) enum GpuSampling {}
 #[derive(Debug)]
 pub(crate) enum GpuTarget {}
 
+/// Patches on a device, cut finely.
+#[derive(Debug)]
+pub(crate) enum GpuPointTarget {}
+
 /// A tree of cells on a device.
 #[derive(Debug)]
 pub(crate) enum GpuGridTree {}
@@ -98,6 +107,24 @@ impl GpuCertified {
     }
 
     pub(crate) async fn advance(&mut self, _: &mut BranchAndBound<'_>) -> Result<()> {
+        match *self {}
+    }
+}
+
+/// The kernel of closest points on a device.
+pub(crate) enum GpuPoints {}
+
+impl GpuPoints {
+    pub(crate) async fn new(
+        gpu: &Arc<Gpu>,
+        _: Arc<GpuPointTarget>,
+        _: f64,
+        _: usize,
+    ) -> Result<Option<Self>> {
+        match **gpu {}
+    }
+
+    pub(crate) async fn locate(&self, _: &[DVec3]) -> Result<Vec<Located>> {
         match *self {}
     }
 }

@@ -17,10 +17,6 @@ struct ProjectParams {
     column_count: u32,
 }
 
-// Boxes are tested by slightly less than their squared distance, so that
-// rounding excludes no patch with the nearest point.
-const BOX_ROUNDING: f32 = 1.0 - 1e-6;
-
 @group(0) @binding(0) var<uniform> params: ProjectParams;
 @group(0) @binding(1) var<storage, read> samples: array<vec4<f32>>;
 @group(0) @binding(2) var<storage, read_write> projected: array<Projected>;

@@ -18,6 +18,8 @@ pub use bounds::{DerivativeBounds, LocalDerivativeBounds, OrientedBox, PointErro
 pub use extraction::{BezierModel, PatchGrid, extract};
 pub(crate) use extraction::{center_grid, power_of_two_below, snapped, without_removable_knots};
 pub(crate) use grid_cells::{cell_pieces, uniform};
+#[cfg(feature = "gpu")]
+pub(crate) use patch::net_length;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 pub(crate) use patch::quarter_of_cylinder;
 pub(crate) use patch::{HomogeneousTangents, normal, relative};

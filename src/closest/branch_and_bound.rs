@@ -4,7 +4,7 @@ use super::separating_plane::distance_along;
 use super::{CriticalPoint, NearbyPatches, SquaredDistance, Target, nearest_control, newton};
 use crate::bezier::Patch;
 use crate::param_box::ParamBox;
-use crate::rounding::closest_rounding;
+use crate::rounding::{closest_rounding, lower_min};
 use glam::{DVec3, DVec4};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -30,6 +30,20 @@ pub struct Closest {
     pub upper: f64,
     /// A lower bound on the distance from the target point to the model.
     pub lower: f64,
+}
+
+/// A foot, and bounds on its patch and on all others.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Located {
+    /// The index of the foot's patch.
+    pub(crate) patch: u32,
+    /// Its parameters (s, t) there.
+    pub(crate) parameters: [f64; 2],
+    /// Both this and `others` are lower bounds on the distance from the point to parts of the model that together are the
+    /// whole; -∞ if nothing is known.
+    pub(crate) own: f64,
+    /// A lower bound on the distance from the point to all other patches; -∞ if nothing is known of them.
+    pub(crate) others: f64,
 }
 
 /// A set that may contain the closest point; small, as the heap moves it often.
@@ -118,10 +132,7 @@ pub(crate) fn closest_above(
     nearby: Option<&NearbyPatches>,
 ) -> Option<Closest> {
     let root = target.tree.nodes().first()?;
-    // The lower bound loses the rounding in the end, so a smaller gap cannot be had.
-    let rounding = closest_rounding(root.aabb.farthest_from_origin().max(point.length()));
-    let gap = gap.max(rounding);
-    let mut search = ClosestPointSearch { target, point, gap, queue: BinaryHeap::new(), incumbent: None };
+    let mut search = ClosestPointSearch::new(target, point, gap)?;
     if let Some((patch, parameters)) = incumbent {
         search.critical_point(patch, parameters);
     }
@@ -135,30 +146,40 @@ pub(crate) fn closest_above(
     } else {
         search.push(root.aabb.min_distance_squared(point), Region::Node(0));
     }
-    let mut sub_patches = 0;
-    let mut lower_squared = f64::INFINITY;
-    while let Some(QueueEntry { lower_bound, region }) = search.queue.pop() {
-        let upper = search.upper();
-        if lower_bound.sqrt() >= upper - gap || upper <= floor || sub_patches >= MAX_SUB_PATCHES {
-            lower_squared = lower_bound;
-            break;
-        }
-        match region {
-            Region::Node(node) => search.expand_node(node as usize),
-            Region::Patch(patch) => search.bound_patch(patch),
-            Region::SettledPatch(patch) => search.bound_patch_by_distance(patch),
-            Region::BoundedPatch(patch, form) => search.expand_patch(patch, *form),
-            Region::SubPatch(sub_patch) => {
-                sub_patches += 1;
-                search.expand_sub_patch(*sub_patch, lower_bound);
-            }
-        }
+    let lower = search.run(floor);
+    search.closest(lower)
+}
+
+/// Returns a foot that is as near as the whole model but for the gap. `None` if the bounds do not show that.
+pub(crate) fn closest_located(target: &Target, point: DVec3, gap: f64, located: &Located) -> Option<Closest> {
+    let Located { patch, parameters, own, others } = *located;
+    let ClosestPointSearch { gap, rounding, .. } = ClosestPointSearch::new(target, point, gap)?;
+    let foot = target.patches.patch(patch as usize).point(parameters);
+    let upper = foot.distance(point);
+    let least = lower_min(lower_min(f64::INFINITY, own), others);
+    // A NaN shows nothing.
+    (upper - gap <= least).then(|| {
+        let lower = (least.min(upper) - rounding).max(0.0);
+        Closest { patch: patch as usize, parameters, point: foot, upper, lower }
+    })
+}
+
+/// Returns the closest point as [`closest_above`] does, from a foot that is as near as all other patches but for the
+/// gap: only the foot's own patch is examined. `None` if the bound on the others does not show that.
+///
+/// The distance to the model is the smaller one of those to the foot's patch and to the others, and so is its
+/// lower bound.
+pub(crate) fn closest_beside(target: &Target, point: DVec3, gap: f64, located: Located) -> Option<Closest> {
+    let Located { patch, parameters, others, .. } = located;
+    let mut search = ClosestPointSearch::new(target, point, gap)?;
+    let foot = search.critical_point(patch, parameters);
+    // A NaN shows nothing.
+    if !(foot.distance_squared.sqrt() - search.gap <= others) {
+        return None;
     }
-    let (index, CriticalPoint { parameters, .. }) = search.incumbent?;
-    let upper = search.upper();
-    let lower = (lower_squared.sqrt().min(upper) - rounding).max(0.0);
-    let point = search.patch(index).point(parameters);
-    Some(Closest { patch: index as usize, parameters, point, upper, lower })
+    search.push(0.0, Region::Patch(patch));
+    let lower = lower_min(search.run(0.0), others);
+    search.closest(lower)
 }
 
 /// The state of one search: its queue, and the nearest point found.
@@ -166,12 +187,55 @@ struct ClosestPointSearch<'a> {
     target: &'a Target,
     point: DVec3,
     gap: f64,
+    /// The rounding of the lower bound (lemma R12 of docs/rounding.md).
+    rounding: f64,
     queue: BinaryHeap<QueueEntry>,
     /// The nearest foot found, and its patch.
     incumbent: Option<(u32, CriticalPoint)>,
 }
 
 impl<'a> ClosestPointSearch<'a> {
+    /// Returns a search with nothing to examine, or `None` for a target without patches.
+    fn new(target: &'a Target, point: DVec3, gap: f64) -> Option<Self> {
+        let root = target.tree.nodes().first()?;
+        let rounding = closest_rounding(root.aabb.farthest_from_origin().max(point.length()));
+        // The lower bound loses the rounding in the end, so a smaller gap cannot be had.
+        let gap = gap.max(rounding);
+        Some(Self { target, point, gap, rounding, queue: BinaryHeap::new(), incumbent: None })
+    }
+
+    /// Examines regions until the rest is farther than the incumbent less the gap, and returns a lower bound on the
+    /// distance to all that was queued, +∞ if nothing is left, but for rounding.
+    fn run(&mut self, floor: f64) -> f64 {
+        let mut sub_patches = 0;
+        while let Some(QueueEntry { lower_bound, region }) = self.queue.pop() {
+            let upper = self.upper();
+            if lower_bound.sqrt() >= upper - self.gap || upper <= floor || sub_patches >= MAX_SUB_PATCHES {
+                return lower_bound.sqrt();
+            }
+            match region {
+                Region::Node(node) => self.expand_node(node as usize),
+                Region::Patch(patch) => self.bound_patch(patch),
+                Region::SettledPatch(patch) => self.bound_patch_by_distance(patch),
+                Region::BoundedPatch(patch, form) => self.expand_patch(patch, *form),
+                Region::SubPatch(sub_patch) => {
+                    sub_patches += 1;
+                    self.expand_sub_patch(*sub_patch, lower_bound);
+                }
+            }
+        }
+        f64::INFINITY
+    }
+
+    /// Returns the incumbent with a lower bound on the distance, from which the rounding is subtracted.
+    fn closest(&self, least: f64) -> Option<Closest> {
+        let (index, CriticalPoint { parameters, .. }) = self.incumbent?;
+        let upper = self.upper();
+        let lower = (least.min(upper) - self.rounding).max(0.0);
+        let point = self.patch(index).point(parameters);
+        Some(Closest { patch: index as usize, parameters, point, upper, lower })
+    }
+
     fn patch(&self, index: u32) -> Patch<'a> {
         self.target.patches.patch(index as usize)
     }
@@ -318,6 +382,64 @@ mod tests {
     use super::*;
     use crate::bezier::extract;
     use crate::{Model, SurfaceArrays};
+
+    fn square(z: f64) -> SurfaceArrays {
+        SurfaceArrays {
+            degree: [1, 1],
+            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+            counts: [2, 2],
+            control_points: [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]]
+                .map(|[x, y]| [x, y, z, 1.0])
+                .to_vec(),
+        }
+    }
+
+    /// The bound on other patches counts as far as the gap permits it, and is the lower bound where it is the smaller one.
+    #[test]
+    fn a_bound_on_others_decides_within_the_gap() {
+        const GAP: f64 = 0.125;
+        let Ok(model) = Model::from_arrays(None, vec![square(-2.75), square(3.25)]) else { unreachable!() };
+        let target = Target::new(extract(&model).patches);
+        // The first square is 2.875 away, the second 3.125.
+        let point = DVec3::new(0.25, 0.0, 0.125);
+        let beside = |others: f64, parameters: [f64; 2]| {
+            closest_beside(&target, point, GAP, Located { patch: 0, parameters, own: f64::NAN, others })
+        };
+        let close = |found: f64, expected: f64| (found - expected).abs() <= 1e-12;
+        for (others, lower) in [(3.125, 2.875), (2.8125, 2.8125), (2.75, 2.75)] {
+            let Some(found) = beside(others, [0.625, 0.5]) else { unreachable!() };
+            assert!(close(found.upper, 2.875) && close(found.lower, lower), "{others}: {found:?}");
+            assert!(found.lower < lower, "rounding");
+        }
+        for others in [2.75 - 1e-9, f64::NEG_INFINITY, f64::NAN] {
+            assert_eq!(beside(others, [0.625, 0.5]), None, "{others}");
+        }
+        // A foot that is not the closest point of its patch is a start; what is needed of others is by its distance.
+        let Some(found) = beside(3.125, [0.25, 0.75]) else { unreachable!() };
+        assert!(close(found.upper, 2.875) && close(found.lower, 2.875), "{found:?}");
+    }
+
+    /// A foot whose distance exceeds neither bound by more than the gap is the result, with the smaller bound.
+    #[test]
+    fn bounds_on_all_decide_within_the_gap() {
+        const GAP: f64 = 0.125;
+        let Ok(model) = Model::from_arrays(None, vec![square(-2.75), square(3.25)]) else { unreachable!() };
+        let target = Target::new(extract(&model).patches);
+        let point = DVec3::new(0.25, 0.0, 0.125);
+        let located = |own: f64, others: f64| {
+            closest_located(&target, point, GAP, &Located { patch: 0, parameters: [0.625, 0.5], own, others })
+        };
+        for (own, others, lower) in [(2.875, 3.125, 2.875), (2.8, 3.125, 2.8), (3.0, 2.75, 2.75)] {
+            let Some(found) = located(own, others) else { unreachable!() };
+            assert_eq!((found.patch, found.parameters, found.upper), (0, [0.625, 0.5], 2.875));
+            assert!(found.lower < lower && lower - found.lower <= 1e-12, "{found:?}");
+        }
+        for (own, others) in
+            [(2.7, 3.0), (3.0, 2.7), (f64::NAN, 3.0), (3.0, f64::NAN), (f64::NEG_INFINITY, 3.0)]
+        {
+            assert_eq!(located(own, others), None, "{own} {others}");
+        }
+    }
 
     /// A patch with nearly parallel axes passes the point at a distance larger than the gap. The lower bounds of
     /// many of its parts stay 0 until the search gives up. A square whose box contains the point is nearer.

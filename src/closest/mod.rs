@@ -15,8 +15,8 @@ mod separating_plane;
 mod tangent_plane;
 mod target;
 
-pub(crate) use branch_and_bound::closest_above;
 pub use branch_and_bound::{Closest, closest};
+pub(crate) use branch_and_bound::{Located, closest_above, closest_beside, closest_located};
 pub use critical_point::CriticalPoint;
 pub use distance_polynomial::SquaredDistance;
 pub use initial_guess::nearest_control;

@@ -152,7 +152,7 @@ impl Engine {
     }
 
     /// Returns the GPU for a requested backend, or `None` for the CPU.
-    fn gpu_for(&self, backend: Backend) -> Result<Option<Arc<Gpu>>> {
+    pub(super) fn gpu_for(&self, backend: Backend) -> Result<Option<Arc<Gpu>>> {
         let gpu = locked(&self.gpu).clone().filter(|_| backend != Backend::Cpu);
         if gpu.is_none() && backend == Backend::Gpu {
             return Err(match &*locked(&self.missing) {
@@ -224,7 +224,7 @@ impl Engine {
 
     /// Replaces a lost device by a new one, or by the CPU if it was not the first. Another
     /// thread that lost it as well may have done so already.
-    async fn replace(&self, lost: &Arc<Gpu>, found: &str, backend: Backend) -> Result<()> {
+    pub(super) async fn replace(&self, lost: &Arc<Gpu>, found: &str, backend: Backend) -> Result<()> {
         let _turn = self.replacing.lock().await;
         if !locked(&self.gpu).as_ref().is_some_and(|gpu| Arc::ptr_eq(gpu, lost)) {
             return self.gpu_for(backend).map(drop);

@@ -2,9 +2,9 @@
 
 use super::Gpu;
 use super::buffers::MAX_BINDING_BYTES;
-use super::float32::{normalizing_power, round};
+use super::float32::{ScaledPatch, round};
 use crate::bezier::PatchSet;
-use glam::{DVec3, DVec4};
+use glam::DVec3;
 
 /// The control points of patches of one pair of degrees on the GPU.
 #[derive(Debug)]
@@ -52,11 +52,9 @@ impl Gpu {
         let mut centers: Vec<[f32; 4]> = Vec::with_capacity(members.len());
         for &member in members {
             let patch = patches.patch(member as usize);
-            let max_weight = patch.controls.iter().map(|control| control.w).fold(0.0, f64::max);
-            let weight_scale = normalizing_power(max_weight);
-            let scaled = |&control: &DVec4| round(weight_scale * control * DVec3::splat(scale).extend(1.0));
-            controls.extend(patch.controls.iter().map(scaled));
-            centers.push(round((scale * (patch.center - origin)).extend(0.0)));
+            let scaled = ScaledPatch::new(&patch, origin, scale);
+            controls.extend(scaled.controls().map(round));
+            centers.push(round(scaled.center.extend(0.0)));
         }
         Controls { controls: self.upload("controls", &controls), centers: self.upload("centers", &centers) }
     }

@@ -1,7 +1,7 @@
 //! Kernels: their WGSL text and bindings, and the pipelines made of them at first use.
 
 use super::constants::Constant;
-use super::patch_wgsl::patch_wgsl;
+use super::patch_wgsl::{binomials_wgsl, patch_wgsl};
 use crate::threads::locked;
 use std::num::NonZeroU64;
 use std::sync::{Arc, Mutex};
@@ -37,6 +37,8 @@ pub(crate) enum Evaluation {
     None,
     /// The degrees `P` and `Q`, and the functions of [`patch_wgsl`].
     Bernstein([usize; 2]),
+    /// The same, with the binomial coefficients of [`binomials_wgsl`].
+    Squares([usize; 2]),
     /// The degrees `P` and `Q` only.
     PowerForm([usize; 2]),
 }
@@ -74,6 +76,10 @@ impl Kernel {
         match self.evaluation {
             Evaluation::None => {}
             Evaluation::Bernstein(degree) => text += &patch_wgsl(degree),
+            Evaluation::Squares(degree) => {
+                text += &patch_wgsl(degree);
+                text += &binomials_wgsl(degree);
+            }
             Evaluation::PowerForm([p, q]) => {
                 text += &Constant::u32("P", p as u32).to_string();
                 text += &Constant::u32("Q", q as u32).to_string();

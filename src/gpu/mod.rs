@@ -5,8 +5,9 @@
 //! | `device`, `buffers` | the device, its errors and its buffers |
 //! | `submission`, `throughput` | submissions of bounded duration |
 //! | `kernel`, `constants`, `patch_wgsl` | WGSL text, specialised by degree, and the pipelines made of it |
-//! | `float32`, `degree_groups`, `residency` | models in float32: rounding, patches by degree, copies kept on a device |
+//! | `float32`, `degree_groups`, `target`, `residency` | models in float32: rounding, patches by degree with their trees, copies kept on a device |
 //! | `iteration`, `hierarchy`, `certified` | one driver per method, each with the kernels in the folder of `shaders` of the same name |
+//! | `points` | the same for closest points of many points |
 //! | `testing` | benchmarks of single stages, and tests of the float32 error bounds |
 //!
 //! Every bound that a kernel computes accounts for float32's rounding, so the
@@ -24,8 +25,10 @@ mod hierarchy;
 mod iteration;
 mod kernel;
 mod patch_wgsl;
+mod points;
 mod residency;
 mod submission;
+mod target;
 #[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
 mod testing;
 mod throughput;
@@ -34,8 +37,10 @@ pub(crate) use certified::GpuCertified;
 pub use device::Gpu;
 pub(crate) use device::Turn;
 pub(crate) use hierarchy::{GpuGridTree, GpuHierarchy, Placement};
-pub(crate) use iteration::{GpuIteration, GpuSampling, GpuTarget};
+pub(crate) use iteration::{GpuIteration, GpuSampling};
+pub(crate) use points::{GpuPointTarget, GpuPoints};
 pub(crate) use residency::Resident;
+pub(crate) use target::GpuTarget;
 #[cfg(not(target_arch = "wasm32"))]
 #[doc(hidden)]
 #[cfg(all(feature = "internals", not(target_arch = "wasm32")))]

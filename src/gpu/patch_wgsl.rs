@@ -14,6 +14,29 @@ pub(crate) fn patch_wgsl(degree: [usize; 2]) -> String {
     text
 }
 
+/// Generates `binomial_s` and `binomial_t`, the binomial coefficients of the degrees, and `inverse_s` and `inverse_t`, the
+/// inverses of those of twice the degrees: each rounded once.
+pub(crate) fn binomials_wgsl(degree: [usize; 2]) -> String {
+    let mut text = String::new();
+    for (axis, degree) in ["s", "t"].into_iter().zip(degree) {
+        let plain = binomials(degree);
+        let inverse: Vec<f64> = binomials(2 * degree).iter().map(|binomial| binomial.recip()).collect();
+        for (name, values) in [("binomial", plain), ("inverse", inverse)] {
+            let entries = list(values.len(), ", ", &|k| format!("{:e}f", values[k] as f32));
+            let count = values.len();
+            // Writing to a string does not fail.
+            let _ = writeln!(text, "const {name}_{axis} = array<f32, {count}>({entries});");
+        }
+    }
+    text
+}
+
+/// The binomial coefficients of a degree, exact up to degree 30.
+fn binomials(degree: usize) -> Vec<f64> {
+    let next = |&(k, binomial): &(usize, f64)| Some((k + 1, binomial * (degree - k) as f64 / (k + 1) as f64));
+    std::iter::successors(Some((0, 1.0)), next).take(degree + 1).map(|(_, binomial)| binomial).collect()
+}
+
 fn write(text: &mut String, [p, q]: [usize; 2]) -> std::fmt::Result {
     let order = p.max(q) + 1;
     writeln!(text, "const P: u32 = {p}u;\nconst Q: u32 = {q}u;")?;

@@ -270,6 +270,8 @@ struct ClosestPointArrays {
     #[serde(with = "serde_wasm_bindgen::preserve")]
     parameters: Float64Array,
     signs: Signs,
+    #[serde(rename = "decidedOnGpu")]
+    decided_on_gpu: usize,
 }
 
 /// Closest points as typed arrays.
@@ -285,6 +287,7 @@ pub(super) fn closest_points(found: &ClosestPoints) -> std::result::Result<JsVal
         faces: found.faces.as_slice().into(),
         parameters: found.parameters.as_slice().into(),
         signs: found.signs,
+        decided_on_gpu: found.decided_on_gpu,
     })
 }
 

@@ -6,6 +6,7 @@
 mod support;
 
 mod certified_gpu;
+mod closest_points;
 mod float32_extremes;
 mod iteration_kernels;
 #[cfg(target_os = "linux")]

@@ -37,6 +37,7 @@ const ALLOWED: &[(&str, &str, &str)] = &[
         "coordinates of a valid surface are numbers",
     ),
     ("bezier/bounds/oriented_box.rs", "low.min(coordinates)", "vectors, of finite coordinates"),
+    ("bezier/patch/subdivide.rs", "longest.max(", "chooses the axis to halve"),
     ("bezier/bounds/point_error.rs", "self.", "formed from finite radii and centres"),
     ("certified/bounds/bilinear.rs", "foot.parameters[axis]", "parameters of feet are in [0, 1]"),
     (

@@ -8,6 +8,8 @@ mod testing;
 
 pub use evaluate::Jet;
 pub(crate) use evaluate::normal;
+#[cfg(feature = "gpu")]
+pub(crate) use subdivide::net_length;
 pub(crate) use tensor_grid::HomogeneousTangents;
 #[cfg(all(test, not(target_arch = "wasm32")))]
 pub(crate) use testing::quarter_of_cylinder;

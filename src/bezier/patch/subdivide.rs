@@ -104,6 +104,29 @@ fn keep_low(line: &mut [DVec4], [complement, end]: [f64; 2]) {
     }
 }
 
+/// Returns an upper bound on the length of the control polygons along an axis: the sum
+/// of the longest differences of neighbouring controls.
+#[cfg(feature = "gpu")]
+pub(crate) fn net_length(patch: &Patch<'_>, axis: usize) -> f64 {
+    let columns = patch.degree[1] + 1;
+    let points: Vec<_> = patch.local_points().collect();
+    let (differences, lines, along, across) = if axis == 0 {
+        (patch.degree[0], columns, columns, 1)
+    } else {
+        (patch.degree[1], patch.degree[0] + 1, 1, columns)
+    };
+    let mut sum = 0.0;
+    for k in 0..differences {
+        let mut longest = 0.0_f64;
+        for line in 0..lines {
+            let from = k * along + line * across;
+            longest = longest.max(points[from].distance(points[from + along]));
+        }
+        sum += longest;
+    }
+    sum
+}
+
 impl PatchSet {
     /// Appends `patch` with its centre moved to the middle of its control
     /// points, rounded to the grid of spacing `grid`.

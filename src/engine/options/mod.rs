@@ -11,11 +11,11 @@ use crate::model::RigidTransform;
 use method::COUNTS;
 pub use method::{CertifiedOptions, HierarchyOptions, IterationOptions, Method, MethodName};
 pub use named::NamedOptions;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
 
 /// Where the kernels run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Backend {

@@ -48,7 +48,7 @@ impl Engine {
         Computation::new(move |mut watched| {
             Box::pin(async move {
                 let order: Vec<u32> = (0..(points.len() / 3) as u32).collect();
-                closest_points_along(model, points, &order, options, watched.monitor()).await
+                closest_points_along(model, points, &order, options, None, watched.monitor()).await
             })
         })
     }

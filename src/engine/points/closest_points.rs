@@ -1,9 +1,11 @@
 //! The closest points of a model to given points.
 
 use super::order::along_curve;
-use super::query::{Foot, Known, Measured, PointQuery};
-use crate::engine::{Computation, Engine, PreparedModel, Signs};
+use super::query::{Foot, Found, Known, Measured, PointQuery};
+use crate::closest::Located;
+use crate::engine::{Backend, Computation, Engine, PreparedModel, Signs};
 use crate::error::{Error, Result};
+use crate::gpu::Gpu;
 use crate::limits::is_in_range;
 use crate::model::RigidTransform;
 use crate::progress::{Monitor, Progress};
@@ -11,10 +13,15 @@ use crate::threads::parallel::map_ranges;
 use crate::tolerance::{PermittedWidth, not_negative};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// The number of points between two checkpoints: some tens of milliseconds of work on
 /// all cores, and in WebAssembly, on one thread, fewer than a frame of a display takes.
 const POINTS_AT_ONCE: usize = if cfg!(target_arch = "wasm32") { 1024 } else { 8192 };
+
+/// The number of points that the GPU locates at once, a multiple of [`POINTS_AT_ONCE`]: enough for hardware, and few
+/// megabytes.
+const LOCATED_AT_ONCE: usize = 1 << 16;
 
 /// The excess of a distance, as a fraction of the diagonal, unless the options state one.
 const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-9;
@@ -33,6 +40,10 @@ pub struct ClosestPointOptions {
     /// Distances up to this, in model units, have the sign 0, which is then not decided: beside the
     /// faces of a solid a sign takes many times as long as the distance. 0, the default, decides all.
     pub sign_tolerance: f64,
+    /// Where feet are looked for. On a GPU every point gets a foot and a bound in float32, and the CPU searches where these
+    /// do not decide the distance. [`Backend::Cpu`] unless stated, as no hardware was measured. [`Backend::Auto`] takes a
+    /// GPU that is no software. Meshes and clouds are searched on the CPU.
+    pub backend: Backend,
     /// Moves the points before they are measured. It is neither serialized nor deserialized, because only
     /// [`RigidTransform::new`] makes one.
     #[serde(skip)]
@@ -42,7 +53,8 @@ pub struct ClosestPointOptions {
 impl Default for ClosestPointOptions {
     fn default() -> Self {
         let transform = RigidTransform::IDENTITY;
-        Self { tolerance: None, relative_tolerance: None, sign_tolerance: 0.0, transform }
+        let backend = Backend::Cpu;
+        Self { tolerance: None, relative_tolerance: None, sign_tolerance: 0.0, backend, transform }
     }
 }
 
@@ -66,6 +78,8 @@ pub struct ClosestPoints {
     pub parameters: Vec<f64>,
     /// What the signs stand for.
     pub signs: Signs,
+    /// The number of points that the GPU's feet and bounds decided; the CPU searched for the others.
+    pub decided_on_gpu: usize,
 }
 
 impl Engine {
@@ -78,9 +92,13 @@ impl Engine {
     /// order they are given. Results do not depend on the number of threads.
     /// O(points log patches) in general position.
     ///
+    /// With a GPU the guarantee is the same (lemmas P2 to P4 of docs/points.md), and results may depend on the device
+    /// within the bounds.
+    ///
     /// # Errors
     /// [`Error::PointOutOfRange`] for a coordinate that is not finite or above 1e100 in
     /// size, and for a last point of fewer than three; [`Error::OptionOutOfRange`];
+    /// [`Error::NoAdapter`] or [`Error::DeviceLost`] with [`Backend::Gpu`] only; [`Error::GpuFailed`];
     /// [`Error::Cancelled`].
     pub fn closest_points<'a>(
         &'a self,
@@ -89,12 +107,39 @@ impl Engine {
         options: &'a ClosestPointOptions,
     ) -> Computation<'a, ClosestPoints> {
         Computation::new(move |mut watched| {
-            Box::pin(async move { closest_points_of(model, points, options, watched.monitor()).await })
+            Box::pin(async move { self.closest_points_on(model, points, options, watched.monitor()).await })
         })
     }
 }
 
-/// Returns the closest points of a model to `points`, as [`Engine::closest_points`] does.
+impl Engine {
+    /// Measures on the backend of the options, again if the device is lost.
+    async fn closest_points_on(
+        &self,
+        model: &PreparedModel,
+        points: &[f64],
+        options: &ClosestPointOptions,
+        monitor: &mut dyn Monitor,
+    ) -> Result<ClosestPoints> {
+        require_in_range(points)?;
+        let order = along_curve(points);
+        loop {
+            let device = self.gpu_for(options.backend)?;
+            // A software adapter takes longer than the search that it saves.
+            let helps = |gpu: &&Arc<Gpu>| options.backend == Backend::Gpu || !gpu.is_software();
+            let gpu = device.as_ref().filter(helps);
+            let found = closest_points_along(model, points, &order, options, gpu, monitor).await;
+            match (found, gpu) {
+                (Err(Error::DeviceLost { found }), Some(lost)) => {
+                    self.replace(lost, &found, options.backend).await?;
+                }
+                (found, _) => return found,
+            }
+        }
+    }
+}
+
+/// Returns the closest points of a model to `points`, as [`Engine::closest_points`] does on the CPU.
 ///
 /// # Errors
 /// Those of [`Engine::closest_points`].
@@ -104,11 +149,12 @@ pub(in crate::engine) async fn closest_points_of(
     options: &ClosestPointOptions,
     monitor: &mut dyn Monitor,
 ) -> Result<ClosestPoints> {
-    closest_points_along(model, points, &along_curve(points), options, monitor).await
+    closest_points_along(model, points, &along_curve(points), options, None, monitor).await
 }
 
 /// Returns the same, in the order of these indices of all points. The foot of one point is the start of the next,
-/// up to the end of a range of [`RANGE_LENGTH`](crate::threads::parallel::RANGE_LENGTH) points.
+/// up to the end of a range of [`RANGE_LENGTH`](crate::threads::parallel::RANGE_LENGTH) points; on a GPU, each point has
+/// its own start.
 ///
 /// # Errors
 /// Those of [`Engine::closest_points`].
@@ -117,9 +163,10 @@ pub(super) async fn closest_points_along(
     points: &[f64],
     order: &[u32],
     options: &ClosestPointOptions,
+    gpu: Option<&Arc<Gpu>>,
     monitor: &mut dyn Monitor,
 ) -> Result<ClosestPoints> {
-    let ClosestPointOptions { tolerance, relative_tolerance, sign_tolerance, transform } = *options;
+    let ClosestPointOptions { tolerance, relative_tolerance, sign_tolerance, transform, .. } = *options;
     let permitted = PermittedWidth { tolerance, relative_tolerance };
     permitted.validate()?;
     not_negative("sign tolerance", sign_tolerance)?;
@@ -129,17 +176,35 @@ pub(super) async fn closest_points_along(
     let query = measured.query().ok_or(Error::EmptyModel)?;
     let mut progress = Progress::new(monitor, false);
     let mut found = ClosestPoints::of_count(order.len(), query.signs());
-    for (page, indices) in order.chunks(POINTS_AT_ONCE).enumerate() {
-        let parts = map_ranges(indices.len(), |range| {
-            let mut known = Known::default();
-            let of_point = |&index: &u32| measure(&query, points, index, &transform, &mut known);
-            indices[range].iter().map(of_point).collect::<Option<Vec<_>>>()
-        });
-        for measured in parts {
-            measured.ok_or(Error::EmptyModel)?.iter().for_each(|measured| found.set(measured));
+    let stage = match gpu {
+        Some(gpu) => measured.on_gpu(gpu, LOCATED_AT_ONCE.min(order.len())).await?,
+        None => None,
+    };
+    let mut done = 0;
+    for page in order.chunks(LOCATED_AT_ONCE) {
+        let located = match (&stage, gpu) {
+            (Some(stage), Some(gpu)) => {
+                let _turn = gpu.turn().await;
+                let point = |&index: &u32| transform.apply(DVec3::from_slice(&points[3 * index as usize..]));
+                stage.locate(&page.iter().map(point).collect::<Vec<_>>()).await?
+            }
+            _ => Vec::new(),
+        };
+        for (block, indices) in page.chunks(POINTS_AT_ONCE).enumerate() {
+            let located = located.get(block * POINTS_AT_ONCE..).unwrap_or_default();
+            let parts = map_ranges(indices.len(), |range| {
+                let mut known = Known::default();
+                let of_point = |place: usize| {
+                    measure(&query, points, indices[place], &transform, located.get(place), &mut known)
+                };
+                range.map(of_point).collect::<Option<Vec<_>>>()
+            });
+            for measured in parts {
+                measured.ok_or(Error::EmptyModel)?.iter().for_each(|measured| found.set(measured));
+            }
+            done += indices.len();
+            progress.checkpoint(done as f64 / order.len() as f64).await?;
         }
-        let done = page * POINTS_AT_ONCE + indices.len();
-        progress.checkpoint(done as f64 / order.len() as f64).await?;
     }
     progress.finish();
     Ok(found)
@@ -152,6 +217,7 @@ struct Entries {
     bound: f64,
     signed: f64,
     foot: Foot,
+    located: bool,
 }
 
 /// Measures the point of an index, moved; `None` of a model without patches.
@@ -160,14 +226,16 @@ fn measure(
     points: &[f64],
     index: u32,
     transform: &RigidTransform,
+    located: Option<&Located>,
     known: &mut Known,
 ) -> Option<Entries> {
     let index = index as usize;
     let local = DVec3::from_slice(&points[3 * index..]);
     let point = transform.apply(local);
-    let found = query.closest(point, transform.rounding(local.length()), known)?;
+    let found = query.closest_from(point, transform.rounding(local.length()), located, known)?;
     let signed = query.signed(point, &found, known);
-    Some(Entries { index, distance: found.distance, bound: found.bound, signed, foot: found.foot() })
+    let Found { distance, bound, located, .. } = found;
+    Some(Entries { index, distance, bound, signed, foot: found.foot(), located })
 }
 
 /// Accepts points, x, y, z each, whose coordinates are of at most 1e100 in size.
@@ -196,14 +264,16 @@ impl ClosestPoints {
             faces: vec![0; count],
             parameters: vec![0.0; 2 * count],
             signs,
+            decided_on_gpu: 0,
         }
     }
 
-    fn set(&mut self, &Entries { index, distance, bound, signed, ref foot }: &Entries) {
+    fn set(&mut self, &Entries { index, distance, bound, signed, ref foot, located }: &Entries) {
         self.distances[index] = distance;
         self.bounds[index] = bound;
         self.signed[index] = signed;
         self.feet[3 * index..][..3].copy_from_slice(&foot.point.to_array());
+        self.decided_on_gpu += usize::from(located);
         self.faces[index] = foot.face as u32;
         self.parameters[2 * index..][..2].copy_from_slice(&foot.parameters);
     }

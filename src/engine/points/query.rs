@@ -1,12 +1,14 @@
 //! The closest point of a model to one point.
 
 use crate::bezier::{Jet, Patch};
-use crate::closest::{Target, closest_above, newton};
+use crate::closest::{Closest, Located, Target, closest_above, closest_beside, closest_located, newton};
 use crate::engine::PreparedModel;
 use crate::engine::prepared::PreparedTarget;
 use crate::engine::signs::{self, SignFoot, SignRule, SignSource, Signs};
+use crate::error::Result;
 use crate::facets::{Nearest, PreparedFacets, facet_rounding};
 use crate::flatness::{Flatness, MAX_HALVINGS};
+use crate::gpu::{Gpu, GpuPoints};
 use crate::pieces::FacePieces;
 use crate::rounding::{VANISHING_LENGTH, gamma};
 use glam::DVec3;
@@ -60,6 +62,8 @@ pub(super) struct Found<'a> {
     pub(super) distance: f64,
     /// The distance of the model is within it of `distance`.
     pub(super) bound: f64,
+    /// Whether the foot and the bound of a kernel decided it.
+    pub(super) located: bool,
     /// A lower bound on the distance to the model as its boundary is known to the signs.
     clear: f64,
     place: Place<'a>,
@@ -86,6 +90,17 @@ impl<'a> Measured<'a> {
         Self { model, flat, signs: SignSource::new(model, sign_tolerance), gap }
     }
 
+    /// Returns the kernel of closest points on the model's patches, for so many points at once; none of a mesh or a cloud, and of patches that float32
+    /// cannot bound.
+    ///
+    /// # Errors
+    /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`].
+    pub(super) async fn on_gpu(&self, gpu: &Arc<Gpu>, capacity: usize) -> Result<Option<GpuPoints>> {
+        let Some(flat) = &self.flat else { return Ok(None) };
+        let target = flat.located.on(gpu, |gpu| gpu.upload_point_target(&flat.target))?;
+        GpuPoints::new(gpu, target, self.gap, capacity).await
+    }
+
     pub(super) fn query(&self) -> Option<PointQuery<'_>> {
         let kind = match (self.model.facets(), &self.flat) {
             (Some(facets), _) => Kind::Facets(facets, facets.target.bounding_box().farthest_from_origin()),
@@ -109,10 +124,28 @@ impl<'a> PointQuery<'a> {
 
     /// Returns the closest point to a point that is known within `error`; `None` of a model without patches.
     pub(super) fn closest(&self, point: DVec3, error: f64, known: &mut Known) -> Option<Found<'a>> {
+        self.closest_from(point, error, None, known)
+    }
+
+    /// Returns the same, with a foot that a kernel found. Where its bound on all other patches does not decide the
+    /// point, the foot is a start.
+    pub(super) fn closest_from(
+        &self,
+        point: DVec3,
+        error: f64,
+        located: Option<&Located>,
+        known: &mut Known,
+    ) -> Option<Found<'a>> {
         match self.kind {
             Kind::Patches { target, pieces, point_error, gap } => {
-                let start = known.place.map(|known| foot_from(target, point, known));
-                let closest = closest_above(target, point, gap, start, 0.0, None)?;
+                let decided = located.and_then(|located| decided(target, point, gap, located));
+                let is_decided = decided.is_some();
+                let searched = || {
+                    let start = located.map(|located| (located.patch, located.parameters)).or(known.place);
+                    let start = start.map(|start| foot_from(target, point, start));
+                    closest_above(target, point, gap, start, 0.0, None)
+                };
+                let closest = decided.or_else(searched)?;
                 known.place = Some((closest.patch as u32, closest.parameters));
                 let (patch, parameters) = (target.patches.patch(closest.patch), closest.parameters);
                 let rounding =
@@ -120,6 +153,7 @@ impl<'a> PointQuery<'a> {
                 Some(Found {
                     distance: closest.upper,
                     bound: closest.upper - closest.lower + rounding,
+                    located: is_decided,
                     clear: closest.lower,
                     place: Place::Patch { patch, parameters, jet: patch.jet(parameters), pieces },
                 })
@@ -131,7 +165,8 @@ impl<'a> PointQuery<'a> {
                 known.place = Some((foot.facet, [0.0; 2]));
                 let distance = foot.distance_squared.sqrt();
                 let place = Place::Facet { facets, facet: foot.facet, nearest };
-                Some(Found { distance, bound: distance - lower + rounding, clear: lower - rounding, place })
+                let (bound, clear) = (distance - lower + rounding, lower - rounding);
+                Some(Found { distance, bound, located: false, clear, place })
             }
         }
     }
@@ -168,6 +203,15 @@ impl Found<'_> {
             },
         }
     }
+}
+
+/// Returns the closest point where a kernel's foot and bounds decide it: both bounds, or that on other patches with the
+/// search of the foot's own one.
+fn decided(target: &Target, point: DVec3, gap: f64, located: &Located) -> Option<Closest> {
+    closest_located(target, point, gap, located).or_else(|| {
+        let (patch, parameters) = foot_from(target, point, (located.patch, located.parameters));
+        closest_beside(target, point, gap, Located { patch, parameters, ..*located })
+    })
 }
 
 /// Returns the foot to which Newton's iteration comes on a patch from a foot of another point, the

@@ -13,7 +13,7 @@ use crate::embedded::SelfOverlap;
 use crate::error::Result;
 use crate::facts::Facts;
 use crate::flatness::{Cuts, FlatPatches, Flatness, MAX_HALVINGS, Places, flatten, recut};
-use crate::gpu::{GpuGridTree, GpuSampling, GpuTarget, Resident};
+use crate::gpu::{GpuGridTree, GpuPointTarget, GpuSampling, GpuTarget, Resident};
 use crate::hierarchy::{GridTree, GridTreeBuilder};
 use crate::iteration::{CoveringRadius, Sampling, SamplingRule};
 use crate::progress::Progress;
@@ -68,6 +68,8 @@ pub(crate) struct PreparedTarget {
     cuts: Cuts,
     bounds: OnceLock<Vec<LocalDerivativeBounds>>,
     pub(crate) resident: Resident<GpuTarget>,
+    /// The same, cut finely for closest points.
+    pub(crate) located: Resident<GpuPointTarget>,
 }
 
 impl PreparedTarget {
@@ -79,6 +81,7 @@ impl PreparedTarget {
             cuts: flat.cuts,
             bounds: OnceLock::new(),
             resident: Resident::default(),
+            located: Resident::default(),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::layouts::LEVELS;
 use crate::axis::Axis;
-use crate::bezier::{Patch, PatchSet, center_grid};
+use crate::bezier::{Patch, PatchSet, center_grid, net_length};
 use crate::certified::Cell;
 use crate::model::RigidTransform;
 use glam::{DVec4, Vec4Swizzles};
@@ -151,26 +151,4 @@ impl Subpatches {
         let half = [0, 1].map(|axis| 0.5 * cell.half[axis] * domain.width[axis]);
         Cell { patch: domain.patch, center: domain.patch_parameters(cell.center), half }
     }
-}
-
-/// An upper bound on the length of the control polygons along an axis: the sum
-/// of the longest differences of neighbouring controls.
-fn net_length(patch: &Patch<'_>, axis: usize) -> f64 {
-    let columns = patch.degree[1] + 1;
-    let points: Vec<_> = patch.local_points().collect();
-    let (differences, lines, along, across) = if axis == 0 {
-        (patch.degree[0], columns, columns, 1)
-    } else {
-        (patch.degree[1], patch.degree[0] + 1, 1, columns)
-    };
-    let mut sum = 0.0;
-    for k in 0..differences {
-        let mut longest = 0.0_f64;
-        for line in 0..lines {
-            let from = k * along + line * across;
-            longest = longest.max(points[from].distance(points[from + along]));
-        }
-        sum += longest;
-    }
-    sum
 }

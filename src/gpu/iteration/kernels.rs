@@ -12,8 +12,10 @@ use crate::iteration::{BLOCK_SIZE, Culling};
 pub(crate) const PROJECTED: Source =
     Source { constants: PROJECTED_CONSTANTS, text: include_str!("../../../shaders/shared/projected.wgsl") };
 
-const FOOT: Source = Source::new(include_str!("../../../shaders/shared/foot.wgsl"));
-const NEWTON: Source = Source {
+/// The result of an iteration on one patch.
+pub(crate) const FOOT: Source = Source::new(include_str!("../../../shaders/shared/foot.wgsl"));
+/// Newton's method on one patch.
+pub(crate) const NEWTON: Source = Source {
     constants: &[Constant::u32("MAX_HALVINGS", MAX_HALVINGS)],
     text: include_str!("../../../shaders/shared/newton.wgsl"),
 };
@@ -23,6 +25,8 @@ const PROJECT: Source = Source {
     constants: &[Constant::u32("TILE_COLUMNS", TILE[0] as u32), Constant::u32("TILE_ROWS", TILE[1] as u32)],
     text: include_str!("../../../shaders/iteration/project.wgsl"),
 };
+/// The hierarchy over a group's patches.
+pub(crate) const TREE: Source = Source::new(include_str!("../../../shaders/shared/tree.wgsl"));
 const PROJECT_TREE: Source = Source::new(include_str!("../../../shaders/iteration/project_tree.wgsl"));
 const REDUCE: Source = Source {
     constants: &[Constant::u32("BLOCK_SIZE", BLOCK_SIZE as u32)],
@@ -48,14 +52,14 @@ pub(crate) fn project(degree: [usize; 2], projection: Projection, culling: Culli
             ("project_all, newton", &[JET, PATCH, PROJECTED, FOOT, NEWTON, PROJECT])
         }
         (Projection::Newton, Culling::Tree) => {
-            ("project_tree, newton", &[JET, PATCH, PROJECTED, FOOT, NEWTON, PROJECT, PROJECT_TREE])
+            ("project_tree, newton", &[JET, PATCH, PROJECTED, FOOT, NEWTON, PROJECT, TREE, PROJECT_TREE])
         }
         (Projection::TangentPlane, Culling::None) => {
             ("project_all, tangent_plane", &[JET, PATCH, PROJECTED, FOOT, TANGENT_PLANE, PROJECT])
         }
         (Projection::TangentPlane, Culling::Tree) => (
             "project_tree, tangent_plane",
-            &[JET, PATCH, PROJECTED, FOOT, TANGENT_PLANE, PROJECT, PROJECT_TREE],
+            &[JET, PATCH, PROJECTED, FOOT, TANGENT_PLANE, PROJECT, TREE, PROJECT_TREE],
         ),
     };
     Kernel {

@@ -50,16 +50,6 @@ pub(crate) struct ProjectParams {
     pub(crate) column_count: u32,
 }
 
-/// `Node` of `project_tree.wgsl`.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, Pod, Zeroable)]
-pub(crate) struct Node {
-    pub(crate) box_min: [f32; 3],
-    pub(crate) code: u32,
-    pub(crate) box_max: [f32; 3],
-    pub(crate) right_child: u32,
-}
-
 /// `Projected` of `projected.wgsl`.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]

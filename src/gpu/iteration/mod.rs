@@ -4,15 +4,14 @@ pub(crate) mod kernels;
 pub(crate) mod layouts;
 mod sampling;
 mod schedule;
-mod target;
 
 pub(crate) use sampling::GpuSampling;
-pub(crate) use target::{GpuTarget, TargetGroup};
 
 use super::Gpu;
 use super::float32::{UNKNOWN_DISTANCE, motion_error, round, round_down};
 use super::kernel::{Kernel, Pipeline, WORKGROUP_SIZE};
 use super::submission::{Dispatch, Extent, Submission};
+use super::target::{GpuTarget, TargetGroup};
 use crate::error::Result;
 use crate::iteration::{BLOCK_SIZE, Candidate, Culling, Projected, Rule, StatusCounts};
 use crate::model::RigidTransform;

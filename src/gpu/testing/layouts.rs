@@ -14,9 +14,12 @@ use crate::gpu::hierarchy::layouts::{
 };
 use crate::gpu::iteration::kernels as iteration;
 use crate::gpu::iteration::layouts::{
-    Block, Node, ProjectParams, Projected, ReduceParams, SampleColumn, SampleParams, SampleRow,
+    Block, ProjectParams, Projected, ReduceParams, SampleColumn, SampleParams, SampleRow,
 };
 use crate::gpu::kernel::{Access, Kernel, WORKGROUP_SIZE};
+use crate::gpu::points::kernels as points;
+use crate::gpu::points::layouts::{LocateParams, Located};
+use crate::gpu::target::Node;
 use crate::iteration::Culling;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{AddressSpace, Expression, Literal, Module, StorageAccess, TypeInner};
@@ -44,6 +47,7 @@ fn kernels() -> Vec<Kernel> {
                 kernels.push(iteration::project(degree, projection, culling));
             }
         }
+        kernels.extend([points::locate(degree), points::bound_others(degree)]);
         kernels.push(hierarchy::boxes(degree));
         kernels.push(certified::cell_jet(degree));
         kernels.push(certified::taylor_bound(degree));
@@ -152,6 +156,8 @@ fn structs_have_the_layout_of_the_host() {
         step_tolerance,
         column_count
     );
+    check_layout!(modules, LocateParams, first_point, end_point, patches_before, iterations, permitted);
+    check_layout!(modules, Located, foot, owner, point, own, others);
     check_layout!(modules, Node, box_min, code, box_max, right_child);
     check_layout!(modules, Projected, distance_squared, patch_and_status, s, t);
     check_layout!(modules, ReduceParams, sample_count);

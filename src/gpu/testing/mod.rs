@@ -2,7 +2,7 @@
 //! of the kernels' layouts and of the float32 error bounds.
 
 #[cfg(test)]
-mod adapter;
+pub(crate) mod adapter;
 #[cfg(test)]
 mod attained;
 #[cfg(test)]
@@ -10,6 +10,8 @@ mod cell_boxes;
 #[cfg(test)]
 mod cell_error;
 mod certified_bench;
+#[cfg(test)]
+mod closest_points;
 mod iteration_bench;
 #[cfg(test)]
 mod layouts;

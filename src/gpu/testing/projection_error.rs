@@ -17,7 +17,7 @@ const GAP: f64 = 1e-10;
 
 /// A net over a square of this size about `middle`, with noise in all
 /// coordinates and weights from 1 to `ratio`.
-fn rough(
+pub(super) fn rough(
     random: &mut fastrand::Rng,
     degree: [usize; 2],
     middle: DVec3,

@@ -195,10 +195,12 @@ class Server {
       this.#open.bestFit(this.#model(a), this.#model(b), { ...(options as object), ...watch }),
     closestPoints: ([, id, points, options], watch) => {
       const [given, asked] = [points as Float64Array, options as ClosestPointOptions];
-      return this.#shared(
-        id,
-        (model) => this.#open.closestPoints(model, given, { ...asked, ...watch }),
-        (pool, target) => pool.closestPoints(target, given, asked, watch),
+      const alone = (model: NurbsModel) =>
+        this.#open.closestPoints(model, given, { ...asked, ...watch });
+      // The GPU is this worker's.
+      if ((asked.backend ?? "cpu") !== "cpu") return alone(this.#model(id));
+      return this.#shared(id, alone, (pool, target) =>
+        pool.closestPoints(target, given, asked, watch),
       );
     },
     closestPointsOfBlock: ([, id, points, options], { signal }) => {

@@ -1,6 +1,7 @@
 //! The arguments of the command `closest-points`.
 
 use super::models::motion::{Rotation, Translation};
+use super::names::BackendName;
 use clap::Args;
 use nurbs_hausdorff::{ClosestPointOptions, Result, RigidTransform};
 use std::path::PathBuf;
@@ -26,6 +27,9 @@ pub(crate) struct ClosestPointsArguments {
     /// Distances up to LENGTH have the sign 0, which is then not decided.
     #[arg(long, value_name = "LENGTH", default_value_t = 0.0)]
     sign_tolerance: f64,
+    /// The processor that looks for feet; auto is a GPU that is no software, else the CPU.
+    #[arg(long, hide_short_help = true, value_enum, default_value_t = BackendName::Cpu)]
+    backend: BackendName,
     /// Moves the points before they are measured.
     #[arg(long, value_name = "X,Y,Z", default_value = "0,0,0", allow_hyphen_values = true)]
     translate: Translation,
@@ -47,6 +51,7 @@ impl ClosestPointsArguments {
             tolerance: self.tolerance,
             relative_tolerance: self.relative_tolerance,
             sign_tolerance: self.sign_tolerance,
+            backend: self.backend.into(),
             transform: RigidTransform::new(self.rotate.0, self.translate.0)?,
         })
     }

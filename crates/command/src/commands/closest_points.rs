@@ -18,7 +18,7 @@ pub(crate) fn run(arguments: &ClosestPointsArguments) -> Result<(), Failure> {
     let options = arguments.options()?;
     let input = read(&arguments.model)?;
     let points = read_points(&arguments.points)?;
-    let engine = Engine::cpu();
+    let engine = Engine::new_blocking(options.backend)?;
     let mut bar = Bar::new();
     let found =
         engine.closest_points(&input.prepared, &points.coordinates, &options).monitored(&mut bar).wait()?;
@@ -59,6 +59,7 @@ struct Lists<'a> {
     points: &'a crate::input::Source,
     count: usize,
     signs: Signs,
+    decided_on_gpu: usize,
     distances: &'a [f64],
     bounds: &'a [f64],
     signed: &'a [f64],
@@ -74,6 +75,7 @@ impl<'a> Lists<'a> {
             points: &points.source,
             count: found.distances.len(),
             signs: found.signs,
+            decided_on_gpu: found.decided_on_gpu,
             distances: &found.distances,
             bounds: &found.bounds,
             signed: &found.signed,
@@ -116,5 +118,9 @@ fn lines(out: &mut String, points: &[f64], found: &ClosestPoints) -> std::fmt::R
         Signs::Solid => "inside the solid",
         _ => "behind the faces",
     };
-    writeln!(out, "points     {}, {negative} {side}, {undecided} without a sign", found.distances.len())
+    write!(out, "points     {}, {negative} {side}, {undecided} without a sign", found.distances.len())?;
+    match found.decided_on_gpu {
+        0 => writeln!(out),
+        decided => writeln!(out, ", {decided} decided on the GPU"),
+    }
 }

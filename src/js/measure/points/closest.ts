@@ -1,4 +1,4 @@
-import type { Transform } from "../options.js";
+import type { Backend, Transform } from "../options.js";
 import type { OnProgress } from "../progress.js";
 import type { Signs } from "../result.js";
 
@@ -16,6 +16,12 @@ export interface ClosestPointOptions {
    * Beside the faces of a solid a sign takes many times as long as the distance.
    */
   signTolerance?: number;
+  /**
+   * Where feet are looked for; default `cpu`. With `gpu` every point gets a foot and a bound in float32, and the CPU
+   * searches where these do not decide the distance; `auto` takes a GPU that is no software. Meshes and clouds are
+   * searched on the CPU.
+   */
+  backend?: Backend;
   /** Moves the points before they are measured. */
   transform?: Transform;
   /** Cancels the work: the promise rejects with code `CANCELLED`. */
@@ -40,4 +46,6 @@ export interface ClosestPoints {
   faces: Uint32Array<ArrayBuffer>;
   /** u, v of every foot on its surface. */
   parameters: Float64Array<ArrayBuffer>;
+  /** The number of points that the GPU's feet and bounds decided; the CPU searched for the others. */
+  decidedOnGpu: number;
 }

@@ -21,7 +21,7 @@ const WIDTHS = { distances: 1, bounds: 1, signed: 1, feet: 3, faces: 1, paramete
 export class PointBlocks implements Shared<PointBlock, ClosestPoints, ClosestPoints> {
   readonly #points: Float64Array;
   readonly #order: Uint32Array;
-  readonly #found: Omit<ClosestPoints, "signs">;
+  readonly #found: Omit<ClosestPoints, "signs" | "decidedOnGpu">;
   #signs: ClosestPoints["signs"] = "faces";
   #taken = 0;
   #done = 0;
@@ -62,7 +62,8 @@ export class PointBlocks implements Shared<PointBlock, ClosestPoints, ClosestPoi
   }
 
   get found(): ClosestPoints {
-    return { ...this.#found, signs: this.#signs };
+    // Blocks are measured on the CPU.
+    return { ...this.#found, signs: this.#signs, decidedOnGpu: 0 };
   }
 }
 

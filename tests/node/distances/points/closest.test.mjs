@@ -51,6 +51,17 @@ test("distances up to the sign tolerance have the sign 0", async () => {
   model.dispose();
 });
 
+test("a GPU is used on request alone", async () => {
+  const model = hd.model([square(0)]);
+  assert.equal((await hd.closestPoints(model, [0.5, 0.5, 1])).decidedOnGpu, 0);
+  // There is none in Node.
+  await assert.rejects(
+    hd.closestPoints(model, [0.5, 0.5, 1], { backend: "gpu" }),
+    withCode("NO_ADAPTER"),
+  );
+  model.dispose();
+});
+
 test("wrong points are refused by their index", async () => {
   const model = hd.model([square(0)]);
   const wrong = [0, 0, 0, 1, Number.NaN, 0];

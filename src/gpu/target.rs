@@ -1,12 +1,23 @@
-//! The flat patches that samples are projected on, with their BVHs.
+//! The flat patches that points are projected on, with their BVHs.
 
-use super::layouts::Node;
+use super::Gpu;
+use super::degree_groups::{Controls, by_degree};
+use super::float32::{ModelFrame, patch_error, representation_error, round_down, round_up};
 use crate::bvh::{self, Aabb, Bvh};
 use crate::closest::Target;
-use crate::gpu::Gpu;
-use crate::gpu::degree_groups::{Controls, by_degree};
-use crate::gpu::float32::{ModelFrame, patch_error, round_down, round_up};
+use crate::rounding::upper_max;
+use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
+
+/// `Node` of `tree.wgsl`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, Pod, Zeroable)]
+pub(crate) struct Node {
+    pub(crate) box_min: [f32; 3],
+    pub(crate) code: u32,
+    pub(crate) box_max: [f32; 3],
+    pub(crate) right_child: u32,
+}
 
 /// A target on the GPU.
 #[derive(Debug)]
@@ -20,6 +31,9 @@ pub(crate) struct GpuTarget {
     pub(crate) patches: Vec<u32>,
     /// Upper bound on the error of a point in float32, in model units.
     pub(crate) coordinate_error: f64,
+    /// Upper bound on the distance between a patch and its copy, evaluated exactly, in model units; +∞ if a patch is
+    /// beyond float32.
+    pub(crate) representation_error: f64,
     /// Upper bound on the distance of a point from the origin.
     pub(crate) radius: f64,
 }
@@ -59,8 +73,10 @@ impl Gpu {
             });
         }
         let coordinate_error = target.patches.iter().map(|patch| patch_error(&patch)).fold(0.0, f64::max);
+        let representation_error =
+            target.patches.iter().map(|patch| representation_error(&patch, &frame)).fold(0.0, upper_max);
         let ModelFrame { origin, scale, radius } = frame;
-        GpuTarget { origin, scale, groups, patches, coordinate_error, radius }
+        GpuTarget { origin, scale, groups, patches, coordinate_error, representation_error, radius }
     }
 }
 
