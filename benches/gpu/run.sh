@@ -1,6 +1,6 @@
 #!/bin/bash
 # Measures a GPU in one call, in at most six minutes: the kernels' tests, and the work a second of methods
-# `iteration`, `hierarchy` and `certified` beside the CPU of the same machine.
+# `iteration`, `hierarchy` and `certified`, and of closest points, beside the CPU of the same machine.
 #
 #     benches/gpu/run.sh OUT.csv COMMAND [TEST …]
 #
@@ -11,7 +11,8 @@
 # OUT.csv has a line for each measurement, with the name of the adapter, so that lines of several machines may follow
 # each other. The models of the first two methods are sheets of 9,025 bicubic patches, one above the other. Method
 # `certified` uses a GPU only while thousands of cells wait, as for the exact offsets among the tests, which print
-# their cells and seconds on both processors: its lines are taken from there.
+# their cells and seconds on both processors: its lines are taken from there. Closest points are timed by the clock,
+# with the command's start, of points about the lower sheet; `decided` has those that the GPU decided as its work.
 #
 # Exit status: 0 if all was measured, 1 if a test failed or a measurement is missing, 2 for bad usage, 3 without an adapter.
 set -u
@@ -20,6 +21,9 @@ set -u
 TOTAL=350
 FOR_TESTS=150
 FOR_ONE=60
+
+# The number of points of which the closest ones are measured.
+POINTS=200000
 
 if [ $# -lt 2 ]; then
   sed -n '2,/^set/p' "$0" | sed '$d; s/^# \{0,1\}//' >&2
@@ -116,6 +120,31 @@ done
 if awk -v seconds="$(awk -F, '/,iteration,gpu,/ { print $(NF - 1) }' "$out" | tail -n 1)" 'BEGIN { exit !(seconds < 2) }'; then
   for on in gpu cpu; do measure iteration $on samples samples --samples 1024; done
 fi
+
+# Random points in the box of the lower sheet and as far above it as the other one.
+points() { # count
+  awk -v count="$1" 'BEGIN {
+    state = 11
+    for (k = 0; k < count; k++) {
+      for (axis = 0; axis < 3; axis++) { state = (state * 16807) % 2147483647; at[axis] = state / 2147483647 }
+      printf "%.17g %.17g %.17g\n", 100 * at[0], 100 * at[1], 20 * at[2] - 5
+    }
+  }' /dev/null
+}
+
+points $POINTS > "$folder/points.xyz"
+for on in gpu cpu; do
+  began=$(date +%s.%N)
+  timeout "$(left $FOR_ONE)" "$command" closest-points "$folder/a.json" "$folder/points.xyz" --relative-tolerance 1e-6 \
+    --backend "$on" > "$folder/text" 2> "$folder/error" || {
+    missing "closest points on $on: $(tail -n 1 "$folder/error")"
+    continue
+  }
+  seconds=$(awk -v began="$began" -v ended="$(date +%s.%N)" 'BEGIN { print ended - began }')
+  record closest-points $on points $POINTS "$seconds"
+  decided=$(grep -oE '[0-9]+ decided on the GPU' "$folder/text" | cut -d ' ' -f 1)
+  [ "$on" = cpu ] || record closest-points $on decided "${decided:-0}" "$seconds"
+done
 
 for test in "$@"; do
   name=$(basename "$test" | sed 's/-[0-9a-f]*$//')

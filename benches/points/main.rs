@@ -4,9 +4,10 @@
 //! native side of `benches/points/points.mjs`; prints the seconds by the clock and by the processor,
 //! and the widest bound.
 //!
-//! `cargo bench --bench points -- MODEL near|box COUNT [RELATIVE_TOLERANCE]`: to random points within a
+//! `cargo bench --bench points -- MODEL near|box COUNT [RELATIVE_TOLERANCE [gpu]]`: to random points within a
 //! hundredth of the diagonal of the model, or all over its box; prints points a second of one core as well, and a
-//! digest of the distances, to compare one build with another. MODEL is JSON, STL, IGES or STEP.
+//! digest of the distances, to compare one build with another. With `gpu`, the share of points that its feet and
+//! bounds decided, and the number of points whose interval misses the one of the search at 1e-9. MODEL is JSON, STL, IGES or STEP, or the name of a shape of the library.
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::expect_used, reason = "a benchmark ends where it cannot run")]
 
@@ -14,7 +15,10 @@
 mod support;
 
 use glam::DVec3;
-use nurbs_hausdorff::internals::engine::{ClosestPointOptions, Engine, PreparedModel};
+use nurbs_hausdorff::internals::engine::{
+    Backend, ClosestPointOptions, ClosestPoints, Engine, PreparedModel,
+};
+use nurbs_hausdorff::shapes::shape;
 use std::path::Path;
 use std::time::Instant;
 use support::clock::Stopwatch;
@@ -28,16 +32,22 @@ fn main() {
     let arguments: Vec<String> =
         std::env::args().skip(1).filter(|argument| !argument.starts_with("--")).collect();
     let [model, points, rest @ ..] = &arguments[..] else { return };
-    let prepared = load_file(Path::new(model));
+    let prepared = match shape(model) {
+        Ok(shape) => PreparedModel::new(&shape).expect("a model"),
+        Err(_) => load_file(Path::new(model)),
+    };
     let number = |index: usize| rest.get(index).map(|text| text.parse::<f64>().expect("a number"));
-    let options = ClosestPointOptions { relative_tolerance: number(1), ..ClosestPointOptions::default() };
+    let backend =
+        if rest.get(2).is_some_and(|backend| backend == "gpu") { Backend::Gpu } else { Backend::Cpu };
+    let options =
+        ClosestPointOptions { relative_tolerance: number(1), backend, ..ClosestPointOptions::default() };
     let count = number(0).map_or(100_000, |count| count as usize);
     let points = match points.as_str() {
         "box" => in_box(&prepared, count),
         "near" => near(&prepared, count),
         file => of_file(Path::new(file)),
     };
-    let engine = Engine::cpu();
+    let engine = Engine::new_blocking(backend).expect("an adapter");
     let closest =
         |points: &[f64]| engine.closest_points(&prepared, points, &options).wait().expect("closest points");
     // The first points pay for the cuts and the tree.
@@ -49,10 +59,24 @@ fn main() {
     let rate = found.distances.len() as f64 / busy;
     let sum: f64 = found.distances.iter().sum();
     let inside = found.signed.iter().filter(|signed| **signed < 0.0).count();
+    let decided = found.decided_on_gpu as f64 / found.distances.len() as f64;
+    let apart = if backend == Backend::Gpu { apart(&prepared, &points, &found) } else { 0 };
     println!(
         "{{\"seconds\": {seconds}, \"busy\": {busy}, \"bound\": {bound:e}, \"rate\": {rate:.0}, \"sum\": {sum:?}, \
-         \"inside\": {inside}}}"
+         \"inside\": {inside}, \"decided\": {decided}, \"apart\": {apart}}}"
     );
+}
+
+/// The number of points whose interval has no point of the one that the search on the CPU has.
+fn apart(model: &PreparedModel, points: &[f64], found: &ClosestPoints) -> usize {
+    let options = ClosestPointOptions::default();
+    let exact = Engine::cpu().closest_points(model, points, &options).wait().expect("closest points");
+    let apart = |&index: &usize| {
+        let between = (found.distances[index] - exact.distances[index]).abs();
+        // A NaN is in no interval.
+        !(between <= found.bounds[index] + exact.bounds[index])
+    };
+    (0..found.distances.len()).filter(apart).count()
 }
 
 fn of_file(path: &Path) -> Vec<f64> {
