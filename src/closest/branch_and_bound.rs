@@ -1,7 +1,7 @@
 //! The closest point of a whole model by best-first branch and bound.
 
 use super::separating_plane::distance_along;
-use super::{CriticalPoint, NearbyPatches, SquaredDistance, Target, nearest_control, newton};
+use super::{CriticalPoint, Located, NearbyPatches, SquaredDistance, Target, nearest_control, newton};
 use crate::bezier::Patch;
 use crate::param_box::ParamBox;
 use crate::rounding::{closest_rounding, lower_min};
@@ -30,20 +30,6 @@ pub struct Closest {
     pub upper: f64,
     /// A lower bound on the distance from the target point to the model.
     pub lower: f64,
-}
-
-/// A foot, and bounds on its patch and on all others.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Located {
-    /// The index of the foot's patch.
-    pub(crate) patch: u32,
-    /// Its parameters (s, t) there.
-    pub(crate) parameters: [f64; 2],
-    /// Both this and `others` are lower bounds on the distance from the point to parts of the model that together are the
-    /// whole; -∞ if nothing is known.
-    pub(crate) own: f64,
-    /// A lower bound on the distance from the point to all other patches; -∞ if nothing is known of them.
-    pub(crate) others: f64,
 }
 
 /// A set that may contain the closest point; small, as the heap moves it often.
@@ -150,20 +136,6 @@ pub(crate) fn closest_above(
     search.closest(lower)
 }
 
-/// Returns a foot that is as near as the whole model but for the gap. `None` if the bounds do not show that.
-pub(crate) fn closest_located(target: &Target, point: DVec3, gap: f64, located: &Located) -> Option<Closest> {
-    let Located { patch, parameters, own, others } = *located;
-    let ClosestPointSearch { gap, rounding, .. } = ClosestPointSearch::new(target, point, gap)?;
-    let foot = target.patches.patch(patch as usize).point(parameters);
-    let upper = foot.distance(point);
-    let least = lower_min(lower_min(f64::INFINITY, own), others);
-    // A NaN shows nothing.
-    (upper - gap <= least).then(|| {
-        let lower = (least.min(upper) - rounding).max(0.0);
-        Closest { patch: patch as usize, parameters, point: foot, upper, lower }
-    })
-}
-
 /// Returns the closest point as [`closest_above`] does, from a foot that is as near as all other patches but for the
 /// gap: only the foot's own patch is examined. `None` if the bound on the others does not show that.
 ///
@@ -182,6 +154,13 @@ pub(crate) fn closest_beside(target: &Target, point: DVec3, gap: f64, located: L
     search.closest(lower)
 }
 
+/// Returns the rounding of a lower bound on the distance from a point (lemma R12 of docs/rounding.md); `None` for a target
+/// without patches.
+pub(super) fn rounding(target: &Target, point: DVec3) -> Option<f64> {
+    let root = target.tree.nodes().first()?;
+    Some(closest_rounding(root.aabb.farthest_from_origin().max(point.length())))
+}
+
 /// The state of one search: its queue, and the nearest point found.
 struct ClosestPointSearch<'a> {
     target: &'a Target,
@@ -197,8 +176,7 @@ struct ClosestPointSearch<'a> {
 impl<'a> ClosestPointSearch<'a> {
     /// Returns a search with nothing to examine, or `None` for a target without patches.
     fn new(target: &'a Target, point: DVec3, gap: f64) -> Option<Self> {
-        let root = target.tree.nodes().first()?;
-        let rounding = closest_rounding(root.aabb.farthest_from_origin().max(point.length()));
+        let rounding = rounding(target, point)?;
         // The lower bound loses the rounding in the end, so a smaller gap cannot be had.
         let gap = gap.max(rounding);
         Some(Self { target, point, gap, rounding, queue: BinaryHeap::new(), incumbent: None })
@@ -378,12 +356,12 @@ impl SubPatch {
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::bezier::extract;
     use crate::{Model, SurfaceArrays};
 
-    fn square(z: f64) -> SurfaceArrays {
+    pub(in crate::closest) fn square(z: f64) -> SurfaceArrays {
         SurfaceArrays {
             degree: [1, 1],
             knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
@@ -417,28 +395,6 @@ mod tests {
         // A foot that is not the closest point of its patch is a start; what is needed of others is by its distance.
         let Some(found) = beside(3.125, [0.25, 0.75]) else { unreachable!() };
         assert!(close(found.upper, 2.875) && close(found.lower, 2.875), "{found:?}");
-    }
-
-    /// A foot whose distance exceeds neither bound by more than the gap is the result, with the smaller bound.
-    #[test]
-    fn bounds_on_all_decide_within_the_gap() {
-        const GAP: f64 = 0.125;
-        let Ok(model) = Model::from_arrays(None, vec![square(-2.75), square(3.25)]) else { unreachable!() };
-        let target = Target::new(extract(&model).patches);
-        let point = DVec3::new(0.25, 0.0, 0.125);
-        let located = |own: f64, others: f64| {
-            closest_located(&target, point, GAP, &Located { patch: 0, parameters: [0.625, 0.5], own, others })
-        };
-        for (own, others, lower) in [(2.875, 3.125, 2.875), (2.8, 3.125, 2.8), (3.0, 2.75, 2.75)] {
-            let Some(found) = located(own, others) else { unreachable!() };
-            assert_eq!((found.patch, found.parameters, found.upper), (0, [0.625, 0.5], 2.875));
-            assert!(found.lower < lower && lower - found.lower <= 1e-12, "{found:?}");
-        }
-        for (own, others) in
-            [(2.7, 3.0), (3.0, 2.7), (f64::NAN, 3.0), (3.0, f64::NAN), (f64::NEG_INFINITY, 3.0)]
-        {
-            assert_eq!(located(own, others), None, "{own} {others}");
-        }
     }
 
     /// A patch with nearly parallel axes passes the point at a distance larger than the gap. The lower bounds of

@@ -154,7 +154,8 @@ pub(in crate::engine) async fn closest_points_of(
 
 /// Returns the same, in the order of these indices of all points. The foot of one point is the start of the next,
 /// up to the end of a range of [`RANGE_LENGTH`](crate::threads::parallel::RANGE_LENGTH) points; on a GPU, each point has
-/// its own start.
+/// its own start, and the first one of each range is searched as well: if one refutes the kernel's bounds, all points are
+/// searched without it.
 ///
 /// # Errors
 /// Those of [`Engine::closest_points`].
@@ -193,15 +194,31 @@ pub(super) async fn closest_points_along(
         for (block, indices) in page.chunks(POINTS_AT_ONCE).enumerate() {
             let located = located.get(block * POINTS_AT_ONCE..).unwrap_or_default();
             let parts = map_ranges(indices.len(), |range| {
+                let is_refuted = located.get(range.start).is_some_and(|located| {
+                    let (point, error) = moved(points, indices[range.start], &transform);
+                    query.refutes(point, error, located)
+                });
                 let mut known = Known::default();
                 let of_point = |place: usize| {
                     measure(&query, points, indices[place], &transform, located.get(place), &mut known)
                 };
-                range.map(of_point).collect::<Option<Vec<_>>>()
+                range.map(of_point).collect::<Option<Vec<_>>>().map(|entries| (is_refuted, entries))
             });
-            for measured in parts {
-                measured.ok_or(Error::EmptyModel)?.iter().for_each(|measured| found.set(measured));
+            let parts: Vec<(bool, Vec<Entries>)> =
+                parts.into_iter().collect::<Option<_>>().ok_or(Error::EmptyModel)?;
+            if parts.iter().any(|(is_refuted, _)| *is_refuted) {
+                // The kernel's bounds do not hold on this device: nothing rests on them.
+                return Box::pin(closest_points_along(
+                    model,
+                    points,
+                    order,
+                    options,
+                    None,
+                    progress.monitor(),
+                ))
+                .await;
             }
+            parts.iter().flat_map(|(_, entries)| entries).for_each(|entries| found.set(entries));
             done += indices.len();
             progress.checkpoint(done as f64 / order.len() as f64).await?;
         }
@@ -229,13 +246,17 @@ fn measure(
     located: Option<&Located>,
     known: &mut Known,
 ) -> Option<Entries> {
-    let index = index as usize;
-    let local = DVec3::from_slice(&points[3 * index..]);
-    let point = transform.apply(local);
-    let found = query.closest_from(point, transform.rounding(local.length()), located, known)?;
+    let (point, error) = moved(points, index, transform);
+    let found = query.closest_from(point, error, located, known)?;
     let signed = query.signed(point, &found, known);
     let Found { distance, bound, located, .. } = found;
-    Some(Entries { index, distance, bound, signed, foot: found.foot(), located })
+    Some(Entries { index: index as usize, distance, bound, signed, foot: found.foot(), located })
+}
+
+/// Returns the image of the point of an index, and its error.
+fn moved(points: &[f64], index: u32, transform: &RigidTransform) -> (DVec3, f64) {
+    let local = DVec3::from_slice(&points[3 * index as usize..]);
+    (transform.apply(local), transform.rounding(local.length()))
 }
 
 /// Accepts points, x, y, z each, whose coordinates are of at most 1e100 in size.

@@ -90,8 +90,8 @@ impl<'a> Measured<'a> {
         Self { model, flat, signs: SignSource::new(model, sign_tolerance), gap }
     }
 
-    /// Returns the kernel of closest points on the model's patches, for so many points at once; none of a mesh or a cloud, and of patches that float32
-    /// cannot bound.
+    /// Returns the kernel of closest points on the model's patches, for so many points at once; none of a mesh or a
+    /// cloud, and of patches that float32 cannot bound.
     ///
     /// # Errors
     /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`].
@@ -127,7 +127,16 @@ impl<'a> PointQuery<'a> {
         self.closest_from(point, error, None, known)
     }
 
-    /// Returns the same, with a foot that a kernel found. Where its bound on all other patches does not decide the
+    /// Returns whether a search finds a point of the model that is nearer than a kernel's bounds permit.
+    pub(super) fn refutes(&self, point: DVec3, error: f64, located: &Located) -> bool {
+        let stated = self.closest_from(point, error, Some(located), &mut Known::default());
+        let searched = self.closest(point, error, &mut Known::default());
+        stated.filter(|stated| stated.located).zip(searched).is_some_and(|(stated, searched)| {
+            searched.distance + searched.bound < stated.distance - stated.bound
+        })
+    }
+
+    /// Returns the closest point with a foot that a kernel found. Where its bound on all other patches does not decide the
     /// point, the foot is a start.
     pub(super) fn closest_from(
         &self,
@@ -219,4 +228,30 @@ fn decided(target: &Target, point: DVec3, gap: f64, located: &Located) -> Option
 /// examine. Wherever the iteration ends, it is a point of the model.
 fn foot_from(target: &Target, point: DVec3, (patch, start): (u32, [f64; 2])) -> (u32, [f64; 2]) {
     (patch, newton(&target.patches.patch(patch as usize), point, start, MAX_ITERATIONS).parameters)
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::shapes::sphere;
+
+    /// Bounds as large as the distance of a foot that is not the nearest point decide it, and are wrong; those that hold
+    /// are not refuted.
+    #[test]
+    fn a_search_refutes_bounds_that_leave_out_a_nearer_point() {
+        let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap()).unwrap();
+        let measured = Measured::new(&ball, 1e-6, 0.0);
+        let query = measured.query().unwrap();
+        let point = DVec3::new(0.3, 0.5, 0.4);
+        let Kind::Patches { target, .. } = &query.kind else { unreachable!() };
+        for (index, patch) in target.patches.iter().enumerate() {
+            let foot = patch.point([0.5; 2]).distance(point);
+            assert!(foot > 1.01 * (1.0 - point.length()));
+            let located =
+                |bound: f64| Located { patch: index as u32, parameters: [0.5; 2], own: bound, others: bound };
+            assert!(query.refutes(point, 0.0, &located(foot)), "{index}");
+            assert!(!query.refutes(point, 0.0, &located(1.0 - point.length())), "{index}");
+        }
+    }
 }
