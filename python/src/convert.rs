@@ -109,5 +109,6 @@ pub(crate) fn closest_points(py: Python<'_>, found: ClosestPoints) -> PyResult<B
     dict.set_item("feet", found.feet.into_pyarray(py))?;
     dict.set_item("faces", found.faces.into_pyarray(py))?;
     dict.set_item("parameters", found.parameters.into_pyarray(py))?;
+    dict.set_item("decided_on_gpu", found.decided_on_gpu)?;
     Ok(dict)
 }

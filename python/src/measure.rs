@@ -28,9 +28,9 @@ fn cpu(py: Python<'_>) -> &Engine {
     CPU.get_or_init(py, Engine::cpu)
 }
 
-/// Returns the engine for a distance.
-fn engine_for<'py>(py: Python<'py>, options: &DistanceOptions) -> PyResult<&'py Engine> {
-    if !options.may_use_gpu() {
+/// Returns the engine of a question.
+fn engine_for(py: Python<'_>, may_use_gpu: bool) -> PyResult<&Engine> {
+    if !may_use_gpu {
         return Ok(cpu(py));
     }
     GPU.get_or_try_init(py, || {
@@ -51,7 +51,7 @@ fn distance<'py>(py: Python<'py>, asked: Asked<'_, 'py>) -> PyResult<Bound<'py, 
     let mut named: NamedOptions = convert::options(options)?;
     named.transform = convert::transform(py, motion)?;
     let options = DistanceOptions::try_from(named).map_err(|error| failure::of_error(py, &error))?;
-    let engine = engine_for(py, &options)?;
+    let engine = engine_for(py, options.may_use_gpu())?;
     let compute = |caller: &mut Caller| options.ask(engine, models).monitored(caller).wait();
     let result = run(py, report, compute, is_cancelled)?;
     let dict = to_dict(py, &result)?;
@@ -154,7 +154,7 @@ pub(crate) fn closest_points<'py>(
     options.transform = convert::transform(py, motion)?;
     // Copied, because other threads may write to the array meanwhile.
     let points = points.as_array().to_vec();
-    let engine = cpu(py);
+    let engine = engine_for(py, options.backend != Backend::Cpu)?;
     let compute = |caller: &mut Caller| {
         engine.closest_points(model.prepared(), &points, &options).monitored(caller).wait()
     };

@@ -26,6 +26,10 @@ def test_closest_points_and_field():
     assert np.allclose(found.feet, [[0.5, 0.5, 0.0], [1.0, 0.5, 0.0]])
     near = nh.closest_points(square(0.0), [[0.5, 0.5, 2.0], [2.0, 0.5, 0.0]], sign_tolerance=1.5)
     assert np.allclose(near.distances, [2.0, 1.0]) and near.signed[1] == 0 and abs(near.signed[0]) == 2
+    assert near.decided_on_gpu == 0
+    # With a GPU that is no software, or without.
+    anywhere = nh.closest_points(square(0.0), [[0.5, 0.5, 2.0], [2.0, 0.5, 0.0]], backend="auto")
+    assert np.all(np.abs(anywhere.distances - [2.0, 1.0]) <= anywhere.bounds + 1e-12)
     field = nh.field(square(0.0), square(3.0), samples=4)
     assert np.allclose(field.flat("distances"), 3.0) and field.parts[0].points.shape == (4, 4, 3)
 

@@ -25,6 +25,7 @@ def closest_points(
     tolerance: float | None = None,
     relative_tolerance: float | None = None,
     sign_tolerance: float | None = None,
+    backend: Literal["auto", "gpu", "cpu"] | None = None,
     transform: Transform | ArrayLike | None = None,
     progress: ProgressBar | bool | None = None,
     cancel: Event | None = None,
@@ -42,6 +43,10 @@ def closest_points(
     sign_tolerance : float, optional
         Distances up to this, in model units, have the sign 0, which is then not decided; 0 if it is
         not given. Beside the faces of a solid a sign takes many times as long as the distance.
+    backend : {"auto", "gpu", "cpu"}, optional
+        Where feet are looked for; the CPU if it is not given. On a GPU every point of surfaces gets a
+        foot and a bound, and the CPU searches where these do not decide it; "auto" takes a GPU that
+        is no software.
     transform : Transform or array of shape (4, 4), optional
         Moves the points before they are measured.
     progress : bool or tqdm, optional
@@ -54,8 +59,9 @@ def closest_points(
     """
     given = rows("points", points)
     options = _names.options(
-        tolerance=tolerance, relative_tolerance=relative_tolerance, sign_tolerance=sign_tolerance
-    )
+        tolerance=tolerance, relative_tolerance=relative_tolerance, sign_tolerance=sign_tolerance,
+        backend=backend,
+    )  # fmt: skip
     found = _native.closest_points(
         model(part)._native, given.reshape(-1), options,
         _transform.native(transform), reporter(progress, cancel),

@@ -29,6 +29,8 @@ class ClosestPoints:
         Indices of their faces.
     parameters : ndarray of shape (n, 2)
         Their parameters u, v there.
+    decided_on_gpu : int
+        The number of points that a GPU's feet and bounds decided; the CPU searched for the others.
     """
 
     distances: NDArray[np.float64]
@@ -38,3 +40,4 @@ class ClosestPoints:
     feet: NDArray[np.float64]
     faces: NDArray[np.uint32]
     parameters: NDArray[np.float64]
+    decided_on_gpu: int
