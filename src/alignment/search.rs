@@ -62,9 +62,6 @@ pub(crate) struct Search<'a> {
     grid: FootGrid,
     /// The samples that stand for A's centre and size: those that are not far off.
     kept: Samples,
-    /// B's centre, and the turns about it that lay B's principal axes on themselves.
-    center: DVec3,
-    turns: Vec<DQuat>,
     coarse: Samples,
     exact: Samples,
     fine: Samples,
@@ -106,8 +103,6 @@ impl<'a> Search<'a> {
             loss,
             grid,
             kept: kept.clone(),
-            center: other.center,
-            turns: b.onto(&b),
             coarse: samples.thinned(if loss.outliers > 0.0 {
                 GRID_SAMPLES_AND_OUTLIERS
             } else {
@@ -158,19 +153,11 @@ impl<'a> Search<'a> {
     }
 
     /// Fits the best poses by exact feet, first with few samples, then with more; returns them in
-    /// the order of their residuals. The best one is tried in B's turns, too: where a part is nearly symmetric, the basin
-    /// of the right pose may be that of no start.
+    /// the order of their residuals.
     pub(crate) fn best(&mut self) -> Vec<Candidate> {
         let found = distinct(std::mem::take(&mut self.found), &self.kept, MOST_EXACT);
         let floor = GRID_ERROR * self.kept.gyration;
-        let mut exact = self.refined(within(found, WORSE, floor), &self.exact, EXACT_STEPS);
-        if let Some(best) = distinct(exact.clone(), &self.kept, 1).first() {
-            let turned = self.turns.iter().map(|turn| {
-                let motion = best.motion.followed(turn.to_scaled_axis(), self.center, DVec3::ZERO);
-                Candidate { motion, rms: best.rms }
-            });
-            exact.extend(self.refined(turned.collect(), &self.exact, EXACT_STEPS));
-        }
+        let exact = self.refined(within(found, WORSE, floor), &self.exact, EXACT_STEPS);
         let exact = distinct(exact, &self.kept, MOST_FINE);
         let floor = 1e-3 * self.kept.gyration;
         let fine = self.refined(within(exact, WORSE, floor), &self.fine, FINE_STEPS);
