@@ -249,6 +249,27 @@ mod tests {
         assert_eq!(covering.thickness, 5.0);
     }
 
+    /// The patch of a strip between curves of different degrees, weights and centres has their points at each parameter
+    /// on its sides; that of a corner is its box.
+    #[test]
+    fn a_strip_is_its_patch_and_a_corner_within_the_hull_of_its_own() {
+        let [a, b] = [DVec3::ZERO, DVec3::new(0.5, -1.0, 2.0)];
+        let bent =
+            [DVec4::new(0.0, 0.0, 0.0, 1.0), DVec4::new(2.0, 1.0, 0.5, 2.0), DVec4::new(1.0, 2.0, 0.0, 0.5)];
+        let straight = [DVec4::new(0.0, 0.1, 0.0, 1.5), DVec4::new(3.0, 0.5, 1.0, 1.0)];
+        let curves = [(a, bent.to_vec()), (b, straight.to_vec())];
+        let curves = curves.map(|(center, controls)| Curve { center, controls });
+        let strip = Strip::Pair(curves.clone()).ruled();
+        assert!(!strip.is_hull && strip.degree == 2);
+        for (side, curve) in strip.controls.chunks(3).zip(&curves) {
+            let side = Curve { center: strip.center, controls: side.to_vec() };
+            for t in [0.0, 0.3, 0.8, 1.0] {
+                assert!(side.point(t).distance(curve.point(t)) < 1e-14, "{t}");
+            }
+        }
+        assert!(Strip::Corner(vec![DVec3::ZERO, DVec3::ONE]).ruled().is_hull);
+    }
+
     #[test]
     fn a_ray_through_the_hull_of_a_corner_does_not_avoid_it() {
         let corner =
