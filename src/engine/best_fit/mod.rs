@@ -73,7 +73,7 @@ impl Engine {
     /// [`FitNorm::Outside`] and [`FitNorm::Inside`] it is of the distances of a scan's points on one side.
     ///
     /// `converged` says that the last fit ended by itself, and that its residual is at most a tenth
-    /// of that of random poses.
+    /// of that of random poses, or that all poses known come to it.
     /// O(samples log patches) a step.
     ///
     /// # Errors
@@ -165,12 +165,12 @@ impl<'a> Pair<'a> {
         let rms_before = self.local(&self.samples, 0.0, options.transform)?.rms();
         let mut fit = self.best_start(&found, &start)?;
         progress.section(SEARCH_SHARE, 1.0 - SEARCH_SHARE);
-        let last = self.last(&mut fit, &start, progress).await?;
+        let last = self.last(&mut fit, &found, &start, progress).await?;
         progress.finish();
         let rms = fit.rms();
-        let ambiguous = self.ambiguous(&found, &fit, search_field)?;
+        let (ambiguous, is_only) = self.ambiguous(&found, &fit, search_field)?;
         let scale = fit.scale();
-        let is_fit = rms <= CONVERGED_SHARE * rms_random + EXACT * self.diagonal;
+        let is_fit = rms <= CONVERGED_SHARE * rms_random + EXACT * self.diagonal || is_only;
         let kept = fit.distances().iter().copied().filter(|distance| *distance <= scale);
         Ok(BestFit {
             transform: fit.motion,
@@ -191,13 +191,12 @@ impl<'a> Pair<'a> {
         })
     }
 
-    /// Takes the steps of the last fit, or of two where the norm is the largest distance.
-    async fn last(
+    /// Takes the steps of a fit in the mean; returns their number, and whether the fit ended by itself.
+    async fn descend(
         &self,
         fit: &mut LocalFit<'_, FootField<'a>>,
-        start: &Start,
         progress: &mut Progress<'_>,
-    ) -> Result<Last> {
+    ) -> Result<(usize, bool)> {
         let most = self.options.max_steps;
         let (mut steps, mut ended) = (0, self.options.norm == FitNorm::None);
         while !ended && steps < most {
@@ -209,8 +208,29 @@ impl<'a> Pair<'a> {
             progress.step(steps, fit.rms());
             progress.checkpoint(steps as f64 / most as f64).await?;
         }
+        Ok((steps, ended))
+    }
+
+    /// Takes the steps of the last fit, or of two where the norm is the largest distance.
+    async fn last<'s>(
+        &'s self,
+        fit: &mut LocalFit<'s, FootField<'a>>,
+        found: &Found,
+        start: &Start,
+        progress: &mut Progress<'_>,
+    ) -> Result<Last> {
+        let (mut steps, mut ended) = self.descend(fit, progress).await?;
+        let compared = self.samples.thinned(COMPARED_SAMPLES);
+        if let Some(best) = found.poses.first()
+            && self.local(&compared, 0.0, fit.motion)?.rms() > self.as_good_as(best)
+        {
+            // From the first pose all samples came to another one than those that are compared.
+            *fit = self.local(&self.samples, self.smallest(), best.motion)?;
+            let (more, is_end) = self.descend(fit, progress).await?;
+            (steps, ended) = (steps + more, is_end);
+        }
         let (smallest, freedoms) = (self.smallest(), &start.freedoms);
-        let found = if let Some(counted) = Counted::of(self.options.norm) {
+        let largest = if let Some(counted) = Counted::of(self.options.norm) {
             let signs = SignSource::new(self.b, 0.0);
             let side = self.one_side(signs.rule(), counted)?;
             let field = OneSideField { foot: self.field, rule: side.rule, counted, size: side.to.size };
@@ -225,10 +245,10 @@ impl<'a> Pair<'a> {
         } else {
             return Ok(Last { steps, ended, zone: None });
         };
-        *fit = LocalFit::new(self.field, fit.samples(), self.loss, smallest, found.motion)
+        *fit = LocalFit::new(self.field, fit.samples(), self.loss, smallest, largest.motion)
             .ok_or(Error::EmptyModel)?
             .within(&start.freedoms);
-        Ok(Last { steps: steps + found.steps, ended: ended && found.ended, zone: Some(found.zone) })
+        Ok(Last { steps: steps + largest.steps, ended: ended && largest.ended, zone: Some(largest.zone) })
     }
 
     /// Returns B as what is measured on one side.
@@ -267,24 +287,26 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// Returns the other poses that fit nearly as well.
+    /// Returns the other poses that fit nearly as well, and whether all that the search kept fit as well as this one.
     fn ambiguous(
         &self,
         found: &Found,
         fit: &LocalFit<'_, FootField<'_>>,
         field: FootField<'_>,
-    ) -> Result<Vec<FitPose>> {
+    ) -> Result<(Vec<FitPose>, bool)> {
         let compared = self.samples.thinned(COMPARED_SAMPLES);
         let best = LocalFit::new(field, &compared, self.loss, 0.0, fit.motion).ok_or(Error::EmptyModel)?;
         let best = Candidate { motion: fit.motion, rms: best.rms() };
         let most = AMBIGUOUS * best.rms + EXACT * self.diagonal;
         let near = |one: &Candidate| one.rms <= most;
+        let is_equal = |one: &Candidate| one.rms <= self.as_good_as(&best);
+        let is_only = !found.poses.is_empty() && found.poses.iter().all(is_equal);
         let others = found.poses.iter().copied().filter(near);
         let all = std::iter::once(Candidate { rms: -1.0, ..best }).chain(others).collect();
         let kept = compared.without_farthest(self.loss.outliers);
         let others = distinct(all, &kept, usize::MAX).into_iter().skip(1);
         let poses = others.map(|Candidate { motion, rms }| FitPose { transform: motion, rms });
-        Ok(poses.collect())
+        Ok((poses.collect(), is_only))
     }
 
     /// Searches poses from the given one and from all rotations.
@@ -318,14 +340,20 @@ impl<'a> Pair<'a> {
     /// more than rounding.
     fn best_start(&self, found: &Found, start: &Start) -> Result<LocalFit<'_, FootField<'a>>> {
         let smallest = self.smallest();
-        let Some(best) = found.poses.first() else {
-            return Ok(self.local(&self.samples, smallest, start.motion)?.within(&start.freedoms));
-        };
+        let given = self.local(&self.samples, smallest, start.motion)?.within(&start.freedoms);
+        let Some(best) = found.poses.first() else { return Ok(given) };
         let compared = self.samples.thinned(COMPARED_SAMPLES);
         let mut near = self.local(&compared, smallest, start.motion)?;
         near.run(NEAR_STEPS);
-        let is_as_good = near.rms() <= (1.0 + NEARLY_EQUAL) * best.rms + EXACT * self.diagonal;
-        self.local(&self.samples, smallest, if is_as_good { near.motion } else { best.motion })
+        if near.rms() <= self.as_good_as(best) {
+            return Ok(given);
+        }
+        self.local(&self.samples, smallest, best.motion)
+    }
+
+    /// Returns the residual up to which a pose counts as equal to one that was found.
+    fn as_good_as(&self, best: &Candidate) -> f64 {
+        (1.0 + NEARLY_EQUAL) * best.rms + EXACT * self.diagonal
     }
 
     fn left_out(&self, distances: &[f64], scale: f64) -> LeftOut {

@@ -110,17 +110,17 @@ fn symmetric_parts_are_free_or_ambiguous() {
     }
 }
 
-/// A ball lies about a smaller one no better than by chance, though no pose is better: in its middle the residual is the
-/// difference of both radii, and that of a random pose is hardly larger.
+/// A ball lies about a smaller one hardly better than by chance, and no pose is better: in its middle the residual is the
+/// difference of both radii.
 #[test]
-fn a_ball_about_a_smaller_one_is_no_fit() {
+fn a_ball_about_a_smaller_one_has_no_other_fit() {
     let ball = prepared("sphere");
     let (center, radius) = (ball.bounding_box().center(), ball.bounding_box().diagonal() / 12.0_f64.sqrt());
     let points = ball.fit_samples(24, SamplingRule::Uniform).thinned(1500).points;
     let larger = cloud(points.into_iter().map(|point| center + 3.0 * (point - center)).collect());
     let found = fit(&larger, &ball, &BestFitOptions::default());
     assert!((found.rms - 2.0 * radius).abs() < 1e-3 * radius, "{} of {radius}", found.rms);
-    assert!(!found.converged, "{} of {}", found.rms, found.rms_random);
+    assert!(found.converged && found.rms > 0.5 * found.rms_random, "{} of {}", found.rms, found.rms_random);
 }
 
 /// A third of the points lie anywhere: left out they change nothing, and least squares of all say that they

@@ -207,7 +207,10 @@ export interface BestFit {
   rmsRandom: number;
   /** Number of steps of the last fit. */
   steps: number;
-  /** Whether the last fit ended by itself, and its residual is at most a tenth of `rmsRandom`. */
+  /**
+   * Whether the last fit ended by itself, and its residual is at most a tenth of `rmsRandom`, or all
+   * poses known come to it.
+   */
   converged: boolean;
   /** The other poses found whose residual is at most twice the best one: those of symmetric parts. */
   ambiguous: FitPose[];
