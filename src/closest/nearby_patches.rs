@@ -77,6 +77,7 @@ mod tests {
     use super::NearbyPatches;
     use crate::bezier::extract;
     use crate::closest::Target;
+    use crate::closest::branch_and_bound::tests::square;
     use crate::rounding::UNIT_ROUNDOFF;
     use crate::shapes::shape;
     use crate::{Model, SurfaceArrays};
@@ -89,14 +90,6 @@ mod tests {
     /// patch that is not listed.
     #[test]
     fn the_list_is_used_only_within_its_reach() {
-        let square = |z: f64| SurfaceArrays {
-            degree: [1, 1],
-            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
-            counts: [2, 2],
-            control_points: [[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]]
-                .map(|[x, y]| [x, y, z, 1.0])
-                .to_vec(),
-        };
         let Ok(model) = Model::from_arrays(None, vec![square(-2.75), square(3.25)]) else { unreachable!() };
         let target = Target::new(extract(&model).patches);
         let nearby = NearbyPatches::new(&target, DVec3::ZERO, 3.0);

@@ -28,6 +28,7 @@ mod patch_wgsl;
 mod points;
 mod residency;
 mod submission;
+mod subpatch_domain;
 mod target;
 #[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
 mod testing;

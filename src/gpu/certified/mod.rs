@@ -271,7 +271,7 @@ impl GpuCertified {
     fn node(&self, cell: &CellState) -> Result<SearchNode> {
         let foot = self.uploaded[1].subpatch(cell.foot_subpatch)?;
         let domain = self.subpatches[1].domains[foot];
-        let foot_parameters = domain.patch_parameters(cell.foot_parameters.map(|x| 2.0 * f64::from(x) - 1.0));
+        let foot_parameters = domain.patch_parameters(cell.foot_parameters.map(f64::from));
         Ok(SearchNode {
             domain: Domain::Cell(self.cell(cell.subpatch, cell.center, cell.half)?),
             upper: f64::from(cell.upper) / self.frame.scale,

@@ -4,43 +4,13 @@ use super::layouts::LEVELS;
 use crate::axis::Axis;
 use crate::bezier::{Patch, PatchSet, center_grid, net_length};
 use crate::certified::Cell;
+use crate::gpu::subpatch_domain::SubpatchDomain;
 use crate::model::RigidTransform;
 use glam::{DVec4, Vec4Swizzles};
 use std::ops::Range;
 
 /// The most halvings of one patch: 65,536 subpatches, more than are allowed in all.
 const MAX_HALVINGS: u32 = 16;
-
-/// The rectangle of a patch's parameters that a subpatch covers. All numbers
-/// are dyadic, so that they are exact: (σ, τ) in [-1, 1]^2 on the subpatch are
-/// the patch's `low + ½(1 + σ) width`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SubpatchDomain {
-    pub(crate) patch: u32,
-    pub(crate) low: [f64; 2],
-    pub(crate) width: [f64; 2],
-}
-
-impl SubpatchDomain {
-    /// The patch's parameters of (σ, τ) on the subpatch.
-    pub(crate) fn patch_parameters(self, [s, t]: [f64; 2]) -> [f64; 2] {
-        [self.low[0] + 0.5 * (1.0 + s) * self.width[0], self.low[1] + 0.5 * (1.0 + t) * self.width[1]]
-    }
-
-    /// σ (axis 0) or τ (axis 1) of a parameter of the patch.
-    pub(crate) fn subpatch_parameter(&self, axis: usize, parameter: f64) -> f64 {
-        2.0 * (parameter - self.low[axis]) / self.width[axis] - 1.0
-    }
-
-    fn half(&self, axis: usize, upper: bool) -> Self {
-        let mut half = *self;
-        half.width[axis] *= 0.5;
-        if upper {
-            half.low[axis] += half.width[axis];
-        }
-        half
-    }
-}
 
 /// A cell, or its intersection with a subpatch, in the subpatch's (σ, τ).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,7 +61,7 @@ impl Subpatches {
             let rotate = |control: &DVec4| transform.rotate(control.xyz()).extend(control.w);
             let controls: Vec<DVec4> = patch.controls.iter().map(rotate).collect();
             let moved = Patch { center: transform.apply(patch.center), controls: &controls, ..patch };
-            let domain = SubpatchDomain { patch: index as u32, low: [0.0; 2], width: [1.0; 2] };
+            let domain = SubpatchDomain::whole(index as u32);
             if !subpatches.add(&moved, domain, grid, fits, MAX_HALVINGS, max_count) {
                 return None;
             }
@@ -149,6 +119,6 @@ impl Subpatches {
     pub(crate) fn cell(&self, cell: &SubpatchCell) -> Cell {
         let domain = &self.domains[cell.subpatch];
         let half = [0, 1].map(|axis| 0.5 * cell.half[axis] * domain.width[axis]);
-        Cell { patch: domain.patch, center: domain.patch_parameters(cell.center), half }
+        Cell { patch: domain.patch, center: domain.of_symmetric(cell.center), half }
     }
 }

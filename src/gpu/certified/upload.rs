@@ -2,12 +2,13 @@
 
 use super::float32_error::{Float32Error, scaled, weight_scale};
 use super::layouts::Subpatch;
-use super::subpatches::{SubpatchDomain, Subpatches};
+use super::subpatches::Subpatches;
 use crate::bezier::{BEYOND, Patch};
 use crate::certified::Operand;
 use crate::error::{Error, Result};
 use crate::gpu::Gpu;
 use crate::gpu::float32::{round, round_up};
+use crate::gpu::subpatch_domain::SubpatchDomain;
 use glam::DVec3;
 
 /// The coordinates of both models on the GPU.

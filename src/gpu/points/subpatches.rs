@@ -3,6 +3,7 @@
 use crate::axis::Axis;
 use crate::bezier::{Patch, PatchSet, center_grid, net_length};
 use crate::closest::Target;
+use crate::gpu::subpatch_domain::SubpatchDomain;
 use crate::rounding::gamma;
 
 /// The number of subpatches below which patches are halved once more: about 40 MB of bicubic ones and their tree.
@@ -12,30 +13,6 @@ const MAX_SUBPATCHES: usize = 1 << 17;
 
 /// The most halvings of one patch.
 const MAX_HALVINGS: u32 = 6;
-
-/// The rectangle of a patch's parameters that a subpatch covers. All numbers are dyadic, and so exact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SubpatchDomain {
-    pub(crate) patch: u32,
-    low: [f64; 2],
-    width: [f64; 2],
-}
-
-impl SubpatchDomain {
-    /// The patch's parameters of (s, t) on the subpatch.
-    pub(crate) fn patch_parameters(&self, parameters: [f64; 2]) -> [f64; 2] {
-        [0, 1].map(|axis| self.low[axis] + parameters[axis] * self.width[axis])
-    }
-
-    fn half(&self, axis: usize, upper: bool) -> Self {
-        let mut half = *self;
-        half.width[axis] *= 0.5;
-        if upper {
-            half.low[axis] += half.width[axis];
-        }
-        half
-    }
-}
 
 /// The subpatches of a target.
 #[derive(Debug)]
@@ -56,7 +33,7 @@ impl Subpatches {
         let halvings = (MAX_SUBPATCHES / target.patches.len().max(1)).max(1).ilog2().min(MAX_HALVINGS);
         let (mut patches, mut domains) = (PatchSet::default(), Vec::new());
         for (index, patch) in target.patches.iter().enumerate() {
-            let domain = SubpatchDomain { patch: index as u32, low: [0.0; 2], width: [1.0; 2] };
+            let domain = SubpatchDomain::whole(index as u32);
             add(&mut patches, &mut domains, &patch, domain, grid, halvings);
         }
         let roundings = f64::from(2 * halvings) * target.max_degree as f64 + 8.0;

@@ -1,8 +1,9 @@
 //! The subpatches that points are measured to.
 
-use super::subpatches::{SubpatchDomain, Subpatches};
+use super::subpatches::Subpatches;
 use crate::closest::Target;
 use crate::gpu::Gpu;
+use crate::gpu::subpatch_domain::SubpatchDomain;
 use crate::gpu::target::GpuTarget;
 
 /// A target on the GPU, cut finely.
