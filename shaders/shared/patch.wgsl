@@ -1,5 +1,5 @@
 // Points and derivatives of Bézier patches of degrees P and Q. CPU twin:
-// `src/bezier/patch/evaluate.rs`. `src/gpu/patch_wgsl.rs` generates, for these
+// `src/bezier/patch/evaluate.rs`. `src/gpu/kernel/patch_wgsl.rs` generates, for these
 // degrees, P, Q, `Basis` with `basis_s` and `basis_t`, `blend` and
 // `nearest_control`.
 

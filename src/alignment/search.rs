@@ -98,20 +98,18 @@ impl<'a> Search<'a> {
         let few = |place: DVec3| {
             (0..ROTATIONS_BESIDE).map(move |index| laid(spiral(index, ROTATIONS_BESIDE), place))
         };
+        let (starts, beside) = (starts.collect(), places.flat_map(few).collect());
+        let coarse = if loss.outliers > 0.0 { GRID_SAMPLES_AND_OUTLIERS } else { GRID_SAMPLES };
         Some(Self {
             field,
             loss,
             grid,
-            kept: kept.clone(),
-            coarse: samples.thinned(if loss.outliers > 0.0 {
-                GRID_SAMPLES_AND_OUTLIERS
-            } else {
-                GRID_SAMPLES
-            }),
+            kept,
+            coarse: samples.thinned(coarse),
             exact: samples.thinned(EXACT_SAMPLES),
             fine: samples.thinned(FINE_SAMPLES),
-            starts: starts.collect(),
-            beside: places.flat_map(few).collect(),
+            starts,
+            beside,
             next: 0,
             found: Vec::new(),
         })

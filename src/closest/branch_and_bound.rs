@@ -361,7 +361,13 @@ pub(super) mod tests {
     use crate::bezier::extract;
     use crate::{Model, SurfaceArrays};
 
-    pub(in crate::closest) fn square(z: f64) -> SurfaceArrays {
+    /// Two squares: from (0.25, 0, 0.125) the first one is 2.875 away, at the parameters (0.625, 0.5), the second one 3.125.
+    pub(in crate::closest) fn two_squares() -> Target {
+        let Ok(model) = Model::from_arrays(None, vec![square(-2.75), square(3.25)]) else { unreachable!() };
+        Target::new(extract(&model).patches)
+    }
+
+    fn square(z: f64) -> SurfaceArrays {
         SurfaceArrays {
             degree: [1, 1],
             knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
@@ -372,13 +378,12 @@ pub(super) mod tests {
         }
     }
 
-    /// The bound on other patches counts as far as the gap permits it, and is the lower bound where it is the smaller one.
+    /// A bound on the other patches decides the point if it is at least the distance less the gap. It is the lower bound of
+    /// the result if it is below that of the foot's patch.
     #[test]
     fn a_bound_on_others_decides_within_the_gap() {
         const GAP: f64 = 0.125;
-        let Ok(model) = Model::from_arrays(None, vec![square(-2.75), square(3.25)]) else { unreachable!() };
-        let target = Target::new(extract(&model).patches);
-        // The first square is 2.875 away, the second 3.125.
+        let target = two_squares();
         let point = DVec3::new(0.25, 0.0, 0.125);
         let beside = |others: f64, parameters: [f64; 2]| {
             closest_beside(&target, point, GAP, Located { patch: 0, parameters, own: f64::NAN, others })

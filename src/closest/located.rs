@@ -5,7 +5,7 @@ use super::{Closest, Target};
 use crate::rounding::lower_min;
 use glam::DVec3;
 
-/// A foot, and bounds on its patch and on all others.
+/// A foot with lower bounds on the distances to its patch and to all others.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Located {
     /// The index of the foot's patch.
@@ -37,16 +37,13 @@ pub(crate) fn closest_located(target: &Target, point: DVec3, gap: f64, located: 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
-    use crate::Model;
-    use crate::bezier::extract;
-    use crate::closest::branch_and_bound::tests::square;
+    use crate::closest::branch_and_bound::tests::two_squares;
 
     /// A foot whose distance exceeds neither bound by more than the gap is the result, with the smaller bound.
     #[test]
     fn bounds_on_all_decide_within_the_gap() {
         const GAP: f64 = 0.125;
-        let Ok(model) = Model::from_arrays(None, vec![square(-2.75), square(3.25)]) else { unreachable!() };
-        let target = Target::new(extract(&model).patches);
+        let target = two_squares();
         let point = DVec3::new(0.25, 0.0, 0.125);
         let located = |own: f64, others: f64| {
             closest_located(&target, point, GAP, &Located { patch: 0, parameters: [0.625, 0.5], own, others })

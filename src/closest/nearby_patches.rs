@@ -77,7 +77,7 @@ mod tests {
     use super::NearbyPatches;
     use crate::bezier::extract;
     use crate::closest::Target;
-    use crate::closest::branch_and_bound::tests::square;
+    use crate::closest::branch_and_bound::tests::two_squares;
     use crate::rounding::UNIT_ROUNDOFF;
     use crate::shapes::shape;
     use crate::{Model, SurfaceArrays};
@@ -90,8 +90,7 @@ mod tests {
     /// patch that is not listed.
     #[test]
     fn the_list_is_used_only_within_its_reach() {
-        let Ok(model) = Model::from_arrays(None, vec![square(-2.75), square(3.25)]) else { unreachable!() };
-        let target = Target::new(extract(&model).patches);
+        let target = two_squares();
         let nearby = NearbyPatches::new(&target, DVec3::ZERO, 3.0);
         assert_eq!(nearby.list.len(), 1);
         let incumbent = Some((nearby.list[0].patch, [0.5, 0.5]));

@@ -1,7 +1,7 @@
 //! The GPU: one device, its queue and the errors that it reports.
 
 use super::kernel::Pipelines;
-use super::throughput::Throughput;
+use super::submission::Throughput;
 use crate::error::{Error, Result};
 use futures_channel::oneshot;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -3,9 +3,9 @@
 //! | module | holds |
 //! |---|---|
 //! | `device`, `buffers` | the device, its errors and its buffers |
-//! | `submission`, `throughput` | submissions of bounded duration |
-//! | `kernel`, `constants`, `patch_wgsl` | WGSL text, specialised by degree, and the pipelines made of it |
-//! | `float32`, `degree_groups`, `target`, `residency` | models in float32: rounding, patches by degree with their trees, copies kept on a device |
+//! | `submission` | submissions of bounded duration, by the throughput of kernels |
+//! | `kernel` | WGSL text, specialised by degree, and the pipelines made of it |
+//! | `float32`, `degree_groups`, `target`, `subpatch_domain`, `residency` | models in float32: rounding, patches by degree with their trees, parts of patches, copies kept on a device |
 //! | `iteration`, `hierarchy`, `certified` | one driver per method, each with the kernels in the folder of `shaders` of the same name |
 //! | `points` | the same for closest points of many points |
 //! | `testing` | benchmarks of single stages, and tests of the float32 error bounds |
@@ -17,14 +17,12 @@
 
 mod buffers;
 mod certified;
-mod constants;
 mod degree_groups;
 mod device;
 mod float32;
 mod hierarchy;
 mod iteration;
 mod kernel;
-mod patch_wgsl;
 mod points;
 mod residency;
 mod submission;
@@ -32,7 +30,6 @@ mod subpatch_domain;
 mod target;
 #[cfg(all(feature = "internals", not(target_arch = "wasm32")))]
 mod testing;
-mod throughput;
 
 pub(crate) use certified::GpuCertified;
 pub use device::Gpu;

@@ -32,7 +32,7 @@ pub(super) struct Whole {
     pub(super) side: BoundarySide,
     /// Whether it is a strip between edges of patches, over which nothing is integrated.
     pub(super) is_strip: bool,
-    /// Whether it is the strip about a corner, of which only a hull is known.
+    /// Whether it stands for a corner: its control points' hull contains the strips there, and the patch itself need not.
     pub(super) is_hull: bool,
     /// The distance from the patch within which the other solid's patch lies that takes its place; 0 where none does.
     pub(super) reach: f64,

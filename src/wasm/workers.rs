@@ -153,6 +153,7 @@ fn found(arrays: &JsValue) -> std::result::Result<ClosestPoints, JsValue> {
         faces: get("faces")?.unchecked_into::<Uint32Array>().to_vec(),
         parameters: numbers("parameters")?,
         signs: serde_wasm_bindgen::from_value(get("signs")?)?,
-        decided_on_gpu: get("decidedOnGpu")?.as_f64().unwrap_or_default() as usize,
+        // The workers of a pool use no GPU.
+        decided_on_gpu: 0,
     })
 }

@@ -118,7 +118,7 @@ fn what_float32_does_not_decide_is_searched() {
     }
 }
 
-/// Without a GPU the request for one fails; without a request there is none.
+/// An engine without a GPU refuses a request for one. No GPU is used where none is requested.
 #[test]
 fn the_gpu_is_used_on_request_alone() {
     let model = PreparedModel::new(&shape("torus").unwrap()).unwrap();

@@ -108,12 +108,14 @@ impl Engine {
             (None, Some(held)) => FootField::Patches { target: &held.target, gap: FIT_GAP * diagonal, size },
             (None, None) => return Err(Error::EmptyModel),
         };
+        let samples = a.fit_samples(options.samples, options.sampling).thinned(MAX_SAMPLES);
         let pair = Pair {
             field,
             diagonal,
             held: held.as_deref(),
             a,
-            samples: a.fit_samples(options.samples, options.sampling).thinned(MAX_SAMPLES),
+            compared: samples.thinned(COMPARED_SAMPLES),
+            samples,
             other: b.fit_samples(options.samples, options.sampling),
             b,
             options,
@@ -129,6 +131,8 @@ struct Pair<'a> {
     held: Option<&'a PreparedTarget>,
     diagonal: f64,
     samples: Samples,
+    /// Those of which residuals of several poses are compared.
+    compared: Samples,
     other: Samples,
     a: &'a PreparedModel,
     b: &'a PreparedModel,
@@ -156,7 +160,7 @@ impl<'a> Pair<'a> {
         let rms_random = random_residual(search_field, (&self.samples, &self.other), self.loss)
             .ok_or(Error::EmptyModel)?;
         let start = Start::of(options, [self.a, self.b], [&self.samples, &self.other], |motion| {
-            Ok(self.local(&self.samples.thinned(COMPARED_SAMPLES), 0.0, motion)?.rms())
+            Ok(self.local(&self.compared, 0.0, motion)?.rms())
         })?;
         let found = match start.is_given {
             true => Found { poses: Vec::new(), tried: 1 },
@@ -220,9 +224,8 @@ impl<'a> Pair<'a> {
         progress: &mut Progress<'_>,
     ) -> Result<Last> {
         let (mut steps, mut ended) = self.descend(fit, progress).await?;
-        let compared = self.samples.thinned(COMPARED_SAMPLES);
         if let Some(best) = found.poses.first()
-            && self.local(&compared, 0.0, fit.motion)?.rms() > self.as_good_as(best)
+            && self.local(&self.compared, 0.0, fit.motion)?.rms() > self.as_good_as(best)
         {
             // From the first pose all samples came to another one than those that are compared.
             *fit = self.local(&self.samples, self.smallest(), best.motion)?;
@@ -294,8 +297,8 @@ impl<'a> Pair<'a> {
         fit: &LocalFit<'_, FootField<'_>>,
         field: FootField<'_>,
     ) -> Result<(Vec<FitPose>, bool)> {
-        let compared = self.samples.thinned(COMPARED_SAMPLES);
-        let best = LocalFit::new(field, &compared, self.loss, 0.0, fit.motion).ok_or(Error::EmptyModel)?;
+        let best =
+            LocalFit::new(field, &self.compared, self.loss, 0.0, fit.motion).ok_or(Error::EmptyModel)?;
         let best = Candidate { motion: fit.motion, rms: best.rms() };
         let most = AMBIGUOUS * best.rms + EXACT * self.diagonal;
         let near = |one: &Candidate| one.rms <= most;
@@ -303,7 +306,7 @@ impl<'a> Pair<'a> {
         let is_only = !found.poses.is_empty() && found.poses.iter().all(is_equal);
         let others = found.poses.iter().copied().filter(near);
         let all = std::iter::once(Candidate { rms: -1.0, ..best }).chain(others).collect();
-        let kept = compared.without_farthest(self.loss.outliers);
+        let kept = self.compared.without_farthest(self.loss.outliers);
         let others = distinct(all, &kept, usize::MAX).into_iter().skip(1);
         let poses = others.map(|Candidate { motion, rms }| FitPose { transform: motion, rms });
         Ok((poses.collect(), is_only))
@@ -342,8 +345,7 @@ impl<'a> Pair<'a> {
         let smallest = self.smallest();
         let given = self.local(&self.samples, smallest, start.motion)?.within(&start.freedoms);
         let Some(best) = found.poses.first() else { return Ok(given) };
-        let compared = self.samples.thinned(COMPARED_SAMPLES);
-        let mut near = self.local(&compared, smallest, start.motion)?;
+        let mut near = self.local(&self.compared, smallest, start.motion)?;
         near.run(NEAR_STEPS);
         if near.rms() <= self.as_good_as(best) {
             return Ok(given);

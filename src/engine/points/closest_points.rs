@@ -194,31 +194,24 @@ pub(super) async fn closest_points_along(
         for (block, indices) in page.chunks(POINTS_AT_ONCE).enumerate() {
             let located = located.get(block * POINTS_AT_ONCE..).unwrap_or_default();
             let parts = map_ranges(indices.len(), |range| {
-                let is_refuted = located.get(range.start).is_some_and(|located| {
-                    let (point, error) = moved(points, indices[range.start], &transform);
-                    query.refutes(point, error, located)
-                });
                 let mut known = Known::default();
                 let of_point = |place: usize| {
                     measure(&query, points, indices[place], &transform, located.get(place), &mut known)
                 };
-                range.map(of_point).collect::<Option<Vec<_>>>().map(|entries| (is_refuted, entries))
+                range.map(of_point).collect::<Option<Vec<_>>>()
             });
-            let parts: Vec<(bool, Vec<Entries>)> =
+            let parts: Vec<Vec<Entries>> =
                 parts.into_iter().collect::<Option<_>>().ok_or(Error::EmptyModel)?;
-            if parts.iter().any(|(is_refuted, _)| *is_refuted) {
-                // The kernel's bounds do not hold on this device: nothing rests on them.
-                return Box::pin(closest_points_along(
-                    model,
-                    points,
-                    order,
-                    options,
-                    None,
-                    progress.monitor(),
-                ))
-                .await;
+            let is_refuted = |first: &Entries| {
+                let (point, error) = moved(points, first.index as u32, &transform);
+                query.is_nearer(point, error, first.distance - first.bound)
+            };
+            if parts.iter().filter_map(|part| part.first()).filter(|first| first.located).any(is_refuted) {
+                // The kernels' bounds do not hold on this device: nothing rests on them.
+                let search = closest_points_along(model, points, order, options, None, progress.monitor());
+                return Box::pin(search).await;
             }
-            parts.iter().flat_map(|(_, entries)| entries).for_each(|entries| found.set(entries));
+            parts.iter().flatten().for_each(|entries| found.set(entries));
             done += indices.len();
             progress.checkpoint(done as f64 / order.len() as f64).await?;
         }

@@ -90,8 +90,8 @@ impl<'a> Measured<'a> {
         Self { model, flat, signs: SignSource::new(model, sign_tolerance), gap }
     }
 
-    /// Returns the kernel of closest points on the model's patches, for so many points at once; none of a mesh or a
-    /// cloud, and of patches that float32 cannot bound.
+    /// Returns the kernels of closest points on the model's patches, with room for `capacity` points. `None` for a mesh, a
+    /// cloud, and patches that float32 cannot bound.
     ///
     /// # Errors
     /// [`crate::Error::GpuFailed`], [`crate::Error::DeviceLost`].
@@ -127,13 +127,10 @@ impl<'a> PointQuery<'a> {
         self.closest_from(point, error, None, known)
     }
 
-    /// Returns whether a search finds a point of the model that is nearer than a kernel's bounds permit.
-    pub(super) fn refutes(&self, point: DVec3, error: f64, located: &Located) -> bool {
-        let stated = self.closest_from(point, error, Some(located), &mut Known::default());
+    /// Returns whether a search finds a point of the model that is nearer than this.
+    pub(super) fn is_nearer(&self, point: DVec3, error: f64, lower: f64) -> bool {
         let searched = self.closest(point, error, &mut Known::default());
-        stated.filter(|stated| stated.located).zip(searched).is_some_and(|(stated, searched)| {
-            searched.distance + searched.bound < stated.distance - stated.bound
-        })
+        searched.is_some_and(|searched| searched.distance + searched.bound < lower)
     }
 
     /// Returns the closest point with a foot that a kernel found. Where its bound on all other patches does not decide the
@@ -236,22 +233,28 @@ mod tests {
     use super::*;
     use crate::shapes::sphere;
 
-    /// Bounds as large as the distance of a foot that is not the nearest point decide it, and are wrong; those that hold
-    /// are not refuted.
+    /// Bounds as large as the distance of a foot that is not the nearest point decide it, and are wrong: a search finds a
+    /// nearer point. Of bounds that hold it finds none.
     #[test]
     fn a_search_refutes_bounds_that_leave_out_a_nearer_point() {
         let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap()).unwrap();
         let measured = Measured::new(&ball, 1e-6, 0.0);
         let query = measured.query().unwrap();
         let point = DVec3::new(0.3, 0.5, 0.4);
+        let distance = 1.0 - point.length();
         let Kind::Patches { target, .. } = &query.kind else { unreachable!() };
         for (index, patch) in target.patches.iter().enumerate() {
             let foot = patch.point([0.5; 2]).distance(point);
-            assert!(foot > 1.01 * (1.0 - point.length()));
-            let located =
-                |bound: f64| Located { patch: index as u32, parameters: [0.5; 2], own: bound, others: bound };
-            assert!(query.refutes(point, 0.0, &located(foot)), "{index}");
-            assert!(!query.refutes(point, 0.0, &located(1.0 - point.length())), "{index}");
+            assert!(foot > 1.01 * distance);
+            let lower = |bound: f64| {
+                let located =
+                    Located { patch: index as u32, parameters: [0.5; 2], own: bound, others: bound };
+                let found = query.closest_from(point, 0.0, Some(&located), &mut Known::default()).unwrap();
+                (found.located, found.distance - found.bound)
+            };
+            let (is_located, wrong) = lower(foot);
+            assert!(is_located && query.is_nearer(point, 0.0, wrong), "{index}");
+            assert!(!query.is_nearer(point, 0.0, lower(distance).1), "{index}");
         }
     }
 }

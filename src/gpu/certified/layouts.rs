@@ -1,7 +1,7 @@
 //! The structs and constants shared with `shaders/certified`, field by field.
 
 use crate::certified::MAX_ASPECT;
-use crate::gpu::constants::Constant;
+use crate::gpu::kernel::Constant;
 use bytemuck::{Pod, Zeroable};
 
 /// Levels of one submission.

@@ -1,7 +1,7 @@
 //! The structs and constants shared with `shaders/hierarchy`, field by field.
 
-use crate::gpu::constants::Constant;
 use crate::gpu::float32::UNKNOWN_DISTANCE;
+use crate::gpu::kernel::Constant;
 use bytemuck::{Pod, Zeroable};
 
 /// `BoxesParams` of `boxes.wgsl`.

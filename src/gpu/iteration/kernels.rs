@@ -3,8 +3,8 @@
 use super::layouts::{PROJECTED_CONSTANTS, ProjectParams, ReduceParams, SampleParams};
 use super::schedule::TILE;
 use crate::closest::{MAX_HALVINGS, Projection};
-use crate::gpu::constants::Constant;
 use crate::gpu::kernel::Access::{Read, ReadWrite};
+use crate::gpu::kernel::Constant;
 use crate::gpu::kernel::{Evaluation, JET, Kernel, PATCH, Source};
 use crate::iteration::{BLOCK_SIZE, Culling};
 

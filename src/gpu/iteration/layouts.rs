@@ -1,8 +1,8 @@
 //! The structs and constants shared with `shaders/iteration`, field by field.
 
 use crate::closest::Status;
-use crate::gpu::constants::Constant;
 use crate::gpu::float32::UNKNOWN_DISTANCE;
+use crate::gpu::kernel::Constant;
 use bytemuck::{Pod, Zeroable};
 
 /// `SampleParams` of `sample.wgsl`.

@@ -1,9 +1,9 @@
 //! The kernels of closest points: stages `locate` and `bound_others`.
 
 use super::layouts::LocateParams;
-use crate::gpu::constants::Constant;
 use crate::gpu::iteration::kernels::{FOOT, NEWTON, PROJECTED, TREE};
 use crate::gpu::kernel::Access::{Read, ReadWrite};
+use crate::gpu::kernel::Constant;
 use crate::gpu::kernel::{Evaluation, JET, Kernel, PATCH, Source};
 
 const BOUND: Source = Source {

@@ -37,8 +37,8 @@ const COPY_ROUNDINGS: f64 = 8.0;
 /// The roundings in float32 of a copy's difference from a centre: one, and the snapping of centres to their grid.
 const LOCAL_ROUNDINGS: f64 = 1.01;
 
-/// The roundings of boxes and squared distances in the kernel relative to a distance, of which the distance to a
-/// patch is to exceed that to the foot. It decides what is bounded, and no bound.
+/// The roundings of boxes and squared distances in the kernel, relative to a distance. The kernel bounds each subpatch that
+/// is not farther than the foot by these. They are part of no bound.
 const EXPECTED_ROUNDINGS: f64 = 8.0;
 
 /// Both kernels on one target, with the buffers of a page.

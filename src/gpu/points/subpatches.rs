@@ -42,7 +42,7 @@ impl Subpatches {
     }
 }
 
-/// Adds the subpatches of a part of a patch after so many halvings.
+/// Adds the subpatches into which this number of halvings divides a part of a patch.
 fn add(
     patches: &mut PatchSet,
     domains: &mut Vec<SubpatchDomain>,

@@ -47,9 +47,8 @@ impl Pair {
         partners.retain([&a.patches, &b.patches], |whole| whole.side != BoundarySide::Unknown);
         let margins = [b.margin(&a), a.margin(&b)];
         let margin = upper_max(margins[0], margins[1]);
-        let mut are_parted = false;
-        let vector = if partners.are_all() {
-            DVec3::ZERO
+        let (vector, parts_carriers) = if partners.are_all() {
+            (DVec3::ZERO, false)
         } else {
             // Half of this times the area is the width.
             let most = width / if a.area < b.area { a.area } else { b.area };
@@ -58,13 +57,13 @@ impl Pair {
             let patches = [&a.patches, &b.patches];
             let lie_on = |length: &f64| lie_on_each_other(patches, &partners, *length);
             let length = if has_stalled { Some(lengths[1]) } else { lengths.into_iter().find(lie_on) };
-            are_parted = length.is_some();
-            shift(patches, margin, length.unwrap_or(0.0))
+            (shift(patches, margin, length.unwrap_or(0.0)), length.is_some())
         };
         let mut pair = Self { solids: [a, b], partners, shift: DVec3::ZERO, change: 0.0, margins };
         if vector != DVec3::ZERO {
-            pair = pair
-                .shifted(-vector, |whole| plane(whole, margin).is_some() || are_parted && is_parted(whole));
+            let is_parted =
+                |whole: &Whole| plane(whole, margin).is_some() || parts_carriers && has_carrier(whole);
+            pair = pair.shifted(-vector, is_parted);
         }
         for (solid, placed) in pair.solids.iter_mut().enumerate() {
             for (index, whole) in placed.patches.wholes.iter_mut().enumerate() {
@@ -89,9 +88,9 @@ impl Pair {
     }
 }
 
-/// Returns whether carriers tell a patch from one like it that a motion has parted from it: where that is longer than the
-/// error of both, they cross along curves and are apart elsewhere.
-fn is_parted(whole: &Whole) -> bool {
+/// Returns whether a patch lies on a quadric. A motion that is long enough for carriers parts it from one like it: both
+/// cross along curves, and carriers tell them apart elsewhere.
+fn has_carrier(whole: &Whole) -> bool {
     whole.exact_carrier().is_some()
 }
 
@@ -99,7 +98,7 @@ fn is_parted(whole: &Whole) -> bool {
 /// changes of the volume.
 fn moved_part(first: &PlacedSolid, partners: &Partners) -> f64 {
     let faces = first.patches.faces().enumerate();
-    let paired = faces.filter(|&(index, whole)| partners.of(0, index).is_some() && !is_parted(whole));
+    let paired = faces.filter(|&(index, whole)| partners.of(0, index).is_some() && !has_carrier(whole));
     let change = |whole: &Whole| {
         let weight = first.patches.weight(whole, &whole.root, first.aabb.center(), 0.0);
         weight.displacement(1.0, first.patches.slopes(whole, &whole.root).border())

@@ -1,8 +1,11 @@
 //! Dispatches gathered into submissions of bounded duration.
 
+mod throughput;
+
+pub(crate) use throughput::{MAX_SECONDS, Throughput};
+
 use super::Gpu;
 use super::kernel::{Kernel, Pipeline};
-use super::throughput::MAX_SECONDS;
 use crate::error::Result;
 use std::sync::Arc;
 use web_time::Instant;

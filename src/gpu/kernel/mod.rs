@@ -1,8 +1,12 @@
 //! Kernels: their WGSL text and bindings, and the pipelines made of them at first use.
 
-use super::constants::Constant;
-use super::patch_wgsl::{binomials_wgsl, patch_wgsl};
+mod constants;
+mod patch_wgsl;
+
+pub(crate) use constants::Constant;
+
 use crate::threads::locked;
+use patch_wgsl::{binomials_wgsl, patch_wgsl};
 use std::num::NonZeroU64;
 use std::sync::{Arc, Mutex};
 
@@ -25,10 +29,10 @@ impl Source {
 }
 
 /// A point with its derivatives, of any evaluator.
-pub(crate) const JET: Source = Source::new(include_str!("../../shaders/shared/jet.wgsl"));
+pub(crate) const JET: Source = Source::new(include_str!("../../../shaders/shared/jet.wgsl"));
 
 /// Evaluation of Bézier patches; requires [`Evaluation::Bernstein`].
-pub(crate) const PATCH: Source = Source::new(include_str!("../../shaders/shared/patch.wgsl"));
+pub(crate) const PATCH: Source = Source::new(include_str!("../../../shaders/shared/patch.wgsl"));
 
 /// The WGSL that is generated for the degrees of the patches that a kernel evaluates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

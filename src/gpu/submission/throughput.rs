@@ -1,6 +1,6 @@
 //! The measured speed of kernels, from which the size of dispatches follows.
 
-use super::kernel::Kernel;
+use crate::gpu::kernel::Kernel;
 use crate::threads::locked;
 use std::sync::Mutex;
 
