@@ -96,10 +96,11 @@ impl PreparedModel {
     ///
     /// Guarantee: [`Side::Inside`] and [`Side::Outside`] are never wrong for the solids that the
     /// shells bound, whichever way they are oriented. A point is inside a shell if every ray crosses
-    /// its faces an odd number of times; of shells that are apart every second space is inside, as
-    /// voids are, and shells that meet are bodies that overlap, or copies, whose common part is inside.
+    /// its faces an odd number of times, and inside the model if it is inside a body: in its outer shell
+    /// and in none of its voids, as [`Self::bodies`] finds them.
     /// [`Side::Undecided`] for points on the boundary or within its gaps, for coordinates that are not
-    /// finite, where shells about the point are of both kinds, and for models that are not closed.
+    /// finite, within two shells of which it is not known whether one is a void, and for models that
+    /// are not closed.
     #[must_use]
     pub fn side(&self, point: [f64; 3]) -> Side {
         self.side_within(DVec3::from_array(point), 0.0)

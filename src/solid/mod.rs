@@ -16,7 +16,7 @@ mod strips;
 mod winding;
 
 pub(crate) use curve::Curve;
-pub(crate) use enclosing::{Enclosing, Relation, SourceSolid};
+pub(crate) use enclosing::{Enclosing, SourceSolid};
 pub(crate) use joining::{
     Arc, Boundary, Clusters, EdgePlace, Edges, Joined, JoinedArc, ShellState, SurfaceOrigin, joined_arcs,
 };

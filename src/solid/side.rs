@@ -177,8 +177,7 @@ mod tests {
     use crate::bezier::extract;
     use crate::model::{Model, SurfaceArrays};
     use crate::rounding::UNIT_ROUNDOFF;
-    use crate::solid::SurfaceOrigin;
-    use crate::solid::{Edges, Relation};
+    use crate::solid::{Edges, SurfaceOrigin};
 
     /// The first faces of the cube [-1, 1]³.
     fn cube(faces: usize) -> (Target, Boundary) {
@@ -202,8 +201,8 @@ mod tests {
 
     /// The side of a point of a model with one shell.
     fn found_side(boundary: &Boundary, target: &Target, point: DVec3, error: f64) -> Side {
-        let shells = boundary.enclosing(target, point, error);
-        shells.map_or(Side::Undecided, |shells| shells.side(|_| Relation::Unknown))
+        let side = |shells: Enclosing| if shells.has(0) { Side::Inside } else { Side::Outside };
+        boundary.enclosing(target, point, error).map_or(Side::Undecided, side)
     }
 
     /// A point that is known up to an error has a side only if all points as near have it. Heights

@@ -1,13 +1,13 @@
 //! The shells of a model: how they lie to each other, and the sides of the points that they enclose.
 
-use super::PreparedModel;
+use super::{BodyParts, PreparedModel};
 use crate::bezier::{BezierModel, PatchSet};
 use crate::bvh::Aabb;
 use crate::clearance::{Body, Goal, Search};
 use crate::closest::Target;
 use crate::interval::Interval;
 use crate::model::RigidTransform;
-use crate::solid::{Boundary, Enclosing, Relation, Side, SourceSolid};
+use crate::solid::{Boundary, Enclosing, Side, SourceSolid};
 use crate::threads::{computed, locked};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock};
@@ -23,7 +23,6 @@ const MAX_POINTS: usize = 8;
 pub(super) struct KnownShells {
     /// The patches of shells, by their numbers.
     targets: Mutex<HashMap<u32, Arc<Target>>>,
-    relations: Mutex<HashMap<[u32; 2], Relation>>,
     /// Whether two shells have no point in common, the lower number first.
     apart: Mutex<HashMap<[u32; 2], bool>>,
     solids: OnceLock<Vec<SourceSolid>>,
@@ -37,41 +36,31 @@ pub(in crate::engine) struct Shells<'a> {
     bezier: &'a BezierModel,
     control_box: Aabb,
     known: &'a KnownShells,
-    /// As [`PreparedModel::solids`].
-    solids: &'a [SourceSolid],
-    /// As [`PreparedModel::roles`]; empty while these are not known.
+    /// As [`PreparedModel::roles`] and [`PreparedModel::body_parts`]; empty while these are not known.
     roles: &'a [Option<ShellRole>],
-    /// As [`PreparedModel::faces_out`]; empty where the roles of all shells are known.
-    faces_out: &'a [Option<bool>],
+    bodies: &'a [BodyParts],
 }
 
-/// What a shell is to its body.
+/// What a shell is to its body, unless the body may be a void of another one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct ShellRole {
-    body: u32,
+    body: usize,
     is_void: bool,
 }
 
 impl PreparedModel {
     /// Returns the shells that joined edges connect, with the bodies that they are of.
     pub(in crate::engine) fn sides(&self) -> Shells<'_> {
-        // To find the bodies, all shells are compared. One shell has no relations.
-        if self.joined().of_shell.len() < 2 {
-            return self.shells();
-        }
-        let is_known = self.body_parts().iter().all(|parts| parts.may_nest_with.is_empty());
-        let faces_out = if is_known { &[] } else { self.faces_out() };
-        Shells { roles: self.roles(), faces_out, ..self.shells() }
+        Shells { roles: self.roles(), bodies: self.body_parts(), ..self.shells() }
     }
 
-    /// Returns what each shell is to its body; none where that is not known.
+    /// Returns what each shell is to its body; none of a shell without area.
     fn roles(&self) -> &[Option<ShellRole>] {
         computed::<Vec<Option<ShellRole>>>(&self.kept.shells.roles, || {
             let mut roles = vec![None; self.joined().of_shell.len()];
-            let bodies = self.body_parts().iter().enumerate();
-            for (body, parts) in bodies.filter(|(_, parts)| parts.may_nest_with.is_empty()) {
+            for (body, parts) in self.body_parts().iter().enumerate() {
                 for (place, shell) in parts.shells.iter().enumerate() {
-                    roles[shell.shell as usize] = Some(ShellRole { body: body as u32, is_void: place > 0 });
+                    roles[shell.shell as usize] = Some(ShellRole { body, is_void: place > 0 });
                 }
             }
             roles
@@ -81,8 +70,8 @@ impl PreparedModel {
     /// Returns the shells that joined edges connect.
     pub(in crate::engine) fn shells(&self) -> Shells<'_> {
         let (boundary, bezier) = (self.boundary(), self.bezier());
-        let (control_box, known, solids) = (self.control_box, &self.kept.shells, self.solids());
-        Shells { boundary, bezier, control_box, known, solids, roles: &[], faces_out: &[] }
+        let (control_box, known) = (self.control_box, &self.kept.shells);
+        Shells { boundary, bezier, control_box, known, roles: &[], bodies: &[] }
     }
 
     /// Returns the solid of the source that each shell bounds.
@@ -105,45 +94,25 @@ impl PreparedModel {
 }
 
 impl Shells<'_> {
-    /// Returns the side of the points that these shells of the model enclose, by the rule of docs/solids.md, section 2:
-    /// inside of a body, where it is known whose these shells are, else inside of one solid of the source. Shells are
-    /// compared at first use.
+    /// Returns the side of the points that these shells of the model enclose, by the rule of docs/solids.md, section 2.
+    /// Shells are compared at first use.
     pub(in crate::engine) fn side(&self, enclosing: &Enclosing) -> Side {
         let role = |&shell: &u32| self.roles.get(shell as usize).copied().flatten();
-        let roles: Option<Vec<ShellRole>> = enclosing.shells().iter().map(role).collect();
-        if let Some(roles) = roles {
-            let is_in_void = |body: u32| roles.iter().any(|role| role.is_void && role.body == body);
-            let is_inside = roles.iter().any(|role| !role.is_void && !is_in_void(role.body));
-            return if is_inside { Side::Inside } else { Side::Outside };
-        }
-        let parts = enclosing.by_solids(|shell| self.solids[shell as usize]);
-        let sides: Vec<Side> = parts.iter().map(|part| part.side(|pair| self.relation(pair))).collect();
-        let has = |side| sides.contains(&side);
-        if has(Side::Inside) {
-            Side::Inside
-        } else if has(Side::Undecided) {
-            Side::Undecided
-        } else {
-            Side::Outside
-        }
-    }
-
-    /// Returns how two shells lie, of which both enclose some point, compared at first use.
-    fn relation(&self, pair: [u32; 2]) -> Relation {
-        if let Some(&known) = locked(&self.known.relations).get(&pair) {
-            return known;
-        }
-        let found = match self.apart_after(pair, MAX_PAIRS).0 {
-            Some(true) => match self.has_within(pair[1], pair[0]) {
-                Some(true) => Relation::Within,
-                // Both enclose a point, so that one lies within the other.
-                Some(false) => Relation::About,
-                None => Relation::Unknown,
-            },
-            Some(false) if !self.are_opposite(pair) => Relation::Meeting,
-            _ => Relation::Unknown,
+        let roles: Vec<ShellRole> = enclosing.shells().iter().filter_map(role).collect();
+        let nests = |body: usize| &self.bodies[body].may_nest_with;
+        let is_void_of = |role: &ShellRole, body: usize| match role.body == body {
+            true => role.is_void,
+            false => nests(body).contains(&role.body),
         };
-        *locked(&self.known.relations).entry(pair).or_insert(found)
+        let is_inside =
+            |one: &ShellRole| !one.is_void && !roles.iter().any(|other| is_void_of(other, one.body));
+        if roles.iter().any(is_inside) {
+            Side::Inside
+        } else if roles.iter().all(|role| nests(role.body).is_empty()) {
+            Side::Outside
+        } else {
+            Side::Undecided
+        }
     }
 
     /// Returns whether a shell may lie within another shell: one of its tested points is not certainly outside. A shell
@@ -188,12 +157,6 @@ impl Shells<'_> {
             locked(&self.known.apart).insert(pair, known);
         }
         (found, pairs)
-    }
-
-    /// Returns whether the source certainly orients one of two shells as the outer one of a body and the other as a void.
-    fn are_opposite(&self, pair: [u32; 2]) -> bool {
-        let [one, other] = pair.map(|shell| self.faces_out.get(shell as usize).copied().flatten());
-        one.zip(other).is_some_and(|(one, other)| one != other)
     }
 
     /// As [`Self::apart_after`], of the patches of two shells.

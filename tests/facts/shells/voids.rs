@@ -223,8 +223,8 @@ fn shells_that_meet_in_material_are_not_told() {
     let model = of_shells(&[housing, part, block([1.5, 1.5, 2.25], [2.5, 2.5, 2.75])]);
     assert_eq!(model.facts().volume_unknown, Some(VolumeUnknown::Nesting));
     assert!(check(&model).pairs.iter().all(|pair| pair.state != PairState::Clash));
-    // Each by itself is apart from the third one, and by that a void of it.
-    assert_eq!([[2.0, 2.0, 1.5], [2.0, 2.0, 2.5]].map(|point| model.side(point)), [Side::Outside; 2]);
+    assert_eq!([[2.0, 2.0, 1.5], [2.0, 2.0, 2.5]].map(|point| model.side(point)), [Side::Undecided; 2]);
+    assert_eq!(model.side([0.5, 0.5, 0.5]), Side::Inside);
 }
 
 /// Of two parts that touch in a cavity one is inside out: it is no void, as the cavity is one.
