@@ -19,16 +19,28 @@ pub(crate) struct Located {
     pub(crate) others: f64,
 }
 
+impl Located {
+    /// Returns the lower bound on the distance from the point to the model.
+    fn least(&self) -> f64 {
+        lower_min(lower_min(f64::INFINITY, self.own), self.others)
+    }
+
+    /// Returns whether a point of the model at this distance is nearer than the bounds permit.
+    pub(crate) fn is_refuted_by(&self, distance: f64) -> bool {
+        self.least() > distance
+    }
+}
+
 /// Returns a foot that is as near as the whole model but for the gap, which is more than rounding. `None` if the bounds do
 /// not show that, or are refuted by the foot.
 pub(crate) fn closest_located(target: &Target, point: DVec3, gap: f64, located: &Located) -> Option<Closest> {
-    let Located { patch, parameters, own, others } = *located;
+    let Located { patch, parameters, .. } = *located;
     let rounding = rounding(target, point)?;
     let foot = target.patches.patch(patch as usize).point(parameters);
     let upper = foot.distance(point);
-    let least = lower_min(lower_min(f64::INFINITY, own), others);
-    // A NaN shows nothing, and a bound above the distance of a point of the model is refuted.
-    (upper - gap <= least && least <= upper).then(|| {
+    let least = located.least();
+    // A NaN shows nothing.
+    (upper - gap <= least && !located.is_refuted_by(upper)).then(|| {
         let lower = (least - rounding).max(0.0);
         Closest { patch: patch as usize, parameters, point: foot, upper, lower }
     })

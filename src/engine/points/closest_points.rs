@@ -154,8 +154,8 @@ pub(in crate::engine) async fn closest_points_of(
 
 /// Returns the same, in the order of these indices of all points. The foot of one point is the start of the next,
 /// up to the end of a range of [`RANGE_LENGTH`](crate::threads::parallel::RANGE_LENGTH) points; on a GPU, each point has
-/// its own start, and the first one of each range is searched as well: if one refutes the kernel's bounds, all points are
-/// searched without it.
+/// its own start, and the first one of each range is searched as well: if what is found of any point refutes the kernel's
+/// bounds, all points are searched without it.
 ///
 /// # Errors
 /// Those of [`Engine::closest_points`].
@@ -206,7 +206,8 @@ pub(super) async fn closest_points_along(
                 let (point, error) = moved(points, first.index as u32, &transform);
                 query.is_nearer(point, error, first.distance - first.bound)
             };
-            if parts.iter().filter_map(|part| part.first()).filter(|first| first.located).any(is_refuted) {
+            let mut searched = parts.iter().filter_map(|part| part.first()).filter(|first| first.located);
+            if parts.iter().flatten().any(|one| one.is_refuting) || searched.any(is_refuted) {
                 // The kernels' bounds do not hold on this device: nothing rests on them.
                 let search = closest_points_along(model, points, order, options, None, progress.monitor());
                 return Box::pin(search).await;
@@ -228,6 +229,7 @@ struct Entries {
     signed: f64,
     foot: Foot,
     located: bool,
+    is_refuting: bool,
 }
 
 /// Measures the point of an index, moved; `None` of a model without patches.
@@ -242,8 +244,9 @@ fn measure(
     let (point, error) = moved(points, index, transform);
     let found = query.closest_from(point, error, located, known)?;
     let signed = query.signed(point, &found, known);
-    let Found { distance, bound, located, .. } = found;
-    Some(Entries { index: index as usize, distance, bound, signed, foot: found.foot(), located })
+    let Found { distance, bound, located, is_refuting, .. } = found;
+    let foot = found.foot();
+    Some(Entries { index: index as usize, distance, bound, signed, foot, located, is_refuting })
 }
 
 /// Returns the image of the point of an index, and its error.
@@ -282,7 +285,7 @@ impl ClosestPoints {
         }
     }
 
-    fn set(&mut self, &Entries { index, distance, bound, signed, ref foot, located }: &Entries) {
+    fn set(&mut self, &Entries { index, distance, bound, signed, ref foot, located, .. }: &Entries) {
         self.distances[index] = distance;
         self.bounds[index] = bound;
         self.signed[index] = signed;

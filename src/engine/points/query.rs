@@ -64,6 +64,8 @@ pub(super) struct Found<'a> {
     pub(super) bound: f64,
     /// Whether the foot and the bound of a kernel decided it.
     pub(super) located: bool,
+    /// Whether it is nearer than a kernel's bounds permit: these do not hold on the device.
+    pub(super) is_refuting: bool,
     /// A lower bound on the distance to the model as its boundary is known to the signs.
     clear: f64,
     place: Place<'a>,
@@ -160,6 +162,7 @@ impl<'a> PointQuery<'a> {
                     distance: closest.upper,
                     bound: closest.upper - closest.lower + rounding,
                     located: is_decided,
+                    is_refuting: located.is_some_and(|one| one.is_refuted_by(closest.upper + rounding)),
                     clear: closest.lower,
                     place: Place::Patch { patch, parameters, jet: patch.jet(parameters), pieces },
                 })
@@ -172,7 +175,7 @@ impl<'a> PointQuery<'a> {
                 let distance = foot.distance_squared.sqrt();
                 let place = Place::Facet { facets, facet: foot.facet, nearest };
                 let (bound, clear) = (distance - lower + rounding, lower - rounding);
-                Some(Found { distance, bound, located: false, clear, place })
+                Some(Found { distance, bound, located: false, is_refuting: false, clear, place })
             }
         }
     }
@@ -234,9 +237,9 @@ mod tests {
     use crate::shapes::sphere;
 
     /// Bounds as large as the distance of a foot that is not the nearest point decide it, and are wrong: a search finds a
-    /// nearer point. Of bounds that hold it finds none.
+    /// nearer point. Of bounds that hold it finds none. Larger bounds are refuted by what is found at once.
     #[test]
-    fn a_search_refutes_bounds_that_leave_out_a_nearer_point() {
+    fn bounds_that_leave_out_a_nearer_point_are_refuted() {
         let ball = PreparedModel::new(&sphere(DVec3::ZERO, 1.0).unwrap()).unwrap();
         let measured = Measured::new(&ball, 1e-6, 0.0);
         let query = measured.query().unwrap();
@@ -250,11 +253,13 @@ mod tests {
                 let located =
                     Located { patch: index as u32, parameters: [0.5; 2], own: bound, others: bound };
                 let found = query.closest_from(point, 0.0, Some(&located), &mut Known::default()).unwrap();
-                (found.located, found.distance - found.bound)
+                (found.located, found.is_refuting, found.distance - found.bound)
             };
-            let (is_located, wrong) = lower(foot);
-            assert!(is_located && query.is_nearer(point, 0.0, wrong), "{index}");
-            assert!(!query.is_nearer(point, 0.0, lower(distance).1), "{index}");
+            let (is_located, is_refuting, wrong) = lower(foot);
+            assert!(is_located && !is_refuting && query.is_nearer(point, 0.0, wrong), "{index}");
+            let (_, is_refuting, right) = lower(distance);
+            assert!(!is_refuting && !query.is_nearer(point, 0.0, right), "{index}");
+            assert!(lower(foot + 1e-9).1, "{index}");
         }
     }
 }
