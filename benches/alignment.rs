@@ -100,7 +100,7 @@ fn measure(name: &str, model: &Model, kind: &str, scan: Option<[f64; 2]>, poses:
     let mut tally = Tally::default();
     let (mut largest, mut least) = (0.0_f64, f64::INFINITY);
     let mut seconds = 0.0;
-    let cloud = points(&prepared, diagonal);
+    let cloud = points(&prepared);
     for _ in 0..poses {
         let pose = pose(&mut random, diagonal);
         let moved = scan.map(|[share, outliers]| {
@@ -185,7 +185,7 @@ fn pose(random: &mut fastrand::Rng, diagonal: f64) -> RigidTransform {
 }
 
 /// Points of the part, of equal share of its area.
-fn points(model: &PreparedModel, _diagonal: f64) -> Vec<DVec3> {
+fn points(model: &PreparedModel) -> Vec<DVec3> {
     let options = FieldOptions { samples: 24, ..FieldOptions::default() };
     let field = Engine::cpu().field(model, model, &options).wait().unwrap();
     let all = field.deviations.iter().flat_map(|face| {

@@ -59,6 +59,8 @@ const RANDOM_SHIFT: f64 = 0.5;
 pub(crate) struct Search<'a> {
     field: FootField<'a>,
     loss: Loss,
+    /// The number of all samples.
+    count: usize,
     grid: FootGrid,
     /// The samples that stand for A's centre and size: those that are not far off.
     kept: Samples,
@@ -103,6 +105,7 @@ impl<'a> Search<'a> {
         Some(Self {
             field,
             loss,
+            count: samples.points.len(),
             grid,
             kept,
             coarse: samples.thinned(coarse),
@@ -135,8 +138,20 @@ impl<'a> Search<'a> {
     }
 
     fn try_start(&self, motion: RigidTransform) -> Option<Candidate> {
-        let mut fit = LocalFit::new(&self.grid, &self.coarse, self.loss, 0.0, motion)?;
-        fit.run(GRID_STEPS);
+        self.fitted(&self.grid, &self.coarse, GRID_STEPS, motion)
+    }
+
+    /// Returns the pose after some steps with some of the samples.
+    fn fitted(
+        &self,
+        field: impl Field,
+        samples: &Samples,
+        steps: usize,
+        motion: RigidTransform,
+    ) -> Option<Candidate> {
+        let loss = self.loss.of_some(samples.points.len(), self.count);
+        let mut fit = LocalFit::new(field, samples, loss, 0.0, motion)?;
+        fit.run(steps);
         Some(Candidate { motion: fit.motion, rms: fit.rms() })
     }
 
@@ -163,12 +178,7 @@ impl<'a> Search<'a> {
     }
 
     fn refined(&self, candidates: Vec<Candidate>, samples: &Samples, steps: usize) -> Vec<Candidate> {
-        let refine = |index: usize| {
-            let motion = candidates[index].motion;
-            let mut fit = LocalFit::new(self.field, samples, self.loss, 0.0, motion)?;
-            fit.run(steps);
-            Some(Candidate { motion: fit.motion, rms: fit.rms() })
-        };
+        let refine = |index: usize| self.fitted(self.field, samples, steps, candidates[index].motion);
         map(candidates.len(), refine).into_iter().flatten().collect()
     }
 }
@@ -199,6 +209,7 @@ pub(crate) fn random_residual(
 ) -> Option<f64> {
     let few = samples.thinned(RANDOM_SAMPLES);
     let kept = samples.without_farthest(loss.outliers);
+    let loss = loss.of_some(few.points.len(), samples.points.len());
     let of = |index: usize| {
         let rotation = spiral(index, RANDOM_POSES);
         let shift = RANDOM_SHIFT * kept.gyration * (rotation * DVec3::Z);

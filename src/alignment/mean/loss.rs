@@ -1,5 +1,6 @@
 //! The weight of a residual in the sum: least squares, or one that leaves out what lies far off.
 
+use crate::sorting::sort_by_number;
 use serde::Deserialize;
 
 /// The ratio of the standard deviation of normal errors to the median of their sizes.
@@ -10,6 +11,12 @@ const TUKEY: f64 = 4.685;
 
 /// The distance, in standard deviations, at which Geman's and McClure's weight is a quarter.
 const GEMAN_MCCLURE: f64 = 3.0;
+
+/// The standard deviations by which the share of outliers among some samples may exceed that among all.
+const SHARE_DEVIATIONS: f64 = 2.0;
+
+/// The largest share of outliers among some samples.
+const MAX_SHARE: f64 = 0.99;
 
 /// The part of the samples that counts for the median: all.
 const HALF: f64 = 0.5;
@@ -39,6 +46,16 @@ pub(crate) struct Loss {
 }
 
 impl Loss {
+    /// Returns the rule for `count` of all samples, of which a larger share may be outliers: what one of these adds to
+    /// the residual hides how well the others lie.
+    pub(crate) fn of_some(self, count: usize, all: usize) -> Self {
+        if count >= all {
+            return self;
+        }
+        let deviation = (self.outliers * (1.0 - self.outliers) / count as f64).sqrt();
+        Self { outliers: (self.outliers + SHARE_DEVIATIONS * deviation).min(MAX_SHARE), ..self }
+    }
+
     /// Returns the distance beyond which a sample counts as left out, at least `least`: the quantile
     /// of the share that is kept, or a multiple of the standard deviation as the median of the kept
     /// half gives it. O(n log n).
@@ -85,7 +102,7 @@ impl Loss {
 /// Returns the least distance that this share of the weight does not exceed, 0 without samples.
 fn quantile(distances: &[f64], weights: &[f64], share: f64) -> f64 {
     let mut order: Vec<usize> = (0..distances.len()).collect();
-    order.sort_unstable_by(|&one, &other| distances[one].total_cmp(&distances[other]).then(one.cmp(&other)));
+    sort_by_number(&mut order, |&index| distances[index]);
     let total: f64 = weights.iter().sum();
     let mut sum = 0.0;
     for &index in &order {
@@ -113,6 +130,16 @@ mod tests {
         assert_eq!(scale(Robust::Tukey, 0.2), 4.685 * 1.4826 * 2.0);
         let loss = Loss { robust: Robust::Trimmed, outliers: 0.2 };
         assert_eq!(loss.scale(&distances, &[1.0; 5], 7.0), 7.0);
+    }
+
+    /// Of a hundred samples the share of outliers has a standard deviation of a twentieth, if half of all are outliers.
+    #[test]
+    fn a_larger_share_of_few_samples_is_left_out() {
+        let loss = Loss { robust: Robust::Tukey, outliers: 0.5 };
+        assert_eq!(loss.of_some(100, 10_000), Loss { outliers: 0.6, ..loss });
+        assert_eq!(loss.of_some(100, 100), loss);
+        assert_eq!(Loss { outliers: 0.0, ..loss }.of_some(1, 2).outliers, 0.0);
+        assert_eq!(Loss { outliers: 0.95, ..loss }.of_some(10, 20).outliers, MAX_SHARE);
     }
 
     /// The weight is half the slope of the cost over the distance, by central differences.

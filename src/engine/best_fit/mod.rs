@@ -297,9 +297,8 @@ impl<'a> Pair<'a> {
         fit: &LocalFit<'_, FootField<'_>>,
         field: FootField<'_>,
     ) -> Result<(Vec<FitPose>, bool)> {
-        let best =
-            LocalFit::new(field, &self.compared, self.loss, 0.0, fit.motion).ok_or(Error::EmptyModel)?;
-        let best = Candidate { motion: fit.motion, rms: best.rms() };
+        let rms = self.local_on(field, &self.compared, 0.0, fit.motion)?.rms();
+        let best = Candidate { motion: fit.motion, rms };
         let most = AMBIGUOUS * best.rms + EXACT * self.diagonal;
         let near = |one: &Candidate| one.rms <= most;
         let is_equal = |one: &Candidate| one.rms <= self.as_good_as(&best);
@@ -336,7 +335,19 @@ impl<'a> Pair<'a> {
         smallest: f64,
         motion: RigidTransform,
     ) -> Result<LocalFit<'s, FootField<'a>>> {
-        LocalFit::new(self.field, samples, self.loss, smallest, motion).ok_or(Error::EmptyModel)
+        self.local_on(self.field, samples, smallest, motion)
+    }
+
+    /// The fit on a field near a pose.
+    fn local_on<'s, 'f>(
+        &self,
+        field: FootField<'f>,
+        samples: &'s Samples,
+        smallest: f64,
+        motion: RigidTransform,
+    ) -> Result<LocalFit<'s, FootField<'f>>> {
+        let loss = self.loss.of_some(samples.points.len(), self.samples.points.len());
+        LocalFit::new(field, samples, loss, smallest, motion).ok_or(Error::EmptyModel)
     }
 
     /// Returns the fit that the steps continue: that from the first pose unless a pose that was found is better by
