@@ -1,6 +1,7 @@
 //! The principal axes of weighted points, and eigenvalues of small symmetric matrices.
 
 use super::Samples;
+use crate::sorting::sort_by_number;
 use glam::{DMat3, DQuat, DVec3};
 
 /// Sweeps of Jacobi's rotations: each squares what is off the diagonal.
@@ -31,7 +32,7 @@ impl Principal {
         }
         let (values, vectors) = eigen(covariance);
         let mut order = [0, 1, 2];
-        order.sort_by(|&one, &other| values[other].total_cmp(&values[one]));
+        sort_by_number(&mut order, |&axis| -values[axis]);
         let [x, y] = [0, 1].map(|k| DVec3::from_array([0, 1, 2].map(|row| vectors[row][order[k]])));
         let axes = DQuat::from_mat3(&DMat3::from_cols(x, y, x.cross(y))).normalize();
         Self { axes, spreads: order.map(|k| values[k]) }

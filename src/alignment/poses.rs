@@ -2,6 +2,7 @@
 
 use super::Samples;
 use crate::model::RigidTransform;
+use crate::sorting::sort_by_number;
 use glam::DQuat;
 use std::f64::consts::{SQRT_2, TAU};
 
@@ -42,7 +43,7 @@ fn movement(samples: &Samples, one: &RigidTransform, other: &RigidTransform) -> 
 /// Returns the candidates in the order of their residuals, each pose once, at most `most`.
 /// O(candidates most).
 pub(crate) fn distinct(mut candidates: Vec<Candidate>, samples: &Samples, most: usize) -> Vec<Candidate> {
-    candidates.sort_by(|one, other| one.rms.total_cmp(&other.rms));
+    sort_by_number(&mut candidates, |candidate| candidate.rms);
     let mut kept: Vec<Candidate> = Vec::new();
     for candidate in candidates {
         if kept.len() == most {

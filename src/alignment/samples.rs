@@ -1,6 +1,7 @@
 //! The points of one model that are laid on another, with their weights.
 
 use crate::model::RigidTransform;
+use crate::sorting::sort_by_number;
 use glam::DVec3;
 
 /// The rounds in which the centre of the nearest points and these points follow from each other.
@@ -61,8 +62,7 @@ impl Samples {
         let count = ((1.0 - share) * self.points.len() as f64).round() as usize;
         let round = |center: DVec3| {
             let mut order: Vec<usize> = (0..self.points.len()).collect();
-            let squared = |index: &usize| self.points[*index].distance_squared(center);
-            order.sort_by(|one, other| squared(one).total_cmp(&squared(other)));
+            sort_by_number(&mut order, |&index| self.points[index].distance_squared(center));
             order.truncate(count);
             let of = |index: &usize| (self.points[*index], self.weights[*index]);
             let (points, weights) = order.iter().map(of).unzip();

@@ -3,6 +3,7 @@
 use super::builder::MapBuilder;
 use super::triangles::Edge;
 use super::{FLOOR, Map};
+use crate::sorting::sort_by_number;
 use std::collections::HashMap;
 
 /// Rounds of splitting.
@@ -52,7 +53,7 @@ impl MapBuilder {
             }
         }
         // Equal ones stay in the order of their vertices.
-        tried.sort_by(|(one, _), (other, _)| other.total_cmp(one));
+        sort_by_number(&mut tried, |&(slack, _)| -slack);
         tried.truncate((fineness.max_tried / AT_ONCE).min(fineness.max_tried - self.tried));
         self.tried += tried.len();
         let edges: Vec<Edge> = tried.into_iter().map(|(_, edge)| edge).collect();

@@ -3,6 +3,7 @@
 use super::Matrix;
 use crate::interval::Interval;
 use crate::rounding::gamma;
+use crate::sorting::sort_by_number;
 use glam::{DMat3, DVec3};
 
 /// The number of sweeps of Jacobi's method: three suffice for three rows, whose entries off the diagonal are
@@ -79,7 +80,7 @@ fn angle(residual: f64, value: f64, others: [Interval; 2]) -> f64 {
 /// Returns the axes in the order of their moments, each with its largest coordinate positive.
 fn sorted(axes: DMat3, matrix: &DMat3) -> [DVec3; 3] {
     let mut axes = [axes.col(0), axes.col(1), axes.col(2)];
-    axes.sort_by(|a, b| a.dot(*matrix * *a).total_cmp(&b.dot(*matrix * *b)));
+    sort_by_number(&mut axes, |axis| axis.dot(*matrix * *axis));
     axes.map(|axis| {
         let axis = axis.normalize_or_zero();
         let [x, y, z] = axis.abs().to_array();

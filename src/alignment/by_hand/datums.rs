@@ -5,6 +5,7 @@ use crate::error::{Error, Result};
 use crate::limits::is_in_range;
 use crate::model::RigidTransform;
 use crate::rounding::unit;
+use crate::sorting::sort_by_number;
 use glam::{DQuat, DVec3};
 use serde::Deserialize;
 
@@ -247,7 +248,7 @@ impl State {
         let mut left: Vec<DVec3> = Vec::new();
         let count = self.sliding.len() - 1;
         // Those most across the direction first, so that what is dropped is the one along it.
-        self.sliding.sort_by(|one, other| one.dot(direction).abs().total_cmp(&other.dot(direction).abs()));
+        sort_by_number(&mut self.sliding, |one| one.dot(direction).abs());
         for &known in &self.sliding {
             let mut rest = known - direction * known.dot(direction);
             for &one in &left {

@@ -7,6 +7,7 @@ use crate::alignment::mean::Step;
 use crate::alignment::samples::Samples;
 use crate::model::RigidTransform;
 use crate::rounding::upper_max;
+use crate::sorting::sort_by_number;
 use glam::DVec3;
 
 /// The number of samples that a step is computed from at first; the farthest of the others join them.
@@ -117,7 +118,7 @@ impl<F: Field> LargestFit<F> {
             .map(|(residual, &point)| (Self::length(residual), point))
             .filter(|(distance, _)| *distance > limit)
             .collect();
-        far.sort_by(|one, other| other.0.total_cmp(&one.0));
+        sort_by_number(&mut far, |&(distance, _)| -distance);
         let joining = far.into_iter().take(JOINING).map(|(_, point)| point);
         let before = self.counted.len();
         self.counted.extend(joining);

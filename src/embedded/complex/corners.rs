@@ -6,6 +6,7 @@ use crate::bezier::BezierModel;
 use crate::bvh::Aabb;
 use crate::param_box::ParamBox;
 use crate::solid::{Arc, Clusters};
+use crate::sorting::sort_by_number;
 use std::collections::HashMap;
 
 /// A place of a patch at a corner that it may share with others.
@@ -103,7 +104,7 @@ impl Corners {
         for (patch, side) in rims(model) {
             let mut parts =
                 std::mem::take(&mut self.covered[patch as usize][2 * side.axis.index() + side.end]);
-            parts.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            sort_by_number(&mut parts, |&[low, _]| low);
             if parts.is_empty() {
                 whole.push((patch, side));
             }

@@ -30,6 +30,7 @@ use crate::interval::Interval;
 use crate::model::level;
 use crate::progress::{Monitor, Progress};
 use crate::rounding::upper_max;
+use crate::sorting::sort_by_number;
 use crate::threads::parallel::map;
 use serde::Serialize;
 use std::collections::HashSet;
@@ -213,7 +214,7 @@ impl Engine {
         let rules = rules.unkept(&bodies, &judged);
         let mut pairs: Vec<BodyPair> = judged.into_iter().map(|(_, pair)| pair).collect();
         // Stable, so that pairs of one state stay in the order of their bodies.
-        pairs.sort_by_key(|pair| pair.state);
+        sort_by_number(&mut pairs, |pair| f64::from(pair.state as u8));
         Ok(CheckResult {
             clean: are_clean(&pairs, &rules),
             below: options.below,

@@ -2,6 +2,7 @@
 
 use super::sheets::SheetTriangle;
 use crate::bvh::{Aabb, Bvh};
+use crate::sorting::sort_by_number;
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -38,7 +39,7 @@ pub(super) fn crossings(triangles: &[SheetTriangle], tolerance: f64) -> Vec<Cros
         let Some(sheets) = sheet(a).zip(sheet(b)) else { return };
         found.extend(crossing(sheets, MIN_DEPTH * tolerance));
     });
-    found.sort_by(|a: &Crossing, b| b.depth.total_cmp(&a.depth));
+    sort_by_number(&mut found, |crossing: &Crossing| -crossing.depth);
     let mut counts: HashMap<[u32; 2], usize> = HashMap::new();
     found.retain(|crossing| {
         let [a, b] = crossing.surfaces;

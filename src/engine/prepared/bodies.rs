@@ -9,6 +9,7 @@ mod nesting;
 use self::nesting::{Around, Budget, ShellBoxes};
 use super::PreparedModel;
 use crate::bvh::Aabb;
+use crate::sorting::sort_by_number;
 use crate::threads::computed;
 use std::collections::BTreeSet;
 
@@ -35,7 +36,7 @@ impl PreparedModel {
     /// Returns the bodies, in the order of their first surfaces, computed at first use; none of a cloud.
     ///
     /// Of closed shells that are apart, one that lies within an odd number of others is a void of the innermost of
-    /// these, as `side` has it (docs/solids.md, section 2); all others are bodies of their own.
+    /// these (docs/facts.md, section 1); all others are bodies of their own.
     pub(in crate::engine) fn body_parts(&self) -> &[BodyParts] {
         computed::<Vec<BodyParts>>(&self.kept.bodies, || {
             if self.is_cloud() {
@@ -94,7 +95,7 @@ fn grouped(shells: Vec<ShellParts>, boxes: &[ShellBoxes], around: &[Around]) -> 
     let mut is_known: Vec<bool> =
         (0..shells.len()).map(|index| around[index].unknown.is_empty() && is_chain(index)).collect();
     let mut outer_first: Vec<usize> = (0..shells.len()).collect();
-    outer_first.sort_by_key(|&index| depth(index));
+    sort_by_number(&mut outer_first, |&index| depth(index) as f64);
     let mut is_void = vec![false; shells.len()];
     for index in outer_first {
         let innermost = around[index].shells.iter().copied().max_by_key(|&outer| depth(outer));

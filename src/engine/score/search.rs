@@ -69,10 +69,10 @@ impl Engine {
         let pair = Pair::new(self, [candidate, truth], placement.transform, options, opened.clock());
         let mut found = pair.begun(placement);
         let mut known = pair.known_of(&found);
-        let mut steps =
-            [Step::Surfaces, Step::Normals, Step::Edges, Step::Hausdorff, Step::Overlap, Step::Faces];
-        steps.sort_by_key(|step| !step.is_required(options));
-        for step in steps {
+        let steps = [Step::Surfaces, Step::Normals, Step::Edges, Step::Hausdorff, Step::Overlap, Step::Faces];
+        let (required, others): (Vec<_>, Vec<_>) =
+            steps.into_iter().partition(|step| step.is_required(options));
+        for step in required.into_iter().chain(others) {
             if is_missed(options, &known) {
                 found.ended_early = true;
                 break;

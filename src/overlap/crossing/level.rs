@@ -4,6 +4,7 @@ use crate::overlap::carrier::{Carrier, EXACT, Form};
 use crate::overlap::piece::{Piece, Whole};
 use crate::overlap::separation::normal;
 use crate::rounding::upper_max;
+use crate::sorting::sort_by_number;
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -85,7 +86,7 @@ fn lie_on((whole, piece): (&Whole, &Piece), near: &[(&Whole, &Piece)]) -> bool {
 fn largest<'a>(near: &[(&'a Whole, &'a Piece)]) -> Vec<(&'a Whole, &'a Piece)> {
     let mut pieces: Vec<_> = near.iter().copied().filter(|(whole, _)| !whole.is_strip).collect();
     if pieces.len() > MAX_FITTED {
-        pieces.sort_by(|one, other| other.1.radius.total_cmp(&one.1.radius));
+        sort_by_number(&mut pieces, |(_, piece)| -piece.radius);
         pieces.truncate(MAX_FITTED);
     }
     pieces

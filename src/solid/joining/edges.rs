@@ -147,7 +147,8 @@ impl Edges {
             single.extend(both.remainder().iter().copied());
             alike.extend(both.map(|both| (key, [both[0].0, both[1].0], true)));
         }
-        alike.sort_unstable_by_key(|&(_, places, _)| places);
+        // No two begin at one place.
+        sort_by_number(&mut alike, |&(_, [place, _], _)| place as f64);
         let several: HashSet<[Bits; 2]> =
             open.iter().filter(|(_, all)| all.count > 2).map(|(&key, _)| key).collect();
         let equal = pairs.into_iter().chain(alike).map(|(key, places, runs_alike)| EqualEdges {

@@ -125,7 +125,7 @@ impl Joints {
             }
         }
         let mut groups: Vec<_> = groups.into_iter().collect();
-        groups.sort_unstable_by_key(|&(number, _)| number);
+        sort_by_number(&mut groups, |&(number, _)| f64::from(number));
         for (_, group) in groups {
             for point in group.iter().filter(|point| is_point(point)) {
                 let may_join = |other: &&EdgePoint| {

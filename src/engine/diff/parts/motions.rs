@@ -4,6 +4,7 @@
 use super::part::Part;
 use crate::alignment::PointPair;
 use crate::model::RigidTransform;
+use crate::sorting::sort_by_number;
 use glam::{DMat3, DQuat, DVec3};
 use std::collections::BTreeMap;
 
@@ -38,7 +39,7 @@ pub(super) fn candidates(a: &Part, b: &Part, rest: &RigidTransform) -> Vec<Rigid
     rotations.extend(by_vertices(a, b));
     let turn =
         |rotation: &DQuat| (*rotation * rest.rotation().inverse()).normalize().angle_between(DQuat::IDENTITY);
-    rotations.sort_by(|one, other| turn(one).total_cmp(&turn(other)));
+    sort_by_number(&mut rotations, turn);
     let mut distinct: Vec<DQuat> = Vec::new();
     for rotation in rotations {
         let is_new = |known: &DQuat| known.dot(rotation).abs() < (0.5 * SAME_ROTATION).cos();
@@ -46,15 +47,13 @@ pub(super) fn candidates(a: &Part, b: &Part, rest: &RigidTransform) -> Vec<Rigid
             distinct.push(rotation);
         }
     }
-    let mut found: Vec<(bool, RigidTransform)> = Vec::new();
+    let [mut matching, mut rough] = [const { Vec::new() }; 2];
     for rotation in distinct {
         let start = RigidTransform::about(rotation, a.center, b.center);
         let motion = refined(a, b, &start, COARSEST * a.aabb.diagonal(), rotation == rest.rotation());
-        found.push((matched(a, b, &motion) < 1.0, motion));
+        if matched(a, b, &motion) < 1.0 { &mut rough } else { &mut matching }.push(motion);
     }
-    // Stable: by what they turn within each half.
-    found.sort_by_key(|&(is_rough, _)| is_rough);
-    found.into_iter().map(|(_, motion)| motion).take(MAX_TRIED).collect()
+    matching.into_iter().chain(rough).take(MAX_TRIED).collect()
 }
 
 /// Returns motions that lay enough vertices of A on vertices of B, for parts that changed. Translations come first, each

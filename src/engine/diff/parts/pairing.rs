@@ -10,6 +10,7 @@ use crate::engine::{DistanceOptions, Engine, PreparedModel};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::progress::Monitor;
+use crate::sorting::sort_by_number;
 use glam::DVec3;
 use std::collections::HashSet;
 
@@ -282,19 +283,20 @@ impl Pairing<'_> {
     /// Returns the open pairs, those of equal names first, and then those that are nearest.
     fn ordered(&self, is_wanted: impl Fn(&Part, &Part) -> bool) -> Vec<[usize; 2]> {
         let rest = self.options.transform;
-        let mut pairs = Vec::new();
+        let [mut named, mut others] = [const { Vec::new() }; 2];
         for (a, one) in self.parts[0].iter().enumerate() {
             for (b, other) in self.parts[1].iter().enumerate() {
                 if self.is_open([a, b]) && is_wanted(one, other) {
                     let has_name = one.given.is_some() && one.given == other.given;
-                    pairs.push((!has_name, rest.apply(one.center).distance(other.center), [a, b]));
+                    let distance = rest.apply(one.center).distance(other.center);
+                    if has_name { &mut named } else { &mut others }.push((distance, [a, b]));
                 }
             }
         }
-        pairs.sort_by(|one, other| {
-            one.0.cmp(&other.0).then(one.1.total_cmp(&other.1)).then(one.2.cmp(&other.2))
-        });
-        pairs.into_iter().map(|(_, _, pair)| pair).collect()
+        // Those at equal distances stay in the order of their parts.
+        sort_by_number(&mut named, |&(distance, _)| distance);
+        sort_by_number(&mut others, |&(distance, _)| distance);
+        named.into_iter().chain(others).map(|(_, pair)| pair).collect()
     }
 
     fn add(
@@ -329,7 +331,7 @@ impl Pairing<'_> {
         for (index, part) in of_a.iter().enumerate().filter(|&(index, _)| self.open[0][index]) {
             self.found.push((index, alone(Some(part), None, or_undecided(PartState::Removed))));
         }
-        self.found.sort_by_key(|&(index, _)| index);
+        sort_by_number(&mut self.found, |&(index, _)| index as f64);
         let added = of_b.iter().enumerate().filter(|&(index, _)| self.open[1][index]);
         let added = added.map(|(_, part)| alone(None, Some(part), or_undecided(PartState::Added)));
         self.found.into_iter().map(|(_, part)| part).chain(added).collect()

@@ -7,6 +7,7 @@ use crate::engine::prepared::mirror_image;
 use crate::error::Result;
 use crate::facets::Facet;
 use crate::model::level;
+use crate::sorting::sort_by_number;
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -133,7 +134,7 @@ fn vertices(model: &PreparedModel) -> Vec<DVec3> {
 
 /// Returns the vertices that are farthest from the centre, the farthest first.
 fn farthest(mut vertices: Vec<DVec3>, center: DVec3) -> Vec<DVec3> {
-    vertices.sort_by(|a, b| b.distance_squared(center).total_cmp(&a.distance_squared(center)));
+    sort_by_number(&mut vertices, |vertex| -vertex.distance_squared(center));
     vertices.truncate(MAX_VERTICES);
     vertices
 }
