@@ -23,7 +23,7 @@ pub(crate) struct InfoArguments {
 pub(crate) struct ConvertArguments {
     /// The model; - is standard input.
     pub(crate) input: PathBuf,
-    /// The file to write; - is standard output.
+    /// The file to write, .json; - is standard output.
     pub(crate) output: PathBuf,
     /// Replaces the output if it is there already.
     #[arg(long)]

@@ -6,21 +6,30 @@ use crate::input::{CadReport, Input, STANDARD_STREAM, read};
 use crate::output::file::write_file;
 use crate::output::json::{OfFile, line};
 use crate::output::print;
+use nurbs_hausdorff::Error;
 use std::fmt::Write as _;
 
 /// Writes the model as interchange JSON, and prints the report on reading it: on standard
 /// error where standard output holds the model.
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
+    let output = &arguments.output;
+    let is_stream = output.as_os_str() == STANDARD_STREAM;
+    if !is_stream && !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json")) {
+        let expected = "a file whose name ends with .json, or -";
+        return Err(
+            Error::OptionOutOfRange { option: "output", found: format!("{output:?}"), expected }.into()
+        );
+    }
     let input = read(&arguments.input)?;
     let json = input.surfaces("a conversion to interchange JSON")?.to_json()?;
     let Input { report, source, .. } = input;
     let report =
         if arguments.json { line(&OfFile::new("convert", &report, &source))? } else { text(&report) };
-    if arguments.output.as_os_str() == STANDARD_STREAM {
+    if is_stream {
         eprint!("{report}");
         return print(&json);
     }
-    write_file(&arguments.output, arguments.overwrite, |out| out.write_all(json.as_bytes()))?;
+    write_file(output, arguments.overwrite, |out| out.write_all(json.as_bytes()))?;
     print(&report)
 }
 

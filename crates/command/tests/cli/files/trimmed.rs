@@ -61,6 +61,19 @@ fn a_converted_trimmed_model_is_the_model() {
     assert_eq!(result["witness"]["b"]["faceName"], "half");
 }
 
+/// JSON in a file that is named as another format would be read as that.
+#[test]
+fn a_conversion_to_another_format_is_refused() {
+    let a = file("refused-a.json", &triangle(0.0, 0.0).to_string());
+    for name in ["refused.stl", "refused.STEP", "refused"] {
+        let out = std::path::Path::new(&a).with_file_name(name);
+        let refused = run(&["convert", &a, out.to_str().unwrap(), "--overwrite"]);
+        let error = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert!(error.starts_with("error[OPTION_OUT_OF_RANGE]") && error.contains(".json"), "{error}");
+        assert_eq!((status(&refused), out.exists()), (2, false));
+    }
+}
+
 #[test]
 fn loops_that_are_invalid_are_named() {
     let mut open = triangle(0.0, 0.0);
