@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::output::is_unread;
 use serde_json::Value;
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 use std::fs::{File, OpenOptions};
 use std::io::{BufRead, BufReader, ErrorKind, Seek, SeekFrom, Write};
 use std::path::Path;
@@ -74,16 +74,25 @@ impl State<'_> {
     }
 }
 
+/// The answers of an earlier run.
+#[derive(Default)]
+pub(super) struct Earlier {
+    /// The number of answers to each id.
+    pub(super) answered: HashMap<String, usize>,
+    /// The number of pairs that have an error.
+    pub(super) failures: usize,
+}
+
 /// Opens an earlier output to go on with it, or a new one: returns the file at its end, without a
-/// line that was cut off, and the ids that it answers.
+/// line that was cut off, and what it answers.
 ///
 /// # Errors
 /// [`Failure::File`], also for a file with other lines, which is left as it is.
-pub(super) fn resumed(path: &Path) -> Result<(File, HashSet<String>), Failure> {
+pub(super) fn resumed(path: &Path) -> Result<(File, Earlier), Failure> {
     let failed = |error| Failure::File { path: path.to_owned(), error };
     let mut file =
         OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path).map_err(failed)?;
-    let mut answered = HashSet::new();
+    let mut earlier = Earlier::default();
     let mut reader = BufReader::new(&file);
     let (mut end, mut line) = (0, Vec::new());
     loop {
@@ -93,11 +102,12 @@ pub(super) fn resumed(path: &Path) -> Result<(File, HashSet<String>), Failure> {
             break;
         }
         let answer: Value = serde_json::from_slice(&line).map_err(|_| failed(no_answers()))?;
-        answered.insert(key(&answer["id"]));
+        *earlier.answered.entry(key(&answer["id"])).or_default() += 1;
+        earlier.failures += usize::from(answer.get("error").is_some());
         end += length as u64;
     }
     file.set_len(end).and_then(|()| file.seek(SeekFrom::End(0))).map_err(failed)?;
-    Ok((file, answered))
+    Ok((file, earlier))
 }
 
 fn no_answers() -> std::io::Error {

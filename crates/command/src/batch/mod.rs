@@ -11,20 +11,21 @@ use crate::arguments::batch::BatchArguments;
 use crate::commands::align::{Aligned, judged};
 use crate::commands::check::{levels, named};
 use crate::commands::distance::of_limit;
+use crate::commands::gaps::is_known;
 use crate::commands::info::{InfoOptions, Stated};
 use crate::failure::Failure;
 use crate::input::{Input, STANDARD_STREAM};
 use crate::output::json::{OfAllFiles, OfFile, OfFiles, Reason, line};
 use crate::reports::Verdict;
-use answers::{Answers, key, resumed};
+use answers::{Answers, Earlier, key, resumed};
 use cache::Cache;
 use nurbs_hausdorff::{Backend, CheckOptions, Engine, Error, Monitor, Query};
 use request::{FileInUnit, Question, Request};
 use serde::Serialize;
 use serde_json::Value;
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::fs::OpenOptions;
-use std::io::{BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
@@ -45,20 +46,19 @@ const PATIENCE: Duration = Duration::from_millis(100);
 /// Answers all pairs, and returns the exit status.
 pub(crate) fn run(arguments: &BatchArguments) -> Result<u8, Failure> {
     let lines = lines(arguments)?;
-    let (output, answered) = output(arguments)?;
+    let (output, earlier) = output(arguments)?;
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
     // Without a handler the process ends between two lines as well, but at once.
     let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
     let batch = Batch {
-        lines: Mutex::new(numbered(lines)),
-        answered,
+        lines: Mutex::new(Lines { received: numbered(lines), answered: earlier.answered }),
         answers: Answers::new(output),
         cache: Cache::new(arguments.cache),
         max_seconds: arguments.max_seconds,
         interrupted: &interrupted,
         unread: AtomicBool::new(false),
-        failures: AtomicUsize::new(0),
+        failures: AtomicUsize::new(earlier.failures),
         cpu: Engine::cpu(),
         gpu: OnceLock::new(),
     };
@@ -81,48 +81,102 @@ fn lines(arguments: &BatchArguments) -> Result<Box<dyn BufRead + Send>, Failure>
     if path.as_os_str() == STANDARD_STREAM {
         return Ok(Box::new(BufReader::new(std::io::stdin())));
     }
-    let file = std::fs::File::open(path).map_err(|error| Error::FileUnreadable {
-        path: path.display().to_string(),
-        found: error.to_string(),
-    })?;
+    let unreadable = |found: String| Error::FileUnreadable { path: path.display().to_string(), found };
+    let file = std::fs::File::open(path).map_err(|error| unreadable(error.to_string()))?;
+    // A directory can be opened, and each of its lines is an error.
+    if path.is_dir() {
+        return Err(unreadable("it is a directory".to_owned()).into());
+    }
     Ok(Box::new(BufReader::new(file)))
 }
 
-/// Returns where answers go, and the ids that are answered there already.
-fn output(arguments: &BatchArguments) -> Result<(Box<dyn Write + Send>, HashSet<String>), Failure> {
+/// Returns where answers go, and what is answered there already.
+fn output(arguments: &BatchArguments) -> Result<(Box<dyn Write + Send>, Earlier), Failure> {
     let Some(path) = &arguments.output else {
-        return Ok((Box::new(std::io::stdout()), HashSet::new()));
+        return Ok((Box::new(std::io::stdout()), Earlier::default()));
     };
+    if let [Ok(pairs), Ok(output)] = [&arguments.pairs, path].map(std::fs::canonicalize)
+        && pairs == output
+    {
+        let found = "found the file of the pairs as the output, expected another file".to_owned();
+        return Err(Error::OptionInvalid { found }.into());
+    }
     if arguments.resume {
-        let (file, answered) = resumed(path)?;
-        return Ok((Box::new(file), answered));
+        let (file, earlier) = resumed(path)?;
+        return Ok((Box::new(file), earlier));
     }
     let file = match arguments.overwrite {
         true => std::fs::File::create(path),
         false => OpenOptions::new().write(true).create_new(true).open(path),
     };
     let file = file.map_err(|error| match error.kind() {
-        std::io::ErrorKind::AlreadyExists => Failure::Exists(path.clone()),
+        ErrorKind::AlreadyExists => Failure::Exists(path.clone()),
         _ => Failure::File { path: path.clone(), error },
     })?;
-    Ok((Box::new(file), HashSet::new()))
+    Ok((Box::new(file), Earlier::default()))
 }
 
 /// The lines of the input with their indices.
 type Numbered = Receiver<(usize, std::io::Result<String>)>;
 
+/// The lines that no thread took yet.
+struct Lines {
+    received: Numbered,
+    /// The number of answers of an earlier run to each id that were not passed over yet.
+    answered: HashMap<String, usize>,
+}
+
+/// What a thread does with a line.
+enum Taken {
+    /// It is empty, or its pair was answered before.
+    Nothing,
+    Pair(Value, nurbs_hausdorff::Result<Box<Request>>),
+    Unreadable(std::io::Error),
+}
+
+impl Lines {
+    /// Takes the next line with its index. As many lines of an id are passed over as were answered before, the first ones,
+    /// as answers come in the order of lines.
+    fn take(&mut self, max_seconds: Option<f64>) -> Result<(usize, Taken), RecvTimeoutError> {
+        let (index, text) = self.received.recv_timeout(PATIENCE)?;
+        let text = match text {
+            Ok(text) if text.trim().is_empty() => return Ok((index, Taken::Nothing)),
+            // Editors of Windows begin a file with a mark of its bytes' order.
+            Ok(text) => text.trim_start_matches('\u{feff}').to_owned(),
+            Err(error) => return Ok((index, Taken::Unreadable(error))),
+        };
+        let (id, request) = request::parse(&text, max_seconds);
+        Ok((
+            index,
+            match self.answered.get_mut(&key(&id)) {
+                Some(count) if *count > 0 => {
+                    *count -= 1;
+                    Taken::Nothing
+                }
+                _ => Taken::Pair(id, request.map(Box::new)),
+            },
+        ))
+    }
+}
+
 /// Reads lines on a thread of its own, which nobody waits for: an interrupt ends the batch while no line
-/// comes.
+/// comes. The first error that is no line of other bytes than text ends the input.
 fn numbered(lines: Box<dyn BufRead + Send>) -> Numbered {
     let (sender, receiver) = sync_channel(READ_AHEAD);
-    std::thread::spawn(move || lines.lines().enumerate().try_for_each(|line| sender.send(line)));
+    std::thread::spawn(move || {
+        for (index, line) in lines.lines().enumerate() {
+            let is_last = line.as_ref().is_err_and(|error| error.kind() != ErrorKind::InvalidData);
+            if sender.send((index, line)).is_err() || is_last {
+                break;
+            }
+        }
+    });
     receiver
 }
 
 /// What the threads share.
 struct Batch<'a> {
-    lines: Mutex<Numbered>,
-    answered: HashSet<String>,
+    lines: Mutex<Lines>,
     answers: Answers<'a>,
     cache: Cache,
     max_seconds: Option<f64>,
@@ -152,16 +206,16 @@ impl Batch<'_> {
     /// Answers pairs until there are no more, nobody reads the answers or the process is interrupted.
     fn work(&self) {
         loop {
-            let next = self.lines.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(PATIENCE);
-            let (index, text) = match next {
+            let next = self.lines.lock().unwrap_or_else(PoisonError::into_inner).take(self.max_seconds);
+            let (index, taken) = match next {
                 Ok(line) => line,
                 Err(RecvTimeoutError::Timeout) if !self.is_over() => continue,
                 Err(_) => return,
             };
-            let answer = match text {
-                Ok(text) if text.trim().is_empty() => None,
-                Ok(text) => self.answer(&text),
-                Err(error) => {
+            let answer = match taken {
+                Taken::Nothing => None,
+                Taken::Pair(id, request) => Some(self.answer(&id, request)),
+                Taken::Unreadable(error) => {
                     let found = format!("the input cannot be read: {error}");
                     Some(self.failed(&Value::Null, &Error::OptionInvalid { found }.into()))
                 }
@@ -181,17 +235,13 @@ impl Batch<'_> {
         self.interrupted.load(Ordering::Relaxed) || self.unread.load(Ordering::Relaxed)
     }
 
-    /// Returns the line that answers a pair; none if it was answered before.
-    fn answer(&self, text: &str) -> Option<String> {
-        let (id, request) = request::parse(text, self.max_seconds);
-        if self.answered.contains(&key(&id)) {
-            return None;
-        }
+    /// Returns the line that answers a pair.
+    fn answer(&self, id: &Value, request: nurbs_hausdorff::Result<Box<Request>>) -> String {
         let answer = match request {
-            Ok(request) => self.compare(&id, &request),
+            Ok(request) => self.compare(id, &request),
             Err(error) => Err(Arc::new(Failure::Plain(error))),
         };
-        Some(answer.unwrap_or_else(|failure| self.failed(&id, &failure)))
+        answer.unwrap_or_else(|failure| self.failed(id, &failure))
     }
 
     fn failed(&self, id: &Value, failure: &Failure) -> String {
@@ -259,10 +309,11 @@ impl Batch<'_> {
                 let result = self.ask(&self.cpu, &**options, [a, b])?;
                 of.answered(Verdict::of(judged(&result, options.zone.limit)), &Aligned::new(&result))
             }
-            // Nothing is judged by the next three.
+            // Nothing is judged by the next three, but the answer may not be known.
             Question::Gaps(options) => {
                 let result = self.ask(&self.cpu, options, [a, b])?;
-                of.answered(Verdict::Passed, &result)
+                let verdict = if is_known(&result) { Verdict::Passed } else { Verdict::Undecided };
+                of.answered(verdict, &result)
             }
             Question::Statistics(options) => {
                 let result = self.ask(&self.cpu, options, [a, b])?;
@@ -270,7 +321,8 @@ impl Batch<'_> {
             }
             Question::Overlap(options) => {
                 let result = self.ask(&self.cpu, options, [a, b])?;
-                of.answered(Verdict::Passed, &result)
+                let verdict = if result.volumes.is_some() { Verdict::Passed } else { Verdict::Undecided };
+                of.answered(verdict, &result)
             }
             Question::Clearance(options) => {
                 let result = self.ask(&self.cpu, options, [a, b])?;

@@ -9,9 +9,10 @@ use nurbs_hausdorff::{
     BestFitOptions, CheckOptions, ClearanceOptions, DiffOptions, DistanceOptions, Error, GapOptions,
     NamedOptions, OverlapOptions, Query, Result, RigidTransform, ScoreOptions, StatisticsOptions,
 };
-use serde::Deserialize;
-use serde::de::DeserializeOwned;
+use serde::de::{DeserializeOwned, Error as _, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
+use std::fmt::Formatter;
 use std::path::PathBuf;
 
 /// What is to be compared.
@@ -62,6 +63,8 @@ impl Question {
             _ => limit.is_some(),
         };
         let verdict = if is_whole { verdict } else { Verdict::Undecided };
+        let is_judged =
+            is_judged || matches!(self, Self::Overlap(_) | Self::Gaps(_)) && verdict == Verdict::Undecided;
         Asked { command, verdict: is_judged.then_some(verdict), limit, symmetric }
     }
 }
@@ -80,7 +83,37 @@ struct Line {
     command: CommandName,
     transform: Option<Motion>,
     #[serde(flatten)]
-    options: Map<String, Value>,
+    options: Named,
+}
+
+/// Options by their names, each given once.
+struct Named(Map<String, Value>);
+
+impl<'de> Deserialize<'de> for Named {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> std::result::Result<Self, D::Error> {
+        struct Once;
+
+        impl<'de> Visitor<'de> for Once {
+            type Value = Named;
+
+            fn expecting(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
+                formatter.write_str("options by their names")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut given: A) -> std::result::Result<Named, A::Error> {
+                let mut options = Map::new();
+                while let Some((name, value)) = given.next_entry::<String, Value>()? {
+                    if options.contains_key(&name) {
+                        return Err(A::Error::custom(format!("duplicate field `{name}`")));
+                    }
+                    options.insert(name, value);
+                }
+                Ok(Named(options))
+            }
+        }
+
+        deserializer.deserialize_map(Once)
+    }
 }
 
 #[derive(Deserialize, Clone, Copy, Default)]
@@ -143,7 +176,7 @@ fn request(line: Line, max_seconds: Option<f64>) -> Result<Request> {
 
 fn check(line: Line, max_seconds: Option<f64>) -> Result<Request> {
     let Some(files) = line.files_alone() else { return Err(no_files("check", "`files`")) };
-    let mut options: CheckOptions = named(line.options)?;
+    let mut options: CheckOptions = named(line.options.0)?;
     options.max_seconds = options.max_seconds.or(max_seconds);
     options.validate()?;
     Ok(Request::Check { files, options: Box::new(options) })
@@ -151,7 +184,7 @@ fn check(line: Line, max_seconds: Option<f64>) -> Result<Request> {
 
 fn info(line: Line) -> Result<Request> {
     match line.files_alone().map(<[PathBuf; 1]>::try_from) {
-        Some(Ok([file])) => Ok(Request::Info { file, options: named(line.options)? }),
+        Some(Ok([file])) => Ok(Request::Info { file, options: named(line.options.0)? }),
         _ => Err(no_files("info", "one of `files`")),
     }
 }
@@ -179,7 +212,7 @@ fn pair(
     }
     if line.has_unit() {
         // A line with a unit asks for lengths in it.
-        line.options.entry("scaleUnits").or_insert(Value::Bool(true));
+        line.options.0.entry("scaleUnits").or_insert(Value::Bool(true));
     }
     let file = |path: Option<PathBuf>, unit, name| {
         let path = path.ok_or_else(|| no_pair(format!("missing field `{name}`")))?;
@@ -190,7 +223,7 @@ fn pair(
     let transform = RigidTransform::new(DQuat::from_array(rotation), DVec3::from_array(translation))?;
     Ok(Request::Pair {
         files,
-        question: question(PairOptions { transform, named: line.options, max_seconds })?,
+        question: question(PairOptions { transform, named: line.options.0, max_seconds })?,
     })
 }
 

@@ -219,6 +219,57 @@ fn an_output_is_resumed_after_its_last_whole_line() {
     assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error[OUTPUT_EXISTS]"));
 }
 
+/// Lines of one id are answered each, and an error of an earlier run is an error still.
+#[test]
+fn a_resumed_output_answers_each_line_of_an_id_once() {
+    let file = path("repeated.jsonl");
+    let name = file.to_str().unwrap();
+    let mut lines = pairs("repeated", 4);
+    lines[2]["id"] = json!(1);
+    lines[3]["b"] = json!("missing.step");
+    let whole = batch(&lines, &["--output", name, "--overwrite"]);
+    assert_eq!(whole.status.code(), Some(1));
+    let expected = answers(&std::fs::read(&file).unwrap());
+    for kept in 0..=4 {
+        let lines_of = |answers: &[Value]| answers.iter().map(|line| format!("{line}\n")).collect::<String>();
+        std::fs::write(&file, lines_of(&expected[..kept])).unwrap();
+        let again = batch(&lines, &["--output", name, "--resume", "--jobs", "3"]);
+        assert_eq!(again.status.code(), Some(1), "{kept}");
+        let found = answers(&std::fs::read(&file).unwrap());
+        let upper = |answers: &[Value]| answers.iter().map(|line| line["upper"].clone()).collect::<Vec<_>>();
+        assert_eq!(upper(&found), upper(&expected), "{kept}");
+    }
+}
+
+#[test]
+fn the_file_of_the_pairs_is_no_output_and_a_directory_no_file() {
+    let file = path("own.jsonl");
+    let name = file.to_str().unwrap();
+    let text: String = pairs("own", 2).iter().map(|line| format!("\u{feff}{line}\n")).collect();
+    std::fs::write(&file, &text).unwrap();
+    for more in ["--overwrite", "--resume"] {
+        let refused = command().args(["batch", name, "--output", name, more]).output().unwrap();
+        assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error[OPTION_INVALID]"), "{refused:?}");
+        assert_eq!((refused.status.code(), std::fs::read_to_string(&file).unwrap()), (Some(2), text.clone()));
+    }
+    // A mark of the bytes' order is no part of a line.
+    let read = command().args(["batch", name]).output().unwrap();
+    assert_distances(&answers(&read.stdout), 0..2);
+    let folder = command().args(["batch", env!("CARGO_TARGET_TMPDIR")]).output().unwrap();
+    assert!(String::from_utf8_lossy(&folder.stderr).starts_with("error[FILE_UNREADABLE]"), "{folder:?}");
+    assert_eq!((folder.status.code(), folder.stdout.len()), (Some(2), 0));
+}
+
+#[test]
+fn an_option_is_given_once() {
+    let text = pairs("once", 1)[0].to_string().replace('}', r#","limit":1,"limit":2}"#);
+    let file = path("once.jsonl");
+    std::fs::write(&file, text).unwrap();
+    let output = command().args(["batch", file.to_str().unwrap()]).output().unwrap();
+    let [answer] = &answers(&output.stdout)[..] else { panic!("{output:?}") };
+    assert!(answer["error"]["message"].as_str().unwrap().contains("duplicate field `limit`"), "{answer}");
+}
+
 /// A command on pairs whose last takes minutes.
 #[cfg(unix)]
 fn endless(test: &str) -> (Command, PathBuf) {
