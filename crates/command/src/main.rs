@@ -24,7 +24,7 @@ fn main() -> std::process::ExitCode {
     };
     let done = match arguments.command {
         Command::Distance(arguments) => distance::run(&arguments),
-        Command::Convert(arguments) => convert::run(&arguments).map(|()| 0),
+        Command::Convert(arguments) => convert::run(&arguments),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Clearance(arguments) => clearance::run(&arguments),
         Command::Gaps(arguments) => gaps::run(&arguments),

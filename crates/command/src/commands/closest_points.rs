@@ -2,13 +2,13 @@
 
 use crate::arguments::points::ClosestPointsArguments;
 use crate::failure::Failure;
-use crate::input::{Input, Points, read, read_points};
+use crate::input::{Input, Points, STANDARD_STREAM, read, read_points};
 use crate::output::digits::bounded;
-use crate::output::file::write_file;
+use crate::output::file::{has_ending, write_file};
 use crate::output::json::{OfFile, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
-use nurbs_hausdorff::{ClosestPoints, Engine, Signs, Skipped};
+use nurbs_hausdorff::{ClosestPoints, Engine, Error, Signs, Skipped};
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -16,14 +16,30 @@ use std::io::{self, Write};
 /// Measures the points, and prints or writes their distances.
 pub(crate) fn run(arguments: &ClosestPointsArguments) -> Result<(), Failure> {
     let options = arguments.options()?;
+    let output = arguments.output.as_deref();
+    let is_stream = output.is_some_and(|path| path.as_os_str() == STANDARD_STREAM);
+    if let Some(path) = output.filter(|path| !is_stream && !has_ending(path, "csv")) {
+        let expected = "a file whose name ends with .csv, or -";
+        return Err(Error::OptionOutOfRange { option: "output", found: format!("{path:?}"), expected }.into());
+    }
     let input = read(&arguments.model)?;
     let points = read_points(&arguments.points)?;
+    if let (Some(a), Some(b)) = (points.unit, input.prepared.unit())
+        && a != b
+    {
+        return Err(Error::UnitsDiffer { a, b }.into());
+    }
     let engine = Engine::new_blocking(options.backend)?;
     let mut bar = Bar::new();
     let found =
         engine.closest_points(&input.prepared, &points.coordinates, &options).monitored(&mut bar).wait()?;
     drop(bar);
-    if let Some(path) = &arguments.output {
+    if is_stream {
+        let mut lines = Vec::new();
+        csv(&mut lines, &points.coordinates, &found).map_err(Failure::Output)?;
+        return print(&String::from_utf8_lossy(&lines));
+    }
+    if let Some(path) = output {
         write_file(path, arguments.overwrite, |out| csv(out, &points.coordinates, &found))?;
     }
     if arguments.json {

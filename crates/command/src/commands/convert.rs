@@ -3,18 +3,19 @@
 use crate::arguments::files::ConvertArguments;
 use crate::failure::Failure;
 use crate::input::{CadReport, Input, STANDARD_STREAM, read};
-use crate::output::file::write_file;
+use crate::output::file::{has_ending, write_file};
 use crate::output::json::{OfFile, line};
 use crate::output::print;
+use crate::reports::Verdict;
 use nurbs_hausdorff::Error;
 use std::fmt::Write as _;
 
 /// Writes the model as interchange JSON, and prints the report on reading it: on standard
-/// error where standard output holds the model.
-pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
+/// error where standard output holds the model. Returns the exit status: 3 if faces were left out.
+pub(crate) fn run(arguments: &ConvertArguments) -> Result<u8, Failure> {
     let output = &arguments.output;
     let is_stream = output.as_os_str() == STANDARD_STREAM;
-    if !is_stream && !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json")) {
+    if !is_stream && !has_ending(output, "json") {
         let expected = "a file whose name ends with .json, or -";
         return Err(
             Error::OptionOutOfRange { option: "output", found: format!("{output:?}"), expected }.into()
@@ -23,14 +24,16 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let input = read(&arguments.input)?;
     let json = input.surfaces("a conversion to interchange JSON")?.to_json()?;
     let Input { report, source, .. } = input;
+    // The JSON does not say what it lacks.
+    let status = if report.read.skipped.is_empty() { Verdict::Passed } else { Verdict::Undecided }.status();
     let report =
         if arguments.json { line(&OfFile::new("convert", &report, &source))? } else { text(&report) };
     if is_stream {
         eprint!("{report}");
-        return print(&json);
+        return print(&json).map(|()| status);
     }
     write_file(output, arguments.overwrite, |out| out.write_all(json.as_bytes()))?;
-    print(&report)
+    print(&report).map(|()| status)
 }
 
 fn text(report: &CadReport) -> String {

@@ -34,7 +34,20 @@ pub(crate) fn read_in_unit(path: &Path, unit: Option<Unit>) -> std::result::Resu
 /// # Errors
 /// Those of [`read`] and of [`in_units`].
 pub(crate) fn read_both([a, b]: [&Path; 2], units: UnitsOfFiles) -> std::result::Result<[Input; 2], Failure> {
+    refuse_one_stream([a, b])?;
     Ok(in_units([read(a)?, read(b)?], units)?)
+}
+
+/// Refuses standard input as both of two models: its bytes come once.
+///
+/// # Errors
+/// [`Error::OptionInvalid`].
+pub(crate) fn refuse_one_stream(files: [&Path; 2]) -> Result<()> {
+    if files.iter().all(|path| path.as_os_str() == STANDARD_STREAM) {
+        let found = "found standard input as both models, expected it as one".to_owned();
+        return Err(Error::OptionInvalid { found });
+    }
+    Ok(())
 }
 
 /// Returns models in units that are given for them, whatever their files state; the others are unchanged.
@@ -116,6 +129,12 @@ impl Input {
     /// Those of [`PreparedModel::with_unit`].
     fn in_unit(self, unit: Option<Unit>) -> Result<Self> {
         let Some(metres) = unit.map(Unit::metres) else { return Ok(self) };
+        if let Some(stated) = self.prepared.unit().filter(|&stated| stated != metres) {
+            let path = self.source.path();
+            eprintln!(
+                "note: {path}: its coordinates in units of {stated:?} m are taken as ones of {metres:?} m"
+            );
+        }
         let model = self.model.map(|model| model.with_unit(metres)).transpose()?;
         let prepared = self.prepared.with_unit(metres, model.as_ref())?;
         Ok(Self { model, prepared, ..self })
@@ -140,6 +159,8 @@ const READER: &str = "built-in";
 pub(crate) struct Points {
     /// x, y, z each.
     pub(crate) coordinates: Vec<f64>,
+    /// Metres per unit, if the file states it.
+    pub(crate) unit: Option<f64>,
     pub(crate) source: Source,
 }
 
@@ -157,7 +178,8 @@ pub(crate) fn read_points(path: &Path) -> std::result::Result<Points, Failure> {
         Facets::Mesh(mesh) => mesh.vertices(),
         Facets::Cloud(cloud) => cloud.points(),
     };
-    Ok(Points { coordinates: points.iter().flat_map(|point| point.to_array()).collect(), source })
+    let coordinates = points.iter().flat_map(|point| point.to_array()).collect();
+    Ok(Points { coordinates, unit: file.unit, source })
 }
 
 /// A report, with the kind of the file and its reader.

@@ -5,6 +5,11 @@ use std::fs::OpenOptions;
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::Path;
 
+/// Returns whether a name ends with a dot and these letters, in any case.
+pub(crate) fn has_ending(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
+}
+
 /// Writes a file that is not there yet, or is to be replaced.
 ///
 /// # Errors

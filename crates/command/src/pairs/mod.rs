@@ -5,7 +5,7 @@ mod tree;
 
 use crate::arguments::models::{Pair, Reporting, UnitsOfFiles};
 use crate::failure::Failure;
-use crate::input::{File, Input, STANDARD_STREAM, in_units};
+use crate::input::{File, Input, STANDARD_STREAM, in_units, refuse_one_stream};
 use crate::output::{json::print_json, print};
 use crate::reports::{Answer, Format, Outcome, Row, Rows, Verdict, figures, print_report};
 use earlier::Earlier;
@@ -49,6 +49,7 @@ enum Drawn {
 /// Those of a pair of files, unless the format has a place for them; of a directory beside a file.
 pub(crate) fn run<C: Comparison>(pair: &Pair, reporting: &Reporting, comparison: &C) -> Result<u8, Failure> {
     let Pair { a, b } = pair;
+    refuse_one_stream([a, b])?;
     let format = reporting.format();
     let draws = match format {
         Format::Html if a.is_dir() => Drawn::NotPassed,

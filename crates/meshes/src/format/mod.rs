@@ -56,7 +56,12 @@ impl MeshFormat {
             return Ok(Some(format));
         }
         foreign::refuse(bytes)?;
-        Ok(Self::of_name(name).or_else(|| Self::of_lines(bytes)))
+        let named = Self::of_name(name);
+        // Of these formats only glTF is JSON.
+        if bytes.trim_ascii_start().starts_with(b"{") && named != Some(Self::Gltf) {
+            return Ok(None);
+        }
+        Ok(named.or_else(|| Self::of_lines(bytes)))
     }
 
     /// Returns the format of a file by the ending of its name, in any case; `None` for other endings.

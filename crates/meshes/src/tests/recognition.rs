@@ -52,3 +52,21 @@ fn other_formats_are_refused_by_name() {
         assert!(error.code() == "FORMAT_UNSUPPORTED" && error.to_string().contains(name), "{error}");
     }
 }
+
+/// Carriage returns end lines where nothing else does, and lines of OBJ are no points whatever the name.
+#[test]
+fn text_of_points_has_lines_of_points_alone() {
+    let read = |text: &str| MeshFile::read(text.as_bytes(), MeshFormat::Text);
+    let points = |text: &str| match read(text).unwrap().facets {
+        Facets::Cloud(cloud) => cloud.points().len(),
+        Facets::Mesh(_) => 0,
+    };
+    for text in ["0 0 0\r1 0 0\r0 1 0\r", "0 0 0\r\n1 0 0\r\n0 1 0", "A 0 0 0\nB 1 0 0\nf 0 1 0"] {
+        assert_eq!(points(text), 3, "{text:?}");
+    }
+    for rest in ["f 1 2 3", "vn 0 0 1"] {
+        let error = read(&format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{rest}\n")).unwrap_err();
+        assert!(error.to_string().contains("an element of OBJ"), "{error}");
+    }
+    assert_eq!(MeshFormat::of_file(b" {\"surfaces\": []}", "part.stl").unwrap(), None);
+}

@@ -64,6 +64,27 @@ fn points_are_moved_and_written_with_all_digits() {
     assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error[FORMAT_UNSUPPORTED]"));
 }
 
+/// Points in inches are no points in millimetres, and a file of points is CSV.
+#[test]
+fn points_in_another_unit_or_format_are_refused() {
+    let [ball, points] = ball_and_points("closest-points-refused");
+    let ball = {
+        let text = std::fs::read_to_string(&ball).unwrap();
+        file("closest-points-mm.json", &text.replacen('{', r#"{"unit":0.001,"#, 1))
+    };
+    let inches = file("closest-points-in.csv", "x [in],y_in,z (in)\n0.2,0,0\n");
+    let refused = run(&["closest-points", &ball, &inches]);
+    assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error[UNITS_DIFFER]"), "{refused:?}");
+    for name in ["closest-points.ply", "closest-points.json"] {
+        let refused = run(&["closest-points", &ball, &points, "--output", name, "--overwrite"]);
+        assert!(String::from_utf8_lossy(&refused.stderr).contains(".csv"), "{refused:?}");
+        assert_eq!((status(&refused), std::path::Path::new(name).exists()), (2, false));
+    }
+    let (ended, lines) = text(&["closest-points", &ball, &points, "--output", "-"]);
+    assert_eq!((ended, lines.lines().count()), (0, 1 + FROM_THE_MIDDLE.len()));
+    assert!(lines.starts_with("x,y,z,signed,"), "{lines}");
+}
+
 #[test]
 fn gaps_are_the_pairs_of_faces_that_come_near() {
     let [low, high] =
@@ -78,6 +99,16 @@ fn gaps_are_the_pairs_of_faces_that_come_near() {
     assert!(lines.starts_with("1 pair of faces comes nearer than 3.5\n3 ("), "{lines}");
     let (ended, lines) = text(&["gaps", &low, &high, "--below", "2.5"]);
     assert!(ended == 0 && lines.starts_with("no faces come nearer than 2.5\n"), "{lines}");
+    // Balls of radius 2 that are 1.02 apart. Where a budget ends the search, it is not known whether they come nearer.
+    let [ball, _] = ball_and_points("gaps-ball");
+    let few = ["gaps", &ball, &ball, "--translate", "5,0.3,0.4", "--below", "1.01", "--max-cells", "1"];
+    let (ended, lines) = text(&few);
+    assert!(ended == 3 && lines.starts_with("no faces certainly come nearer than 1.01, 1 may\n"), "{lines}");
+    assert!(lines.contains(", undecided\n"), "{lines}");
+    let (ended, lines) = text(&few[..7]);
+    assert!(ended == 0 && lines.starts_with("no faces come nearer than 1.01\n"), "{lines}");
+    let line = text(&[&few[..], &["--json"]].concat()).1;
+    assert_eq!(serde_json::from_str::<Value>(&line).unwrap()["verdict"], "undecided");
     // A mesh is one face; from 0 to 1 along each axis, it meets the plane at 0. A cloud has no faces.
     let mesh = cuboid("gaps.off", [1.0; 3]);
     let found = printed(&run(&["gaps", &low, &mesh, "--below", "1", "--json"]));

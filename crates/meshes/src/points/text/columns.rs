@@ -109,15 +109,28 @@ impl Columns {
     }
 }
 
-/// Returns a name in lower case, without what stands in brackets, blanks and marks.
+/// Returns a name in lower case, without its unit, blanks and marks.
 fn key(name: &str) -> String {
-    let name = name.split(['[', '(', '{']).next().unwrap_or("");
+    let name = stem_and_unit(name).0;
     name.chars().filter(|character| character.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
-/// Returns the metres of the unit in the brackets of a name.
+/// Returns the metres of the unit of a name.
 fn unit(name: &str) -> Option<f64> {
-    let (_, rest) = name.split_once(['[', '(', '{'])?;
-    let stated = rest.split([']', ')', '}']).next()?.trim();
-    UNITS.iter().find(|(unit, _)| stated.eq_ignore_ascii_case(unit)).map(|&(_, metres)| metres)
+    metres(stem_and_unit(name).1?)
+}
+
+/// Returns a name and what stands in brackets behind it, `x [mm]`, or the unit behind its last underscore, `x_mm`.
+fn stem_and_unit(name: &str) -> (&str, Option<&str>) {
+    if let Some((stem, rest)) = name.split_once(['[', '(', '{']) {
+        return (stem, rest.split([']', ')', '}']).next());
+    }
+    match name.rsplit_once('_') {
+        Some((stem, unit)) if metres(unit).is_some() => (stem, Some(unit)),
+        _ => (name, None),
+    }
+}
+
+fn metres(unit: &str) -> Option<f64> {
+    UNITS.iter().find(|(name, _)| unit.trim().eq_ignore_ascii_case(name)).map(|&(_, metres)| metres)
 }

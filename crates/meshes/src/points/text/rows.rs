@@ -6,6 +6,9 @@ use super::columns::Columns;
 use crate::Soup;
 use nurbs_hausdorff::Error;
 
+/// The words before numbers in OBJ that are no coordinates of points, which `v` stands before.
+const ELEMENTS: [&str; 5] = ["f", "l", "vn", "vt", "vp"];
+
 /// The largest number of characters of a line in a message.
 pub(super) const SHOWN: usize = 60;
 
@@ -37,7 +40,9 @@ impl Refusal {
 impl<'a> Lines<'a> {
     pub(super) fn of(text: &'a str) -> Self {
         let mut lines = Self { comments: Vec::new(), content: Vec::new() };
-        for (index, line) in text.lines().enumerate() {
+        // Carriage returns alone end lines in files without another end.
+        let end = if text.contains('\n') { '\n' } else { '\r' };
+        for (index, line) in text.split(end).enumerate() {
             let trimmed = line.trim();
             let comment = trimmed.strip_prefix("//").or_else(|| trimmed.strip_prefix('#'));
             match comment {
@@ -59,6 +64,7 @@ impl<'a> Lines<'a> {
         let mut soup = Soup::default();
         let mut cells = Vec::new();
         let mut columns: Option<Columns> = None;
+        let mut is_obj = false;
         // The number of cells of a row, where the file has one.
         let mut width = None;
         let mut scan = Scan::default();
@@ -76,6 +82,11 @@ impl<'a> Lines<'a> {
             }
             let first = || self.commented(&cells, layout).unwrap_or_else(|| unlabelled(&cells));
             let Columns { places, unit, have_several_units } = *columns.get_or_insert_with(first);
+            let label = cells.first().copied().filter(|_| places[0] == 1);
+            is_obj |= label == Some("v");
+            if is_obj && label.is_some_and(|label| ELEMENTS.contains(&label)) {
+                return Err(refusal(format!("found {}, an element of OBJ, expected points", shown(text))));
+            }
             if have_several_units {
                 return Err(refusal("the columns of coordinates are in units that differ".to_owned()));
             }
