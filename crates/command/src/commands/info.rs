@@ -125,6 +125,9 @@ fn lines(out: &mut String, Stated { info, unit, mass }: &Stated) -> std::fmt::Re
     for (index, body) in info.bodies.iter().enumerate() {
         self::body(out, index, body)?;
     }
+    if unit.is_some() {
+        writeln!(out, "faces in  the model's unit")?;
+    }
     faces(out, info)
 }
 

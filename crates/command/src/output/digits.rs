@@ -20,6 +20,14 @@ pub(crate) fn bounded(value: f64, ends: [f64; 2]) -> String {
     format!("{} ({})", within(value, ends), interval(ends))
 }
 
+/// Returns the same, of ends that are rounded to no other side of a limit.
+pub(crate) fn bounded_beside(limit: Option<f64>, value: f64, ends: [f64; 2]) -> String {
+    let [lower, upper] = ends;
+    let room = |beside: f64| if beside > 0.0 { beside } else { f64::INFINITY };
+    let rooms = limit.map_or([f64::INFINITY; 2], |limit| [room(lower - limit), room(limit - upper)]);
+    format!("{} ({})", within(value, ends), rounded_ends(ends, rooms))
+}
+
 /// Returns the number with the fewest digits that lies in the interval and rounds `value`: `0.2`.
 fn within(value: f64, [lower, upper]: [f64; 2]) -> String {
     let value = if value >= lower { value } else { lower };
@@ -34,9 +42,15 @@ pub(crate) fn held(interval: &Interval) -> String {
 }
 
 /// Returns the interval with its ends rounded outwards: `0.19999 … 0.20001`.
-pub(crate) fn interval([lower, upper]: [f64; 2]) -> String {
+pub(crate) fn interval(ends: [f64; 2]) -> String {
+    rounded_ends(ends, [f64::INFINITY; 2])
+}
+
+/// Returns the interval with its ends rounded outwards, each by less than a part of the width and than its room.
+fn rounded_ends([lower, upper]: [f64; 2], rooms: [f64; 2]) -> String {
     let step = END_PART * (upper - lower);
-    format!("{} … {}", number(outwards(lower, step, -1.0)), number(outwards(upper, step, 1.0)))
+    let [below, above] = rooms.map(|room| if room < step { room } else { step });
+    format!("{} … {}", number(outwards(lower, below, -1.0)), number(outwards(upper, above, 1.0)))
 }
 
 /// Returns the coordinates of a point of models with this diagonal, with blanks between them.
@@ -101,6 +115,16 @@ mod tests {
         ] {
             assert_eq!(bounded(value, ends), expected);
         }
+    }
+
+    /// 0.0194 rounds to 0 in an interval as wide as 2.7, and 0.0199 up to 0.02.
+    #[test]
+    fn ends_stay_on_their_side_of_a_limit() {
+        assert_eq!(bounded([0.0194, 2.68][0], [0.0194, 2.68]), "0.02 (0 … 2.7)");
+        assert_eq!(bounded_beside(Some(0.001), 0.0194, [0.0194, 2.68]), "0.02 (0.01 … 2.7)");
+        assert_eq!(bounded_beside(Some(0.0194), 0.0194, [0.0194, 2.68]), "0.02 (0 … 2.7)");
+        assert_eq!(bounded_beside(Some(2.69), 1.0, [0.0194, 2.68]), "1 (0 … 2.68)");
+        assert_eq!(bounded_beside(None, 1.0, [0.0194, 2.68]), "1 (0 … 2.7)");
     }
 
     /// Of ends of many sizes and widths, in an order that repeats.

@@ -1,6 +1,6 @@
 //! The first line for people: the verdict, the number with its interval, and the place.
 
-use super::digits::{bounded, coordinates, number};
+use super::digits::{bounded_beside, coordinates, number};
 use crate::input::Input;
 use nurbs_hausdorff::{DistanceResult, SurfacePoint};
 
@@ -14,7 +14,7 @@ pub(crate) fn verdict(word: &str, limit: f64) -> String {
 
 /// Returns the distance, its interval and where it is attained: `0.2 (0.19999 … 0.20001) on face 6,
 /// cylinder, at 8.2 0 0`.
-pub(crate) fn distance(result: &DistanceResult, a: &Input, b: &Input) -> String {
+pub(crate) fn distance(result: &DistanceResult, limit: Option<f64>, a: &Input, b: &Input) -> String {
     let witness = &result.witness;
     let ends = [result.lower, result.upper];
     let place = match (&result.forward, &result.reverse) {
@@ -24,7 +24,7 @@ pub(crate) fn distance(result: &DistanceResult, a: &Input, b: &Input) -> String 
         (Some(_), Some(_)) => place(&witness.a, a, " of A", result.diagonal),
         _ => place(&witness.a, a, "", result.diagonal),
     };
-    format!("{} on {place}", bounded(result.computed, ends))
+    format!("{} on {place}", bounded_beside(limit, result.computed, ends))
 }
 
 /// Returns where a point is: its face, triangle or number in the model that `of` names, its name and

@@ -12,8 +12,12 @@ pub(crate) struct Rows {
     head: Head,
     /// The command that compared them.
     pub(crate) command: &'static str,
-    /// That of all pairs.
+    /// That of all pairs, by which the call ends.
+    #[serde(skip)]
     pub(crate) verdict: Verdict,
+    /// The same; none where nothing was judged.
+    #[serde(rename = "verdict")]
+    stated: Option<Verdict>,
     /// What was compared, as given.
     pub(crate) a: String,
     /// What it was compared with, as given; empty where bodies of one side are compared with each other.
@@ -98,6 +102,13 @@ impl Row {
         }
     }
 
+    fn is_judged(&self) -> bool {
+        match &self.outcome {
+            Outcome::Answered(answer) => answer.judged || answer.limit.is_some(),
+            _ => true,
+        }
+    }
+
     /// The exit status of this pair alone.
     pub(crate) fn status(&self) -> u8 {
         self.verdict().status()
@@ -113,7 +124,8 @@ impl Rows {
     ) -> Self {
         let fields = fields.into_iter().filter_map(|(term, text)| Some((term, text?))).collect();
         let verdict = of_all(&rows);
-        Self { head: Head::new(), command, verdict, a, b, rows, fields }
+        let stated = (verdict != Verdict::Passed || rows.iter().any(Row::is_judged)).then_some(verdict);
+        Self { head: Head::new(), command, verdict, stated, a, b, rows, fields }
     }
 
     /// The words of all rows with their numbers, in the order of their first row: `3 unchanged, 1 added`.

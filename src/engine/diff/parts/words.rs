@@ -26,17 +26,18 @@ impl DiffResult {
         if changed.is_empty() {
             return Some(format!("all {} parts are the same", parts.len()));
         }
-        let mut groups: Vec<(String, String, usize)> = Vec::new();
+        let mut groups: Vec<(&PartDifference, String, usize)> = Vec::new();
         for part in &changed {
-            let (name, what) = (short_name(part), what(part, self.unit));
-            match groups.iter_mut().find(|(other, of, _)| *other == name && *of == what) {
+            let what = what(part, self.unit);
+            let is_alike = |other: &PartDifference| name_of_copies(other) == name_of_copies(part);
+            match groups.iter_mut().find(|(other, of, _)| is_alike(other) && *of == what) {
                 Some((_, _, count)) => *count += 1,
-                None => groups.push((name, what, 1)),
+                None => groups.push((part, what, 1)),
             }
         }
-        let text = |(name, what, count): &(String, String, usize)| match count {
-            1 => format!("{name} {what}"),
-            _ => format!("{name} ×{count} {what}"),
+        let text = |(part, what, count): &(&PartDifference, String, usize)| match count {
+            1 => format!("{} {what}", one_line(&short_name(part))),
+            _ => format!("{} ×{count} {what}", one_line(&name_of_copies(part))),
         };
         let mut texts: Vec<String> = groups.iter().take(MAX_GROUPS).map(text).collect();
         if groups.len() > MAX_GROUPS {
@@ -73,13 +74,19 @@ fn full_name(part: &PartDifference) -> &str {
     part.name_of_a.as_deref().or(part.name_of_b.as_deref()).unwrap_or_default()
 }
 
-/// The last level of the name, without the number of a copy and without the name of the use in parentheses.
+/// The last level of the name, without the name of the use in parentheses.
 fn short_name(part: &PartDifference) -> String {
     let last = face_path(full_name(part)).pop().unwrap_or_default();
-    let product =
-        last.strip_suffix(')').and_then(|level| level.rsplit_once(" (")).map_or(&*last, |(name, _)| name);
-    let base = product.trim_end_matches(|one: char| one.is_ascii_digit() || "():-_#. ".contains(one));
-    one_line(if base.is_empty() { &last } else { base })
+    let product = last.strip_suffix(')').and_then(|level| level.rsplit_once(" ("));
+    product.map_or_else(|| last.to_string(), |(name, _)| name.to_owned())
+}
+
+/// The same without the number of a copy, which the name of a part that is alone keeps: the number may be all that tells
+/// M6 from M8.
+fn name_of_copies(part: &PartDifference) -> String {
+    let name = short_name(part);
+    let base = name.trim_end_matches(|one: char| one.is_ascii_digit() || "():-_#. ".contains(one));
+    if base.is_empty() { name } else { base.to_owned() }
 }
 
 /// What became of a part, after its name.

@@ -164,11 +164,20 @@ fn units_text(Placement { scale_units, units, .. }: &Placement) -> String {
     text
 }
 
+/// Returns a word as shells read it.
+fn quoted(word: &str) -> String {
+    let is_plain = |one: char| one.is_alphanumeric() || "/._-+,:@%=".contains(one);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        return word.to_owned();
+    }
+    format!("'{}'", word.replace('\'', "'\\''"))
+}
+
 /// Writes the command that measures the pair in the pose found.
 fn next_command(out: &mut String, arguments: &AlignArguments, fit: &BestFit) -> std::fmt::Result {
     let Motion { axis: [x, y, z], degrees, translation: [a, b, c], .. } = Motion::of(&fit.transform);
     let units = units_text(&arguments.placement);
-    let [of_a, of_b] = [&arguments.a, &arguments.b].map(|path| path.display());
+    let [of_a, of_b] = [&arguments.a, &arguments.b].map(|path| quoted(&path.display().to_string()));
     writeln!(
         out,
         "measure    nurbs-hausdorff distance {of_a} {of_b}{units} --rotate={x:?},{y:?},{z:?},{degrees:?} \

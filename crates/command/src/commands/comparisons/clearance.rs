@@ -4,7 +4,7 @@ use super::asked::answered;
 use crate::arguments::comparisons::clearance::ClearanceArguments;
 use crate::failure::Failure;
 use crate::input::{Input, is_judged};
-use crate::output::digits::bounded;
+use crate::output::digits::bounded_beside;
 use crate::output::headline::{self, GAPS_DECIDE, place};
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
@@ -53,7 +53,12 @@ fn first(result: &ClearanceResult, judged: Option<(f64, Option<bool>)>, [a, b]: 
         place(&result.witness.a, a, " of A", result.diagonal),
         place(&result.witness.b, b, " of B", result.diagonal),
     );
-    let found = bounded(result.upper, [result.lower, result.upper]);
+    let limit = judged.map(|(limit, _)| limit);
+    let found = bounded_beside(limit, result.upper, [result.lower, result.upper]);
+    let has_common = matches!(result.overlap, Some(Overlap::Intersecting { .. } | Overlap::Contained { .. }));
+    if has_common && matches!(judged, Some((_, Some(false)))) {
+        return format!("OVERLAPPING: the boundaries are {found} apart, at {of_a} and {of_b}{doubt}\n");
+    }
     let verdict = verdict.unwrap_or_else(|| "clearance ".to_owned());
     format!("{verdict}{found} between {of_a} and {of_b}{doubt}\n")
 }

@@ -4,7 +4,7 @@ use crate::arguments::comparisons::DiffArguments;
 use crate::arguments::models::UnitsOfFiles;
 use crate::failure::Failure;
 use crate::input::{Input, is_judged};
-use crate::output::digits::{bounded, coordinates, held};
+use crate::output::digits::{bounded_beside, coordinates, held};
 use crate::output::headline::{self, GAPS_DECIDE};
 use crate::output::json::{Asked, OfFiles, raw};
 use crate::output::progress::Bar;
@@ -135,7 +135,7 @@ fn summary(result: &DiffResult, a: &Input, b: &Input) -> String {
             true => headline::place(&witness.a, a, " of A", result.diagonal),
             false => headline::place(&witness.b, b, " of B", result.diagonal),
         };
-        format!("{} on {place}; ", bounded(face.lower, [face.lower, face.upper]))
+        format!("{} on {place}; ", bounded_beside(Some(result.limit), face.lower, [face.lower, face.upper]))
     });
     let [a, b] = [&result.faces_of_a, &result.faces_of_b].map(|faces| counts(faces));
     let parts = result.parts_summary().map_or(String::new(), |parts| format!("{parts}; "));
@@ -160,7 +160,7 @@ fn findings(result: &DiffResult) -> Vec<String> {
                     "{name} face {}{face_name} {}: {} at {at}{became}",
                     face.face,
                     word(state),
-                    bounded(face.lower, [face.lower, face.upper])
+                    bounded_beside(Some(result.limit), face.lower, [face.lower, face.upper])
                 ));
             }
             if faces.len() > MAX_LISTED {

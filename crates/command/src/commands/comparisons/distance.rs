@@ -62,7 +62,7 @@ impl Comparison for Distance<'_> {
         };
         let verdict = Verdict::of(within);
         let word = word(limit, within);
-        let found = headline::distance(&result, a, b);
+        let found = headline::distance(&result, limit, a, b);
         let gap = if result.gap > 0.0 { format!(", gap {}", number(result.gap)) } else { String::new() };
         let doubt = doubt(&result, limit.filter(|_| is_judged));
         let first = limit.map_or("distance ".to_owned(), |limit| headline::verdict(word, limit));

@@ -19,7 +19,8 @@ pub(crate) fn run(arguments: &OverlapArguments) -> std::result::Result<u8, Failu
     let (result, [a, b]) = answered(&arguments.options()?, files, compared.placement.units)?;
     let is_known = is_judged(&a, &b, compared.allow_skipped) && result.volumes.is_some();
     if compared.json {
-        let asked = Asked { command: "overlap", verdict: None, limit: None, symmetric: None };
+        let verdict = (!is_known).then_some(Verdict::Undecided);
+        let asked = Asked { command: "overlap", verdict, limit: None, symmetric: None };
         print_json(&OfFiles::new(asked, &result, &a, &b))?;
     } else {
         let mut text = String::new();

@@ -177,3 +177,14 @@ fn short_help_fits_a_screen_and_long_help_has_every_option() {
     assert!(["--memory-budget", "--sampling", "--step-tolerance"].iter().all(|option| long.contains(option)));
     assert!(!text(&run(&["distance", "-h"])).contains("--memory-budget"));
 }
+
+/// Numbers below 0 are values, and not other arguments.
+#[test]
+fn a_negative_number_is_a_value_that_is_out_of_range() {
+    let part = file("negative.json", &plane(0.0).to_string());
+    for option in ["--limit", "--tolerance"] {
+        let refused = run(&["distance", &part, &part, option, "-1"]);
+        let error = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert!(error.starts_with("error[OPTION_OUT_OF_RANGE]"), "{error}");
+    }
+}

@@ -165,3 +165,28 @@ fn pairs_and_datums_lay_a_part_by_hand() {
     let output = run(&["align", &part, &raised, "--pairs", &two]);
     assert!(String::from_utf8_lossy(&output.stderr).contains("line 2"), "{output:?}");
 }
+
+#[test]
+fn what_has_no_effect_on_a_fit_is_refused() {
+    let wing = wing("no-effect");
+    for more in [["--box-degrees", "2"], ["--max-boxes", "9"], ["--box-translation", "1"]] {
+        let refused = run(&[&["align", &wing, &wing], &more[..]].concat());
+        assert!(String::from_utf8_lossy(&refused.stderr).contains("without a zone"), "{refused:?}");
+    }
+    for (text, expected) in [("# none\n", "found no pairs"), ("1 2 3\n", "found 3 numbers, expected 6, or 7")]
+    {
+        let pairs = file("no-effect.txt", text);
+        let refused = run(&["align", &wing, &wing, "--pairs", &pairs]);
+        assert!(String::from_utf8_lossy(&refused.stderr).contains(expected), "{refused:?}");
+    }
+}
+
+/// The names of files are words of a shell in the command that is printed.
+#[test]
+fn the_line_that_measures_can_be_pasted() {
+    let wing = wing("it's a wing");
+    let output = run(&["align", &wing, &wing, "--from", "given"]);
+    let quoted = format!("'{}'", wing.replace('\'', "'\\''"));
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(text.contains(&format!("distance {quoted} {quoted} --rotate")), "{text}");
+}

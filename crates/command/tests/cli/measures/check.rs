@@ -212,3 +212,28 @@ fn a_body_that_does_not_close_is_named() {
     assert_eq!(status(&output), 0, "{}", String::from_utf8_lossy(&output.stderr));
     assert!(text(&output).contains("is not closed"), "{}", text(&output));
 }
+
+/// Parts whose names differ in their numbers alone keep these; copies that moved alike are one group.
+#[test]
+fn the_first_line_of_a_difference_names_the_parts_that_moved() {
+    let names = ["M6", "M8", "bolt:1", "bolt:2"];
+    let at = |moved: &[(usize, f64)]| {
+        let part = |(index, name): (usize, &&'static str)| {
+            let y = moved.iter().find(|(other, _)| *other == index).map_or(0.0, |&(_, y)| y);
+            let x = 10.0 * index as f64;
+            // No part is a copy of another one.
+            let size = 1.0 + index as f64 / 8.0;
+            (*name, [x, y, 0.0], [x + size, y + 1.0, 2.0])
+        };
+        names.iter().enumerate().map(part).collect::<Vec<_>>()
+    };
+    let a = boxes("named-a", &at(&[]));
+    for (name, moved, expected) in [
+        ("named-b", &[(1, 3.0)][..], "1 of 4 parts changed: M8 moved by 3.000 along y;"),
+        ("named-c", &[(2, 3.0), (3, 3.0)], "2 of 4 parts changed: bolt ×2 moved by 3.000 along y;"),
+        ("named-d", &[(3, 3.0)], "1 of 4 parts changed: bolt:2 moved by 3.000 along y;"),
+    ] {
+        let found = text(&run(&["diff", &a, &boxes(name, &at(moved))]));
+        assert!(found.lines().next().is_some_and(|line| line.contains(expected)), "{found}");
+    }
+}

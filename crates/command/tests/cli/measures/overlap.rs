@@ -53,10 +53,32 @@ fn models_that_are_open_have_no_overlap() {
     assert_eq!(ended, 3);
     assert!(lines.starts_with("UNDECIDED: no volumes, as A is not closed\n"), "{lines}");
     let (ended, line) = text(&["overlap", &closed, &open, "--json"]);
+    let found: Value = serde_json::from_str(&line).unwrap();
     assert_eq!(
-        (ended, &serde_json::from_str::<Value>(&line).unwrap()["volumesUnknown"]),
-        (3, &"b-open".into())
+        (ended, &found["volumesUnknown"], &found["verdict"]),
+        (3, &"b-open".into(), &"undecided".into())
     );
+}
+
+/// Solids that overlap are less apart than any limit, whatever the distance of their boundaries.
+#[test]
+fn the_first_line_of_a_clearance_says_that_solids_overlap() {
+    let [outer, inner] = [("overlapping-outer.off", [8.0; 3]), ("overlapping-inner.off", [2.0; 3])]
+        .map(|(name, size)| cuboid(name, size));
+    let (ended, lines) = text(&["clearance", &inner, &outer, "--translate", "3,3,3", "--limit", "1"]);
+    assert!(ended == 1 && lines.starts_with("OVERLAPPING: the boundaries are 3 ("), "{lines}");
+    let (ended, lines) = text(&["clearance", &inner, &outer, "--translate", "-2.5,0,0", "--limit", "1"]);
+    assert!(ended == 1 && lines.starts_with("LESS THAN 1: 0.5 ("), "{lines}");
+}
+
+#[test]
+fn standard_input_is_one_model() {
+    let refused = run(&["distance", "-", "-"]);
+    assert!(
+        String::from_utf8_lossy(&refused.stderr).contains("standard input as both models"),
+        "{refused:?}"
+    );
+    assert_eq!(status(&refused), 2);
 }
 
 #[test]
