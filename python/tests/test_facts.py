@@ -17,6 +17,9 @@ def test_intervals_compare_where_that_is_decided():
     assert (one <= 2) is True and (one <= 0.5) is False and (one <= 1) is None
     assert (one > 0.5) is True and (one > 2) is False and (one > nh.Interval(0.0, 1.5)) is None
     assert (one >= nh.Interval(0.0, 1.0)) is True and (one >= 2.5) is False and (one >= 1.5) is None
+    assert (one == 1.5) is None and (one == 2) is None and (one == 2.5) is False and one != "1.5"
+    assert (nh.Interval(3.0, 3.0) == 3) is True and one == nh.Interval(1.0, 2.0) != nh.Interval(1.0, 3.0)
+    assert len({one, nh.Interval(1.0, 2.0)}) == 1
     assert tuple(one) == (1.0, 2.0)
 
 

@@ -124,3 +124,5 @@ def test_signed_distances_of_a_box_are_those_of_the_formula():
     with pytest.raises(nh.NurbsHausdorffError) as raised:
         nh.signed_distances(part[:5])
     assert raised.value.code == "NOT_CLOSED"
+    with pytest.raises(TypeError):
+        nh.signed_distances(part, counts=(2.5, 2, 2))

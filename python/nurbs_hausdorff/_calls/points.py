@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Sequence
 from typing import Any, Literal
 
@@ -121,7 +122,7 @@ def signed_distances(
     options = _names.options(
         origin=None if origin is None else [float(x) for x in origin],
         spacing=spacing,
-        counts=None if counts is None else [int(count) for count in counts],
+        counts=None if counts is None else [operator.index(count) for count in counts],
         resolution=resolution,
         band=band,
         tolerance=tolerance,

@@ -9,11 +9,12 @@ from dataclasses import dataclass
 _MAX_DECIMALS = 17
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Interval:
     """Interval that contains a number: ``lower <= number <= upper``.
 
-    Comparisons with a number or another interval are None where the intervals do not decide them.
+    Comparisons with a number or another interval are None where the intervals do not decide them; ``==`` with a
+    number too, and with another interval it compares the ends.
     ``lower, upper = interval`` unpacks it.
     """
 
@@ -41,6 +42,19 @@ class Interval:
     def contains(self, number: float) -> bool:
         """Return whether a number is in the interval."""
         return self.lower <= number <= self.upper
+
+    def __eq__(self, other: object) -> bool | None:  # type: ignore[override]
+        # Equal to a number: None where it is one of several. Intervals are equal by their ends.
+        if isinstance(other, Interval):
+            return (self.lower, self.upper) == (other.lower, other.upper)
+        if not isinstance(other, (int, float)):
+            return NotImplemented
+        if self.lower == self.upper:
+            return self.lower == other
+        return None if self.contains(other) else False
+
+    def __hash__(self) -> int:
+        return hash((self.lower, self.upper))
 
     def __lt__(self, other: Interval | float) -> bool | None:
         low, high = _ends(other)

@@ -2,7 +2,7 @@
 
 use crate::arguments::Arguments;
 use crate::output::json::print_error;
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 use std::process::ExitCode;
 
 /// The code of arguments that cannot be parsed, as for options in JavaScript.
@@ -13,7 +13,10 @@ const CODE: &str = "OPTION_INVALID";
 /// # Errors
 /// The exit status, after the help or the error has been printed.
 pub(crate) fn arguments() -> Result<Arguments, ExitCode> {
-    Arguments::try_parse().map_err(|error| {
+    // Numbers below 0 are values, whose range is checked with that of others.
+    let command = Arguments::command().mut_subcommands(|one| one.allow_negative_numbers(true));
+    let parsed = command.try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
+    parsed.map_err(|error| {
         if !error.use_stderr() {
             // It is no failure if the reader of the help has gone.
             let _ = error.print();

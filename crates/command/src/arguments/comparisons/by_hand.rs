@@ -58,13 +58,21 @@ pub(crate) fn read_pairs(path: &Path) -> Result<Vec<PointPair>, Failure> {
     let lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
     let pairs = lines
         .map(|(index, line)| pair(line).map_err(|found| invalid(format!("line {}: {found}", index + 1))));
-    Ok(pairs.collect::<Result<_, _>>()?)
+    let pairs: Vec<PointPair> = pairs.collect::<Result<_, _>>()?;
+    if pairs.is_empty() {
+        return Err(invalid("found no pairs, expected at least 3".to_owned()).into());
+    }
+    Ok(pairs)
 }
 
 fn pair(line: &str) -> Result<PointPair, String> {
     let separated = |letter: char| letter == ',' || letter == ';' || letter.is_whitespace();
     let list: Vec<&str> = line.split(separated).filter(|word| !word.is_empty()).collect();
-    let weighted = if list.len() == 6 { [list.as_slice(), &["1"]].concat() } else { list };
+    let weighted = match list.len() {
+        6 => [list.as_slice(), &["1"]].concat(),
+        7 => list,
+        count => return Err(format!("found {count} numbers, expected 6, or 7 with a weight")),
+    };
     let [a, b, c, x, y, z, weight] = numbers(&weighted.join(","))?;
     Ok(PointPair { a: [a, b, c], b: [x, y, z], weight })
 }

@@ -24,10 +24,11 @@ pub(crate) struct Placement {
 /// The units of both files, whatever they state.
 #[derive(Debug, Clone, Copy, Args)]
 pub(crate) struct UnitsOfFiles {
-    /// The unit of A's coordinates, whatever its file states; B is scaled to it.
+    /// The unit of A's coordinates, whatever its file states; those of STEP and IGES are millimetres once they are read. B
+    /// is scaled to it.
     #[arg(long, value_name = "UNIT", value_enum, hide_short_help = true)]
     pub(crate) unit_of_a: Option<Unit>,
-    /// The unit of B's coordinates, whatever its file states; B is scaled to that of A.
+    /// The same of B, which is scaled to the unit of A.
     #[arg(long, value_name = "UNIT", value_enum, hide_short_help = true)]
     pub(crate) unit_of_b: Option<Unit>,
 }
