@@ -24,6 +24,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<u8, Failure> {
     options.validate()?;
     let inputs = arguments.files.iter().map(|path| read(path)).collect::<Result<Vec<Input>, Failure>>()?;
     let inputs: Vec<&Input> = inputs.iter().collect();
+    note_unknown_units(&inputs);
     let levels = levels(&arguments.files);
     let models = named(&levels, &inputs);
     let engine = Engine::cpu();
@@ -48,6 +49,16 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<u8, Failure> {
         }
     }
     Ok(verdict.status())
+}
+
+/// Says which of several files states no unit while another one does: nothing is scaled for it.
+fn note_unknown_units(inputs: &[&Input]) {
+    if let Some(stated) = inputs.iter().find_map(|input| input.prepared.unit()) {
+        for input in inputs.iter().filter(|input| input.prepared.unit().is_none()) {
+            let path = input.source.path();
+            eprintln!("note: {path}: it states no unit, and its lengths are taken as units of {stated:?} m");
+        }
+    }
 }
 
 /// Returns the levels above the names of the bodies: the names of several files without folders and endings.

@@ -67,6 +67,10 @@ pub(crate) fn run<C: Comparison>(pair: &Pair, reporting: &Reporting, comparison:
             vec![comparer.row(b.display().to_string(), Some(a), Some(b))]
         }
         (false, false) => {
+            if reporting.include.is_some() {
+                let found = "found --include with two files, expected two directories".to_owned();
+                return Err(Error::OptionInvalid { found }.into());
+            }
             let answer = comparer.answer(a, b)?;
             match format {
                 Format::Json => print_json(&answer.json)?,

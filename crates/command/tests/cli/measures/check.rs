@@ -237,3 +237,20 @@ fn the_first_line_of_a_difference_names_the_parts_that_moved() {
         assert!(found.lines().next().is_some_and(|line| line.contains(expected)), "{found}");
     }
 }
+
+/// A file without a unit beside one with a unit is named: its lengths are taken as they are.
+#[test]
+fn a_file_without_a_unit_is_named() {
+    let stated = {
+        let text = std::fs::read_to_string(boxes("stated", &[("a", [0.0; 3], [1.0; 3])])).unwrap();
+        file("check-millimetres.json", &text.replacen('{', r#"{"unit":0.001,"#, 1))
+    };
+    let unknown = boxes("unknown", &[("b", [3.0; 3], [4.0; 3])]);
+    let error = |files: [&str; 2]| {
+        let output = run(&[&["check"], &files[..]].concat());
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    let found = error([&stated, &unknown]);
+    assert!(found.contains("check-unknown.json: it states no unit") && found.contains("0.001 m"), "{found}");
+    assert_eq!(error([&unknown, &unknown]), "");
+}
