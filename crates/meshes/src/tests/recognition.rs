@@ -64,6 +64,10 @@ fn text_of_points_has_lines_of_points_alone() {
     for text in ["0 0 0\r1 0 0\r0 1 0\r", "0 0 0\r\n1 0 0\r\n0 1 0", "A 0 0 0\nB 1 0 0\nf 0 1 0"] {
         assert_eq!(points(text), 3, "{text:?}");
     }
+    for (unit, notes) in [("x [furlong]", 1), ("x [mm]", 0), ("x", 0)] {
+        let file = read(&format!("{unit},y,z\n0,0,0\n1,0,0\n")).unwrap();
+        assert_eq!((file.notes.len(), file.unit), (notes, None), "{unit}");
+    }
     for rest in ["f 1 2 3", "vn 0 0 1"] {
         let error = read(&format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{rest}\n")).unwrap_err();
         assert!(error.to_string().contains("an element of OBJ"), "{error}");

@@ -77,6 +77,9 @@ impl<'a> Lines<'a> {
             layout.split(text, &mut cells);
             if columns.is_none() && !cells.iter().any(|cell| layout.number(cell).is_some()) {
                 let found = Columns::named(&cells).ok_or_else(|| refusal(unnamed(&cells)))?;
+                if let Some(unit) = found.unknown_unit(&cells) {
+                    soup.note("coordinates", format!("their unit {unit:?} is none that is known"));
+                }
                 (columns, width) = (Some(found), Some(cells.len()));
                 continue;
             }
