@@ -282,4 +282,7 @@ fn rules_say_what_is_meant_and_what_must_be() {
     let found = result(touch("cover/*", "pump*/*")).unwrap();
     assert_eq!((found.clean, found.rules[0].rule), (Some(false), Rule::MustTouch));
     assert!(matches!(result(touch("lid/*", "pump*/*")), Err(Error::OptionInvalid { .. })));
+    // Two patterns of one body are of no pair.
+    assert!(matches!(result(touch("cover/*", "cover/**")), Err(Error::OptionInvalid { .. })));
+    assert!(result(touch("pump*/**", "pump*/**")).is_ok());
 }

@@ -91,7 +91,7 @@ impl CheckRules {
     /// Finds the bodies of all patterns. O(patterns bodies).
     ///
     /// # Errors
-    /// [`Error::OptionInvalid`] for a pattern of no body, which would let everything pass;
+    /// [`Error::OptionInvalid`] for a pattern of no body, or two of one, which would let everything pass;
     /// [`Error::OptionOutOfRange`] for a distance.
     pub(super) fn bound(&self, bodies: &[CheckedBody]) -> Result<Bound> {
         let of = |text: &str| {
@@ -102,7 +102,16 @@ impl CheckRules {
             }
             Err(Error::OptionInvalid { found: format!("the rules name {text}, which is no body") })
         };
-        let both = |a: &str, b: &str| Ok([of(a)?, of(b)?]);
+        let both = |a: &str, b: &str| {
+            let found = [of(a)?, of(b)?];
+            let is_one = found[0] == found[1] && found[0].iter().filter(|is_of| **is_of).count() == 1;
+            match is_one {
+                true => Err(Error::OptionInvalid {
+                    found: format!("the rules name {a} and {b}, which are one body"),
+                }),
+                false => Ok(found),
+            }
+        };
         let distance = |rule: &RequiredDistance| {
             at_least_zero("distance", rule.distance)?;
             Ok((both(&rule.a, &rule.b)?, rule.distance))
