@@ -99,8 +99,7 @@ impl PreparedModel {
     /// its faces an odd number of times, and inside the model if it is inside a body: in its outer shell
     /// and in none of its voids, as [`Self::bodies`] finds them.
     /// [`Side::Undecided`] for points on the boundary or within its gaps, for coordinates that are not
-    /// finite, within two shells of which it is not known whether one is a void, and for models that
-    /// are not closed.
+    /// finite, within two shells if one may be a void of the other, and for models that are not closed.
     #[must_use]
     pub fn side(&self, point: [f64; 3]) -> Side {
         self.side_within(DVec3::from_array(point), 0.0)

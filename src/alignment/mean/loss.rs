@@ -46,8 +46,8 @@ pub(crate) struct Loss {
 }
 
 impl Loss {
-    /// Returns the rule for `count` of all samples, of which a larger share may be outliers: what one of these adds to
-    /// the residual hides how well the others lie.
+    /// Returns the rule for `count` of all samples. A larger share of them may be outliers, and one that is not left out
+    /// adds so much to the residual that it hides how well the others lie.
     pub(crate) fn of_some(self, count: usize, all: usize) -> Self {
         if count >= all {
             return self;

@@ -81,8 +81,7 @@ fn short_name(part: &PartDifference) -> String {
     product.map_or_else(|| last.to_string(), |(name, _)| name.to_owned())
 }
 
-/// The same without the number of a copy, which the name of a part that is alone keeps: the number may be all that tells
-/// M6 from M8.
+/// The same without the number of a copy. A part that is alone keeps the number, which may distinguish M6 from M8.
 fn name_of_copies(part: &PartDifference) -> String {
     let name = short_name(part);
     let base = name.trim_end_matches(|one: char| one.is_ascii_digit() || "():-_#. ".contains(one));
