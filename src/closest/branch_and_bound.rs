@@ -378,8 +378,8 @@ pub(super) mod tests {
         }
     }
 
-    /// A bound on the other patches decides the point if it is at least the distance less the gap. It is the lower bound of
-    /// the result if it is below that of the foot's patch.
+    /// A bound on the other patches decides a point if it is at least the point's distance minus the gap. If it is smaller
+    /// than the bound on the foot's patch, it is the lower bound of the result.
     #[test]
     fn a_bound_on_others_decides_within_the_gap() {
         const GAP: f64 = 0.125;

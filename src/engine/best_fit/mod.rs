@@ -131,7 +131,7 @@ struct Pair<'a> {
     held: Option<&'a PreparedTarget>,
     diagonal: f64,
     samples: Samples,
-    /// Those of which residuals of several poses are compared.
+    /// The samples by which the residuals of poses are compared.
     compared: Samples,
     other: Samples,
     a: &'a PreparedModel,
@@ -354,12 +354,12 @@ impl<'a> Pair<'a> {
     /// more than rounding.
     fn best_start(&self, found: &Found, start: &Start) -> Result<LocalFit<'_, FootField<'a>>> {
         let smallest = self.smallest();
-        let given = self.local(&self.samples, smallest, start.motion)?.within(&start.freedoms);
-        let Some(best) = found.poses.first() else { return Ok(given) };
+        let given = || Ok(self.local(&self.samples, smallest, start.motion)?.within(&start.freedoms));
+        let Some(best) = found.poses.first() else { return given() };
         let mut near = self.local(&self.compared, smallest, start.motion)?;
         near.run(NEAR_STEPS);
         if near.rms() <= self.as_good_as(best) {
-            return Ok(given);
+            return given();
         }
         self.local(&self.samples, smallest, best.motion)
     }

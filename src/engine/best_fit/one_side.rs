@@ -43,8 +43,8 @@ impl Counted {
 /// The distances of points from a closed model, positive on the side that counts.
 ///
 /// The faces of the model, and the strips between its joined edges, bound a body. The signed distance from this boundary
-/// changes by no more than a point moves. Its absolute value is at most the distance from the faces. It is smaller by at most
-/// the distance of the strips from the faces.
+/// is 1-Lipschitz. Its absolute value is at most the distance from the faces, and the two differ by at most the distance of
+/// the strips from the faces.
 pub(super) struct OneSide<'a> {
     pub(super) to: ToModel<'a>,
     pub(super) rule: SignRule<'a>,

@@ -2,9 +2,9 @@
 
 use crate::arguments::points::ClosestPointsArguments;
 use crate::failure::Failure;
-use crate::input::{Input, Points, STANDARD_STREAM, read, read_points};
+use crate::input::{Input, Points, read, read_points};
 use crate::output::digits::bounded;
-use crate::output::file::{has_ending, write_file};
+use crate::output::file::{is_stream, write_file};
 use crate::output::json::{OfFile, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
@@ -17,11 +17,8 @@ use std::io::{self, Write};
 pub(crate) fn run(arguments: &ClosestPointsArguments) -> Result<(), Failure> {
     let options = arguments.options()?;
     let output = arguments.output.as_deref();
-    let is_stream = output.is_some_and(|path| path.as_os_str() == STANDARD_STREAM);
-    if let Some(path) = output.filter(|path| !is_stream && !has_ending(path, "csv")) {
-        let expected = "a file whose name ends with .csv, or -";
-        return Err(Error::OptionOutOfRange { option: "output", found: format!("{path:?}"), expected }.into());
-    }
+    let is_stream =
+        output.map_or(Ok(false), |path| is_stream(path, "csv", "a file whose name ends with .csv, or -"))?;
     let input = read(&arguments.model)?;
     let points = read_points(&arguments.points)?;
     if let (Some(a), Some(b)) = (points.unit, input.prepared.unit())

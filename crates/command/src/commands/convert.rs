@@ -2,25 +2,18 @@
 
 use crate::arguments::files::ConvertArguments;
 use crate::failure::Failure;
-use crate::input::{CadReport, Input, STANDARD_STREAM, read};
-use crate::output::file::{has_ending, write_file};
+use crate::input::{CadReport, Input, read};
+use crate::output::file::{is_stream, write_file};
 use crate::output::json::{OfFile, line};
 use crate::output::print;
 use crate::reports::Verdict;
-use nurbs_hausdorff::Error;
 use std::fmt::Write as _;
 
 /// Writes the model as interchange JSON, and prints the report on reading it: on standard
 /// error where standard output holds the model. Returns the exit status: 3 if faces were left out.
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<u8, Failure> {
     let output = &arguments.output;
-    let is_stream = output.as_os_str() == STANDARD_STREAM;
-    if !is_stream && !has_ending(output, "json") {
-        let expected = "a file whose name ends with .json, or -";
-        return Err(
-            Error::OptionOutOfRange { option: "output", found: format!("{output:?}"), expected }.into()
-        );
-    }
+    let is_stream = is_stream(output, "json", "a file whose name ends with .json, or -")?;
     let input = read(&arguments.input)?;
     let json = input.surfaces("a conversion to interchange JSON")?.to_json()?;
     let Input { report, source, .. } = input;

@@ -1,13 +1,23 @@
 //! A file that a command writes.
 
 use crate::failure::Failure;
+use crate::input::STANDARD_STREAM;
+use nurbs_hausdorff::Error;
 use std::fs::OpenOptions;
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::Path;
 
-/// Returns whether a name ends with a dot and these letters, in any case.
-pub(crate) fn has_ending(path: &Path, ending: &str) -> bool {
-    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending))
+/// Returns whether the output is standard output. Refuses a file whose name does not end with a dot and these letters, in any
+/// case.
+///
+/// # Errors
+/// [`Error::OptionOutOfRange`], with what is expected.
+pub(crate) fn is_stream(path: &Path, ending: &str, expected: &'static str) -> Result<bool, Error> {
+    let is_stream = path.as_os_str() == STANDARD_STREAM;
+    if is_stream || path.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending)) {
+        return Ok(is_stream);
+    }
+    Err(Error::OptionOutOfRange { option: "output", found: format!("{path:?}"), expected })
 }
 
 /// Writes a file that is not there yet, or is to be replaced.

@@ -38,12 +38,12 @@ pub(crate) struct AlignArguments {
     /// larger diagonal if not given.
     #[arg(long, hide_short_help = true, value_name = "LENGTH")]
     box_translation: Option<f64>,
-    /// With such a norm: the largest angle of the motions that the interval is about; 1 if not given.
-    #[arg(long, hide_short_help = true, value_name = "DEGREES")]
-    box_degrees: Option<f64>,
-    /// With such a norm: the largest number of boxes of motions that are bounded; 5000 if not given.
-    #[arg(long, hide_short_help = true, value_name = "BOXES")]
-    max_boxes: Option<usize>,
+    /// With such a norm: the largest angle of the motions that the interval is about.
+    #[arg(long, hide_short_help = true, value_name = "DEGREES", default_value_t = ZoneOptions::default().degrees)]
+    box_degrees: f64,
+    /// With such a norm: the largest number of boxes of motions that are bounded.
+    #[arg(long, hide_short_help = true, value_name = "BOXES", default_value_t = ZoneOptions::default().max_boxes)]
+    max_boxes: usize,
     /// The share of A's samples that lie on nothing of B and are left out, from 0 to 0.95.
     #[arg(long, value_name = "SHARE", default_value_t = 0.0)]
     outliers: f64,
@@ -78,19 +78,17 @@ impl AlignArguments {
     /// # Errors
     /// As [`nurbs_hausdorff::RigidTransform::new`], and of the file of pairs; the library checks the ranges.
     pub(crate) fn options(&self) -> Result<BestFitOptions, Failure> {
-        let has_box =
-            self.box_translation.is_some() || self.box_degrees.is_some() || self.max_boxes.is_some();
+        let zone = ZoneOptions {
+            translation: self.box_translation,
+            degrees: self.box_degrees,
+            limit: self.limit,
+            max_boxes: self.max_boxes,
+        };
+        let has_box = ZoneOptions { limit: None, ..zone } != ZoneOptions::default();
         if has_box && matches!(self.norm, NormName::Mean | NormName::None) {
             let found = "found a box of motions without a zone, expected --norm largest, outside or inside";
             return Err(Error::OptionInvalid { found: found.to_owned() }.into());
         }
-        let by_default = ZoneOptions::default();
-        let zone = ZoneOptions {
-            translation: self.box_translation,
-            degrees: self.box_degrees.unwrap_or(by_default.degrees),
-            limit: self.limit,
-            max_boxes: self.max_boxes.unwrap_or(by_default.max_boxes),
-        };
         Ok(BestFitOptions {
             samples: self.samples,
             sampling: self.sampling.map(Into::into).unwrap_or_default(),

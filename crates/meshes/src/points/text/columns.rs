@@ -101,7 +101,7 @@ impl Columns {
         Some(Self { places, unit: x.filter(|_| x == y && y == z), have_several_units })
     }
 
-    /// Returns what the names of the coordinates state as their unit, if that is none that is known.
+    /// Returns the unit that the names of the coordinates state, if that unit is unknown.
     pub(super) fn unknown_unit<'a>(&self, names: &[&'a str]) -> Option<&'a str> {
         let stated = self.places.iter().filter_map(|&place| stem_and_unit(names.get(place)?).1);
         stated.map(str::trim).find(|unit| !unit.is_empty() && metres(unit).is_none())
