@@ -89,6 +89,22 @@ def test_poses_by_hand_and_the_least_zone():
     assert fit.zone.passes is False and fit.zone.upper < -0.09
 
 
+def test_a_fit_of_chosen_faces_and_within_a_distance():
+    part, higher = box((0, 0, 0), (3, 2, 1)), box((0, 0, 0), (3, 2, 1.25))
+    tops = [i for i, face in enumerate(higher) if np.min(np.asarray(face["ctrl"])[..., 2]) == 1.25]
+    others = [i for i in range(6) if i not in tops]
+    whole = nh.best_fit(part, higher, start="given")
+    fit = nh.best_fit(part, higher, start="given", faces_of_a=np.array(others))
+    assert len(tops) == 1 and whole.rms > 0.01 and fit.rms < 1e-8 and fit.counted == fit.samples
+    assert np.allclose(fit.transform.translation, 0, atol=1e-7)
+    # The top of the lower box is a quarter below the other, and its samples alone count.
+    stays = nh.best_fit(part, higher, norm="none", faces_of_a=tops, faces_of_b=tops)
+    assert abs(stays.rms - 0.25) < 0.01 and 0 < stays.counted < stays.samples == 256
+    near = nh.best_fit(part, higher, norm="none", max_distance=0.1)
+    assert near.rms == 0 and near.counted < near.samples and near.left_out.beyond == 0.1
+    assert np.all(near.left_out.points[:, 2] == 1)
+
+
 def test_sides_of_a_box_and_of_an_open_one():
     closed = nh.model(box((0, 0, 0)))
     solid = closed.solid()

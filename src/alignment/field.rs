@@ -48,22 +48,40 @@ pub(crate) trait Field: Sync {
     /// Returns the residual of a point; `place` is where its foot was last, and is set to where it is
     /// now. `None` for a model without points.
     fn residual(&self, point: DVec3, place: &mut Place) -> Option<Residual>;
+
+    /// Returns whether a sample with its foot there counts.
+    fn is_counted(&self, _place: &Place) -> bool {
+        true
+    }
 }
 
 /// Patches or facets, with their closest points. No sign is decided.
 #[derive(Clone, Copy)]
 pub(crate) enum FootField<'a> {
-    /// Patches; the excess of a distance over the least one; the size of the model.
-    Patches { target: &'a closest::Target, gap: f64, size: f64 },
+    /// Patches; the excess of a distance over the least one; the size of the model; for each patch whether samples with
+    /// their feet there count, where not all do.
+    Patches { target: &'a closest::Target, gap: f64, size: f64, counted: Option<&'a [bool]> },
     /// Facets, whose nearest is found exactly.
     Facets { target: &'a FacetTarget, size: f64 },
 }
 
-impl FootField<'_> {
+impl<'a> FootField<'a> {
     /// Returns the field with feet up to another excess.
     pub(crate) fn up_to(self, excess: f64) -> Self {
         match self {
-            Self::Patches { target, size, .. } => Self::Patches { target, gap: excess, size },
+            Self::Patches { target, size, counted, .. } => {
+                Self::Patches { target, gap: excess, size, counted }
+            }
+            facets @ Self::Facets { .. } => facets,
+        }
+    }
+
+    /// Returns the field in which only samples with their feet on these patches count.
+    pub(crate) fn on_patches(self, patches: &'a [bool]) -> Self {
+        match self {
+            Self::Patches { target, gap, size, .. } => {
+                Self::Patches { target, gap, size, counted: Some(patches) }
+            }
             facets @ Self::Facets { .. } => facets,
         }
     }
@@ -72,7 +90,7 @@ impl FootField<'_> {
 impl Field for FootField<'_> {
     fn residual(&self, point: DVec3, place: &mut Place) -> Option<Residual> {
         match self {
-            Self::Patches { target, gap, size } => {
+            Self::Patches { target, gap, size, .. } => {
                 let (closest, direction) = foot_on_patches(target, (*gap, *size), point, place)?;
                 Some(Residual { point, offset: point - closest.point, direction: Some(direction) })
             }
@@ -84,6 +102,13 @@ impl Field for FootField<'_> {
                 let offset = point - facet.point(facet.nearest(point).weights);
                 Some(Residual { point, offset, direction: direction_from_facet(&facet, offset, *size) })
             }
+        }
+    }
+
+    fn is_counted(&self, place: &Place) -> bool {
+        match (self, place) {
+            (Self::Patches { counted: Some(counted), .. }, Some((patch, _))) => counted[*patch as usize],
+            _ => true,
         }
     }
 }

@@ -21,7 +21,7 @@ pub(crate) use field::{Field, FootField, Place, Residual, direction_from_facet, 
 pub(crate) use freedoms::Freedoms;
 pub(crate) use largest::{BoxSearch, Cell, Chart, Clear, Clearance, Contacts, Goal, LargestFit, contacts};
 pub use mean::Robust;
-pub(crate) use mean::{LocalFit, Loss, Step};
+pub(crate) use mean::{LocalFit, Loss, MAX_OUTLIERS, Step};
 pub(crate) use poses::{Candidate, distinct};
 pub(crate) use samples::Samples;
 pub(crate) use search::{Search, principal_poses, random_residual};

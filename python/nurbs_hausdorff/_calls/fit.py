@@ -98,7 +98,9 @@ class BestFit:
     tried : int
         Number of poses that the fit started from.
     samples : int
-        Number of samples.
+        Number of samples of A, or of ``faces_of_a``.
+    counted : int
+        Number of those that count in the pose found: not left out, and nearest to ``faces_of_b``.
     left_out : LeftOut
         The samples that are left out.
     largest : float
@@ -121,6 +123,7 @@ class BestFit:
     freedoms: int
     tried: int
     samples: int
+    counted: int
     left_out: LeftOut
     largest: float
     zone: Zone | None = None
@@ -144,6 +147,9 @@ def best_fit(
     max_boxes: int = 5000,
     outliers: float = 0.0,
     robust: Literal["none", "trimmed", "tukey", "geman-mcclure"] | None = None,
+    faces_of_a: Sequence[int] = (),
+    faces_of_b: Sequence[int] = (),
+    max_distance: float | None = None,
     tolerance: float | None = None,
     relative_tolerance: float | None = None,
     max_steps: int = 100,
@@ -187,6 +193,11 @@ def best_fit(
         Share of the samples, 0 to 0.95, that lie on nothing of B and are left out.
     robust : {"none", "trimmed", "tukey", "geman-mcclure"}, optional
         Rule by which samples far from B lose their weight; trimmed if there are outliers.
+    faces_of_a, faces_of_b : sequence of int
+        Faces by their indices, of models with surfaces: in the last fit the samples of those of A
+        count, and those that are nearest to those of B. All if none are named.
+    max_distance : float, optional
+        Distance from B beyond which a sample does not count in the last fit.
     tolerance, relative_tolerance : float, optional
         Length of a step that ends the fit, in model units or as a fraction of the larger
         diagonal; 1e-9 of it if neither is given.
@@ -211,6 +222,8 @@ def best_fit(
         samples=samples, sampling=sampling, start=start, norm=norm,
         pairs=[_plain(pair) for pair in pairs], datums=[_plain(datum) for datum in datums],
         zone=zone, outliers=outliers, robust=robust,
+        faces_of_a=_plain(list(faces_of_a)), faces_of_b=_plain(list(faces_of_b)),
+        max_distance=max_distance,
         tolerance=tolerance, relative_tolerance=relative_tolerance, max_steps=max_steps,
         scale_units=scale_units,
     )  # fmt: skip

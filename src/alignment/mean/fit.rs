@@ -36,6 +36,15 @@ pub(crate) enum Step {
     Converged,
 }
 
+/// A sample that counts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct CountedSample {
+    /// Where it is in A's own file.
+    pub(crate) point: DVec3,
+    pub(crate) distance: f64,
+    pub(crate) weight: f64,
+}
+
 /// The state of a fit.
 pub(crate) struct LocalFit<'a, F> {
     field: F,
@@ -49,6 +58,8 @@ pub(crate) struct LocalFit<'a, F> {
     residuals: Vec<Residual>,
     distances: Vec<f64>,
     places: Vec<Place>,
+    /// The weights of the samples, 0 of those that do not count where their feet are.
+    weights: Vec<f64>,
     damping: f64,
 }
 
@@ -73,11 +84,18 @@ impl<'a, F: Field> LocalFit<'a, F> {
             residuals: Vec::new(),
             distances: Vec::new(),
             places,
+            weights: Vec::new(),
             damping: FIRST_DAMPING,
         };
         (fit.residuals, fit.places) = fit.at(&motion)?;
         fit.distances = fit.residuals.iter().map(Residual::distance).collect();
+        fit.weights = fit.counted_weights();
         Some(fit)
+    }
+
+    fn counted_weights(&self) -> Vec<f64> {
+        let of = |(weight, place): (&f64, &Place)| if self.field.is_counted(place) { *weight } else { 0.0 };
+        self.samples.weights.iter().zip(&self.places).map(of).collect()
     }
 
     /// Moves A in these freedoms only.
@@ -97,25 +115,23 @@ impl<'a, F: Field> LocalFit<'a, F> {
     /// The distance beyond which a sample counts as left out here.
     pub(crate) fn scale(&self) -> f64 {
         let least = LEAST_SCALE * self.samples.gyration;
-        self.loss.scale(&self.distances, &self.samples.weights, least)
+        self.loss.scale(&self.distances, &self.weights, least)
     }
 
     fn cost(&self, distances: &[f64], scale: f64) -> f64 {
-        let parts = distances.iter().zip(&self.samples.weights);
+        let parts = distances.iter().zip(&self.weights);
         parts.map(|(&distance, weight)| weight * self.loss.cost(distance, scale)).sum()
     }
 
     fn system(&self, scale: f64) -> System<'_> {
         let mut system = System::new(&self.freedoms, self.center(), self.samples.gyration);
-        for ((residual, &distance), weight) in
-            self.residuals.iter().zip(&self.distances).zip(&self.samples.weights)
-        {
+        for ((residual, &distance), weight) in self.residuals.iter().zip(&self.distances).zip(&self.weights) {
             system.add(residual, weight * self.loss.weight(distance, scale));
         }
         system
     }
 
-    /// Takes one step. No step raises the sum of the loss at the scale of the step.
+    /// Takes one step. No step raises the sum of the loss at the scale of the step, over the samples that count before it.
     pub(crate) fn advance(&mut self) -> Step {
         let scale = self.scale();
         let cost = self.cost(&self.distances, scale);
@@ -134,6 +150,7 @@ impl<'a, F: Field> LocalFit<'a, F> {
             Some((residuals, places, distances)) if self.cost(&distances, scale) < cost => {
                 (self.motion, self.residuals) = (motion, residuals);
                 (self.places, self.distances) = (places, distances);
+                self.weights = self.counted_weights();
                 self.damping = (self.damping / DAMPING_FACTOR).max(MIN_DAMPING);
                 Step::Better
             }
@@ -149,14 +166,28 @@ impl<'a, F: Field> LocalFit<'a, F> {
         (0..steps).any(|_| self.advance() == Step::Converged)
     }
 
-    /// Returns the root mean square of the distances that are not left out, weighted.
+    /// Returns the root mean square of the distances of the samples that count and are not left out, weighted; infinite
+    /// where there are none.
     pub(crate) fn rms(&self) -> f64 {
         let scale = self.scale();
-        let kept =
-            || self.distances.iter().zip(&self.samples.weights).filter(|(distance, _)| **distance <= scale);
+        let kept = || self.distances.iter().zip(&self.weights).filter(|(distance, _)| **distance <= scale);
         let total: f64 = kept().map(|(_, weight)| weight).sum();
         let squares: f64 = kept().map(|(distance, weight)| weight * distance * distance).sum();
         if total > 0.0 { (squares / total).sqrt() } else { f64::INFINITY }
+    }
+
+    /// Returns what poses are compared by: with a largest distance the root mean square of the distances, of which none
+    /// counts as more than that, so that leaving out more is no better; else [`Self::rms`].
+    pub(crate) fn residual(&self) -> f64 {
+        let total: f64 = self.weights.iter().sum();
+        match self.loss.max_distance {
+            Some(most) if total > 0.0 => {
+                let squares = self.distances.iter().zip(&self.weights);
+                let squares = squares.map(|(&distance, weight)| weight * distance.min(most).powi(2));
+                (squares.sum::<f64>() / total).sqrt()
+            }
+            _ => self.rms(),
+        }
     }
 
     /// Returns the samples.
@@ -164,9 +195,11 @@ impl<'a, F: Field> LocalFit<'a, F> {
         self.samples
     }
 
-    /// Returns the distances of all samples.
-    pub(crate) fn distances(&self) -> &[f64] {
-        &self.distances
+    /// Returns the samples that count, with their distances and weights.
+    pub(crate) fn counted(&self) -> impl Iterator<Item = CountedSample> + '_ {
+        let all = self.samples.points.iter().zip(&self.distances).zip(&self.weights);
+        let of = |((&point, &distance), &weight)| CountedSample { point, distance, weight };
+        all.map(of).filter(|one| one.weight > 0.0)
     }
 
     /// Returns the number of independent motions that change no distance to first order.

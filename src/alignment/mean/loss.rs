@@ -18,6 +18,9 @@ const SHARE_DEVIATIONS: f64 = 2.0;
 /// The largest share of outliers among some samples.
 const MAX_SHARE: f64 = 0.99;
 
+/// The largest share of the samples that is left out: what counts determines a pose still.
+pub(crate) const MAX_OUTLIERS: f64 = 0.95;
+
 /// The part of the samples that counts for the median: all.
 const HALF: f64 = 0.5;
 
@@ -43,6 +46,8 @@ pub(crate) struct Loss {
     pub(crate) robust: Robust,
     /// The share of the samples that is left out, from 0 to below 1.
     pub(crate) outliers: f64,
+    /// The distance beyond which a sample is left out, whatever the share, unless the rule is to leave out none.
+    pub(crate) max_distance: Option<f64>,
 }
 
 impl Loss {
@@ -58,15 +63,16 @@ impl Loss {
 
     /// Returns the distance beyond which a sample counts as left out, at least `least`: the quantile
     /// of the share that is kept, or a multiple of the standard deviation as the median of the kept
-    /// half gives it. O(n log n).
+    /// half gives it, or the largest distance, of which there are at least the nearest twentieth. O(n log n).
     pub(super) fn scale(self, distances: &[f64], weights: &[f64], least: f64) -> f64 {
         let kept = 1.0 - self.outliers;
         let deviation = || DEVIATION_OF_MEDIAN * quantile(distances, weights, HALF * kept);
-        let scale = match self.robust {
-            Robust::None => f64::INFINITY,
-            Robust::Trimmed => quantile(distances, weights, kept),
-            Robust::Tukey => TUKEY * deviation(),
-            Robust::GemanMcclure => GEMAN_MCCLURE * deviation(),
+        let scale = match (self.robust, self.max_distance) {
+            (Robust::None, _) => f64::INFINITY,
+            (_, Some(most)) => most.max(quantile(distances, weights, 1.0 - MAX_OUTLIERS)),
+            (Robust::Trimmed, None) => quantile(distances, weights, kept),
+            (Robust::Tukey, None) => TUKEY * deviation(),
+            (Robust::GemanMcclure, None) => GEMAN_MCCLURE * deviation(),
         };
         if scale > least { scale } else { least }
     }
@@ -123,19 +129,32 @@ mod tests {
     #[test]
     fn the_scale_is_the_distance_of_the_share_that_is_kept() {
         let distances = [4.0, 1.0, 2.0, 3.0, 100.0];
-        let scale = |robust, outliers| Loss { robust, outliers }.scale(&distances, &[1.0; 5], 0.0);
+        let of = |robust, outliers| Loss { robust, outliers, max_distance: None };
+        let scale = |robust, outliers| of(robust, outliers).scale(&distances, &[1.0; 5], 0.0);
         assert_eq!(scale(Robust::Trimmed, 0.2), 4.0);
         assert_eq!(scale(Robust::Trimmed, 0.4), 3.0);
         assert_eq!(scale(Robust::None, 0.4), f64::INFINITY);
         assert_eq!(scale(Robust::Tukey, 0.2), 4.685 * 1.4826 * 2.0);
-        let loss = Loss { robust: Robust::Trimmed, outliers: 0.2 };
+        let loss = of(Robust::Trimmed, 0.2);
         assert_eq!(loss.scale(&distances, &[1.0; 5], 7.0), 7.0);
+    }
+
+    /// The largest distance takes the place of the share, but for the nearest twentieth.
+    #[test]
+    fn the_scale_is_the_largest_distance_where_one_is_stated() {
+        let distances: Vec<f64> = (1..=100).map(f64::from).collect();
+        let scale = |robust, most| {
+            let loss = Loss { robust, outliers: 0.5, max_distance: Some(most) };
+            loss.scale(&distances, &[1.0; 100], 0.0)
+        };
+        assert_eq!(ALL.map(|robust| scale(robust, 30.0)), [f64::INFINITY, 30.0, 30.0, 30.0]);
+        assert!((5.0..=6.0).contains(&scale(Robust::Trimmed, 0.1)));
     }
 
     /// Of a hundred samples the share of outliers has a standard deviation of a twentieth, if half of all are outliers.
     #[test]
     fn a_larger_share_of_few_samples_is_left_out() {
-        let loss = Loss { robust: Robust::Tukey, outliers: 0.5 };
+        let loss = Loss { robust: Robust::Tukey, outliers: 0.5, max_distance: None };
         assert_eq!(loss.of_some(100, 10_000), Loss { outliers: 0.6, ..loss });
         assert_eq!(loss.of_some(100, 100), loss);
         assert_eq!(Loss { outliers: 0.0, ..loss }.of_some(1, 2).outliers, 0.0);
@@ -147,7 +166,7 @@ mod tests {
     fn the_weight_is_the_slope_of_the_cost() {
         const STEP: f64 = 1e-6;
         for robust in ALL {
-            let loss = Loss { robust, outliers: 0.1 };
+            let loss = Loss { robust, outliers: 0.1, max_distance: None };
             for distance in [0.1, 0.7, 1.3, 1.9, 2.6] {
                 let slope =
                     (loss.cost(distance + STEP, 2.0) - loss.cost(distance - STEP, 2.0)) / (2.0 * STEP);

@@ -5,5 +5,5 @@ mod loss;
 mod system;
 
 pub(crate) use fit::{LocalFit, Step};
-pub(crate) use loss::Loss;
 pub use loss::Robust;
+pub(crate) use loss::{Loss, MAX_OUTLIERS};

@@ -5,6 +5,8 @@ mod faces;
 mod one_side;
 mod options;
 mod points;
+mod poses;
+mod selection;
 mod start;
 #[cfg(all(test, feature = "shapes", not(target_arch = "wasm32")))]
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
@@ -15,15 +17,16 @@ use super::prepared::PreparedTarget;
 use super::query::Opened;
 use super::signs::{SignRule, SignSource, Signs};
 use super::{Computation, Engine, PreparedModel};
-use crate::alignment::{
-    Candidate, FootField, LargestFit, LocalFit, Loss, Samples, Search, Step, distinct, random_residual,
-};
+use crate::alignment::{FootField, LargestFit, LocalFit, Loss, Samples, Step, random_residual};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::progress::{Monitor, Progress};
 use clear::{Kind, ToModel};
 use one_side::{Counted, OneSide, OneSideField};
+use options::invalid;
 pub use options::{BestFit, BestFitOptions, FitNorm, FitPose, FitStart, LeftOut};
+use poses::Found;
+use selection::Selection;
 use start::Start;
 use zone::{To, ZonePair};
 pub use zone::{Zone, ZoneOptions};
@@ -44,20 +47,11 @@ const FIT_GAP: f64 = 1e-9;
 /// `benches/alignment.rs`, with noise of a thousandth of the diagonal, have at most 0.02 of it.
 const CONVERGED_SHARE: f64 = 0.1;
 
-/// The factor of the best residual up to which another pose counts as a fit too.
-const AMBIGUOUS: f64 = 2.0;
-
 /// The least residual that poses are told apart by, relative to the diagonal: below it is rounding.
 const EXACT: f64 = 1e-6;
 
 /// The share of the progress that the search over starts takes; the last fit takes the rest.
 const SEARCH_SHARE: f64 = 0.6;
-
-/// Steps from the given pose before it is compared with others.
-const NEAR_STEPS: usize = 30;
-
-/// The part by which another pose has to be better than the fit near the given one.
-const NEARLY_EQUAL: f64 = 0.02;
 
 impl Engine {
     /// Fits A to B in the mean: finds the rigid motion of A for which the root mean square of the
@@ -66,6 +60,9 @@ impl Engine {
     /// From [`FitStart::Any`] the best of some 600 starts is fitted, twice as many where A is a part
     /// of B; of equal fits the one nearest to the options' transform. The same input gives the same
     /// answer. All numbers but `zone` are estimates; [`Engine::distance`] says what a pose is worth.
+    ///
+    /// With `faces_of_a`, `faces_of_b` and `max_distance` poses are searched by all samples; the best of them are compared,
+    /// and the last fit is made, by those chosen.
     ///
     /// `pairs`, `datums` and the other starts make the first pose by hand; with [`FitNorm::None`] A stays there.
     /// With [`FitNorm::Largest`] the fit in the mean is followed by that in the largest distance, and `zone`
@@ -105,21 +102,23 @@ impl Engine {
         let size = b.bounding_box().diagonal();
         let field = match (b.facets(), &held) {
             (Some(facets), _) => FootField::Facets { target: &facets.target, size },
-            (None, Some(held)) => FootField::Patches { target: &held.target, gap: FIT_GAP * diagonal, size },
+            (None, Some(held)) => {
+                FootField::Patches { target: &held.target, gap: FIT_GAP * diagonal, size, counted: None }
+            }
             (None, None) => return Err(Error::EmptyModel),
         };
-        let samples = a.fit_samples(options.samples, options.sampling).thinned(MAX_SAMPLES);
+        let chosen = Selection::of(options, [a, b], held.as_deref())?;
         let pair = Pair {
-            field,
+            whole: field,
+            field: chosen.patches.as_deref().map_or(field, |patches| field.on_patches(patches)),
             diagonal,
             held: held.as_deref(),
             a,
-            compared: samples.thinned(COMPARED_SAMPLES),
-            samples,
+            all: a.fit_samples(options.samples, options.sampling).thinned(MAX_SAMPLES),
             other: b.fit_samples(options.samples, options.sampling),
             b,
             options,
-            loss: options.loss(),
+            chosen: &chosen,
         };
         pair.fit(&mut progress).await
     }
@@ -127,23 +126,19 @@ impl Engine {
 
 /// The samples of A and the model that they are laid on.
 struct Pair<'a> {
+    /// B, as poses are searched on it.
+    whole: FootField<'a>,
+    /// B, where only the samples count that are nearest to the chosen faces.
     field: FootField<'a>,
     held: Option<&'a PreparedTarget>,
     diagonal: f64,
-    samples: Samples,
-    /// The samples by which the residuals of poses are compared.
-    compared: Samples,
+    /// The samples by which poses are searched.
+    all: Samples,
     other: Samples,
     a: &'a PreparedModel,
     b: &'a PreparedModel,
     options: &'a BestFitOptions,
-    loss: Loss,
-}
-
-/// The poses that a search found, the best first, with the number of starts.
-struct Found {
-    poses: Vec<Candidate>,
-    tried: usize,
+    chosen: &'a Selection,
 }
 
 /// The last fit: its pose, whether it ended by itself, and its steps.
@@ -156,30 +151,35 @@ struct Last {
 impl<'a> Pair<'a> {
     async fn fit(&self, progress: &mut Progress<'_>) -> Result<BestFit> {
         let options = self.options;
-        let search_field = self.field.up_to(SEARCH_GAP * self.diagonal);
-        let rms_random = random_residual(search_field, (&self.samples, &self.other), self.loss)
-            .ok_or(Error::EmptyModel)?;
-        let start = Start::of(options, [self.a, self.b], [&self.samples, &self.other], |motion| {
-            Ok(self.local(&self.compared, 0.0, motion)?.rms())
+        let start = Start::of(options, [self.a, self.b], [&self.all, &self.other], |motion| {
+            Ok(self.local(&self.chosen.compared, 0.0, motion)?.residual())
         })?;
         let found = match start.is_given {
             true => Found { poses: Vec::new(), tried: 1 },
-            false => self.search(search_field, progress).await?,
+            false => self.search(progress).await?,
         };
-        let rms_before = self.local(&self.samples, 0.0, options.transform)?.rms();
+        let rms_before = self.local(&self.chosen.samples, 0.0, options.transform)?.rms();
         let mut fit = self.best_start(&found, &start)?;
         progress.section(SEARCH_SHARE, 1.0 - SEARCH_SHARE);
         let last = self.last(&mut fit, &found, &start, progress).await?;
         progress.finish();
-        let rms = fit.rms();
-        let (ambiguous, is_only) = self.ambiguous(&found, &fit, search_field)?;
-        let scale = fit.scale();
+        let (rms, scale) = (fit.rms(), fit.scale());
+        if rms.is_infinite() {
+            return Err(invalid(
+                "found no sample of A that is nearest to the faces of B named, expected some",
+            ));
+        }
+        let loss = self.comparable(&fit);
+        let (ambiguous, is_only) = self.ambiguous(&found, &fit, loss)?;
+        let search_field = self.whole.up_to(SEARCH_GAP * self.diagonal);
+        let rms_random =
+            random_residual(search_field, (&self.all, &self.other), loss).ok_or(Error::EmptyModel)?;
         let is_fit = rms <= CONVERGED_SHARE * rms_random + EXACT * self.diagonal || is_only;
-        let kept = fit.distances().iter().copied().filter(|distance| *distance <= scale);
+        let (kept, beyond): (Vec<_>, Vec<_>) = fit.counted().partition(|one| one.distance <= scale);
         Ok(BestFit {
             transform: fit.motion,
             rms,
-            largest: kept.fold(0.0, f64::max),
+            largest: kept.iter().map(|one| one.distance).fold(0.0, f64::max),
             zone: last.zone,
             zone_proven: last.zone.map(|zone| zone.is_proven(EXACT * self.diagonal)),
             taken: start.taken,
@@ -190,8 +190,12 @@ impl<'a> Pair<'a> {
             ambiguous,
             freedoms: fit.freedoms(),
             tried: found.tried,
-            samples: self.samples.points.len(),
-            left_out: self.left_out(fit.distances(), scale),
+            samples: fit.samples().points.len(),
+            counted: kept.len(),
+            left_out: LeftOut {
+                beyond: scale.is_finite().then_some(scale),
+                points: beyond.iter().flat_map(|one| one.point.to_array()).collect(),
+            },
         })
     }
 
@@ -225,10 +229,10 @@ impl<'a> Pair<'a> {
     ) -> Result<Last> {
         let (mut steps, mut ended) = self.descend(fit, progress).await?;
         if let Some(best) = found.poses.first()
-            && self.local(&self.compared, 0.0, fit.motion)?.rms() > self.as_good_as(best)
+            && self.local(&self.chosen.compared, 0.0, fit.motion)?.residual() > self.as_good_as(best)
         {
             // From the first pose all samples came to another one than those that are compared.
-            *fit = self.local(&self.samples, self.smallest(), best.motion)?;
+            *fit = self.local(&self.chosen.samples, self.smallest(), best.motion)?;
             let (more, is_end) = self.descend(fit, progress).await?;
             (steps, ended) = (steps + more, is_end);
         }
@@ -237,18 +241,18 @@ impl<'a> Pair<'a> {
             let signs = SignSource::new(self.b, 0.0);
             let side = self.one_side(signs.rule(), counted)?;
             let field = OneSideField { foot: self.field, rule: side.rule, counted, size: side.to.size };
-            let largest = LargestFit::new(field, &self.samples, freedoms, smallest, fit.motion)
+            let largest = LargestFit::new(field, &self.chosen.samples, freedoms, smallest, fit.motion)
                 .ok_or(Error::EmptyModel)?;
             let points = self.a.fit_samples(self.options.samples, self.options.sampling).points;
             self.zone_pair(To::One(side, points)).fit(largest, freedoms, progress).await?
         } else if self.options.norm == FitNorm::Largest {
-            let largest = LargestFit::new(self.field, &self.samples, freedoms, smallest, fit.motion)
+            let largest = LargestFit::new(self.field, &self.chosen.samples, freedoms, smallest, fit.motion)
                 .ok_or(Error::EmptyModel)?;
             self.zone_pair(To::Both(self.to_model())).fit(largest, freedoms, progress).await?
         } else {
             return Ok(Last { steps, ended, zone: None });
         };
-        *fit = LocalFit::new(self.field, fit.samples(), self.loss, smallest, largest.motion)
+        *fit = LocalFit::new(self.field, fit.samples(), self.chosen.loss, smallest, largest.motion)
             .ok_or(Error::EmptyModel)?
             .within(&start.freedoms);
         Ok(Last { steps: steps + largest.steps, ended: ended && largest.ended, zone: Some(largest.zone) })
@@ -290,91 +294,30 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// Returns the other poses that fit nearly as well, and whether all that the search kept fit as well as this one.
-    fn ambiguous(
-        &self,
-        found: &Found,
-        fit: &LocalFit<'_, FootField<'_>>,
-        field: FootField<'_>,
-    ) -> Result<(Vec<FitPose>, bool)> {
-        let rms = self.local_on(field, &self.compared, 0.0, fit.motion)?.rms();
-        let best = Candidate { motion: fit.motion, rms };
-        let most = AMBIGUOUS * best.rms + EXACT * self.diagonal;
-        let near = |one: &Candidate| one.rms <= most;
-        let is_equal = |one: &Candidate| one.rms <= self.as_good_as(&best);
-        let is_only = !found.poses.is_empty() && found.poses.iter().all(is_equal);
-        let others = found.poses.iter().copied().filter(near);
-        let all = std::iter::once(Candidate { rms: -1.0, ..best }).chain(others).collect();
-        let kept = self.compared.without_farthest(self.loss.outliers);
-        let others = distinct(all, &kept, usize::MAX).into_iter().skip(1);
-        let poses = others.map(|Candidate { motion, rms }| FitPose { transform: motion, rms });
-        Ok((poses.collect(), is_only))
-    }
-
-    /// Searches poses from the given one and from all rotations.
-    async fn search(&self, field: FootField<'_>, progress: &mut Progress<'_>) -> Result<Found> {
-        progress.section(0.0, SEARCH_SHARE);
-        let given = [self.options.transform];
-        let samples = (&self.samples, &self.other);
-        let mut search =
-            Search::new(field, self.b.bounding_box(), samples, &given, self.loss).ok_or(Error::EmptyModel)?;
-        while !search.advance() {
-            progress.checkpoint(search.done()).await?;
-        }
-        progress.checkpoint(search.done()).await?;
-        Ok(Found { poses: search.best(), tried: search.tried() })
-    }
-
     fn smallest(&self) -> f64 {
         self.options.last_step(self.diagonal)
     }
 
+    /// The fit near a pose.
     fn local<'s>(
         &self,
         samples: &'s Samples,
         smallest: f64,
         motion: RigidTransform,
     ) -> Result<LocalFit<'s, FootField<'a>>> {
-        self.local_on(self.field, samples, smallest, motion)
+        self.local_by(self.chosen.loss, self.field, samples, smallest, motion)
     }
 
-    /// The fit on a field near a pose.
-    fn local_on<'s, 'f>(
+    /// The same by another rule and on another field.
+    fn local_by<'s>(
         &self,
-        field: FootField<'f>,
+        loss: Loss,
+        field: FootField<'a>,
         samples: &'s Samples,
         smallest: f64,
         motion: RigidTransform,
-    ) -> Result<LocalFit<'s, FootField<'f>>> {
-        let loss = self.loss.of_some(samples.points.len(), self.samples.points.len());
+    ) -> Result<LocalFit<'s, FootField<'a>>> {
+        let loss = loss.of_some(samples.points.len(), self.chosen.samples.points.len());
         LocalFit::new(field, samples, loss, smallest, motion).ok_or(Error::EmptyModel)
-    }
-
-    /// Returns the fit that the steps continue: that from the first pose unless a pose that was found is better by
-    /// more than rounding.
-    fn best_start(&self, found: &Found, start: &Start) -> Result<LocalFit<'_, FootField<'a>>> {
-        let smallest = self.smallest();
-        let given = || Ok(self.local(&self.samples, smallest, start.motion)?.within(&start.freedoms));
-        let Some(best) = found.poses.first() else { return given() };
-        let mut near = self.local(&self.compared, smallest, start.motion)?;
-        near.run(NEAR_STEPS);
-        if near.rms() <= self.as_good_as(best) {
-            return given();
-        }
-        self.local(&self.samples, smallest, best.motion)
-    }
-
-    /// Returns the residual up to which a pose counts as equal to one that was found.
-    fn as_good_as(&self, best: &Candidate) -> f64 {
-        (1.0 + NEARLY_EQUAL) * best.rms + EXACT * self.diagonal
-    }
-
-    fn left_out(&self, distances: &[f64], scale: f64) -> LeftOut {
-        let points = self.samples.points.iter().zip(distances);
-        let beyond = points.filter(|(_, distance)| !(**distance <= scale));
-        LeftOut {
-            beyond: scale.is_finite().then_some(scale),
-            points: beyond.flat_map(|(point, _)| point.to_array()).collect(),
-        }
     }
 }

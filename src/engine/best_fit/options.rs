@@ -1,7 +1,7 @@
 //! The options and the result of a best fit.
 
 use super::zone::{Zone, ZoneOptions};
-use crate::alignment::{Datum, Loss, PointPair, Robust};
+use crate::alignment::{Datum, Loss, MAX_OUTLIERS, PointPair, Robust};
 use crate::engine::options::{at_least_zero, require_samples};
 use crate::engine::query::{Query, impl_query};
 use crate::error::{Error, Result};
@@ -88,6 +88,13 @@ pub struct BestFitOptions {
     /// The rule by which samples far from B lose their weight; `None` is `trimmed` with outliers, and
     /// `none` without.
     pub robust: Option<Robust>,
+    /// The faces of A, by their indices, whose samples count in the last fit; all if none are named. A has surfaces.
+    pub faces_of_a: Vec<usize>,
+    /// The faces of B, by their indices: in the last fit the samples count whose closest points on B lie there; all if
+    /// none are named. B has surfaces.
+    pub faces_of_b: Vec<usize>,
+    /// The distance from B, in model units, positive, beyond which a sample does not count in the last fit.
+    pub max_distance: Option<f64>,
     /// Whether B is scaled to the unit of A where both state different ones; else they are an error.
     pub scale_units: bool,
     /// Where A is at first. It is not deserialized, because only [`RigidTransform::new`] makes one.
@@ -110,42 +117,48 @@ impl Default for BestFitOptions {
             max_steps: DEFAULT_MAX_STEPS,
             outliers: 0.0,
             robust: None,
+            faces_of_a: Vec::new(),
+            faces_of_b: Vec::new(),
+            max_distance: None,
             scale_units: false,
             transform: RigidTransform::IDENTITY,
         }
     }
 }
 
-/// The largest share of outliers: what is left determines a pose still.
-const MAX_OUTLIERS: f64 = 0.95;
-
 impl_query!(BestFitOptions, best_fit -> BestFit, [tolerance, relative_tolerance, scale_units, transform]);
 
 impl BestFitOptions {
     /// # Errors
-    /// [`Error::OptionOutOfRange`] naming the option; [`Error::OptionInvalid`] for outliers that no rule leaves out,
-    /// for outliers or a rule in the largest distance, which is that of all points, and for a limit of a zone without
-    /// that norm.
+    /// [`Error::OptionOutOfRange`] naming the option; [`Error::OptionInvalid`] for samples far off that no rule leaves
+    /// out, for a choice of samples in the largest distance, which is that of all points, and for a zone without that
+    /// norm.
     fn require_own(&self) -> Result<()> {
         require_samples(self.samples)?;
         at_least_zero("outliers", self.outliers)?;
         if self.outliers > MAX_OUTLIERS {
             return Err(Error::out_of_range("outliers", self.outliers, "0 to 0.95"));
         }
-        if self.outliers > 0.0 && self.robust == Some(Robust::None) {
-            let found = "found outliers and robust none, expected a rule that leaves them out".to_owned();
-            return Err(Error::OptionInvalid { found });
+        if let Some(most) = self.max_distance
+            && !(most > 0.0 && most.is_finite())
+        {
+            return Err(Error::out_of_range("maxDistance", most, "positive"));
+        }
+        if self.leaves_out() && self.robust == Some(Robust::None) {
+            return Err(invalid("found samples to leave out and robust none, expected a rule that does"));
         }
         let has_zone = matches!(self.norm, FitNorm::Largest | FitNorm::Outside | FitNorm::Inside);
-        if has_zone && self.loss().robust != Robust::None {
-            let found = "found a norm of the largest distance with outliers or a rule for them, expected all points to count";
-            return Err(Error::OptionInvalid { found: found.to_owned() });
+        let is_of_some = self.loss().robust != Robust::None || self.selects();
+        if has_zone && is_of_some {
+            return Err(invalid(
+                "found a norm of the largest distance with a choice of samples, expected all points to count",
+            ));
         }
         self.zone.validate(has_zone && self.norm != FitNorm::Largest)?;
-        if self.zone.limit.is_some() && !has_zone {
-            let found =
-                "found a limit without a norm of the largest distance, whose zone alone is compared with it";
-            return Err(Error::OptionInvalid { found: found.to_owned() });
+        if !has_zone && self.zone != ZoneOptions::default() {
+            return Err(invalid(
+                "found options of a zone, expected a norm of the largest distance with them",
+            ));
         }
         if self.max_steps == 0 {
             return Err(Error::out_of_range("maxSteps", 0, "at least 1"));
@@ -158,10 +171,33 @@ impl BestFitOptions {
         self.common().width(diagonal, DEFAULT_RELATIVE_TOLERANCE)
     }
 
-    pub(super) fn loss(&self) -> Loss {
-        let by_default = if self.outliers > 0.0 { Robust::Trimmed } else { Robust::None };
-        Loss { robust: self.robust.unwrap_or(by_default), outliers: self.outliers }
+    /// Returns whether the last fit is of some of the samples that poses are searched by.
+    pub(super) fn selects(&self) -> bool {
+        self.max_distance.is_some() || !self.faces_of_a.is_empty() || !self.faces_of_b.is_empty()
     }
+
+    /// Returns the rule by which poses are searched.
+    pub(super) fn loss(&self) -> Loss {
+        Loss { robust: self.rule(self.outliers > 0.0), outliers: self.outliers, max_distance: None }
+    }
+
+    /// Returns the rule of the last fit.
+    pub(super) fn last_loss(&self) -> Loss {
+        let Self { outliers, max_distance, .. } = *self;
+        Loss { robust: self.rule(self.leaves_out()), outliers, max_distance }
+    }
+
+    fn leaves_out(&self) -> bool {
+        self.outliers > 0.0 || self.max_distance.is_some()
+    }
+
+    fn rule(&self, leaves_out: bool) -> Robust {
+        self.robust.unwrap_or(if leaves_out { Robust::Trimmed } else { Robust::None })
+    }
+}
+
+pub(super) fn invalid(found: &str) -> Error {
+    Error::OptionInvalid { found: found.to_owned() }
 }
 
 /// A pose of A that fits B.
@@ -214,7 +250,8 @@ pub struct BestFit {
     /// The root mean square where A was at first.
     pub rms_before: f64,
     /// The root mean square in a pose that nothing determines: the median of 48 rotations spread over all, A's
-    /// centre beside B's by half of A's radius of gyration.
+    /// centre beside B's by half of A's radius of gyration. With a largest distance the share of samples is left out there
+    /// that the fit left out.
     pub rms_random: f64,
     /// The number of steps of the last fit.
     pub steps: usize,
@@ -228,9 +265,12 @@ pub struct BestFit {
     pub freedoms: usize,
     /// The number of poses that the fit started from.
     pub tried: usize,
-    /// The number of samples of A.
+    /// The number of samples of A, or of its faces that the options name.
     pub samples: usize,
-    /// The samples that are left out.
+    /// The number of those that count in the pose found: they are not left out, and are nearest to the faces of B that
+    /// the options name.
+    pub counted: usize,
+    /// The samples that are left out as they are far from B.
     pub left_out: LeftOut,
 }
 

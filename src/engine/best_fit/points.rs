@@ -8,6 +8,16 @@ use crate::iteration::SamplingRule;
 impl PreparedModel {
     /// Returns the samples of a field with the areas that they stand for. O(samples).
     pub(super) fn fit_samples(&self, samples: usize, rule: SamplingRule) -> Samples {
+        self.fit_samples_where(samples, rule, |_| true)
+    }
+
+    /// Returns those of faces of surfaces; all of a mesh and of a cloud. O(samples).
+    pub(super) fn fit_samples_where(
+        &self,
+        samples: usize,
+        rule: SamplingRule,
+        is_chosen: impl Fn(usize) -> bool,
+    ) -> Samples {
         let (mut points, mut areas) = (Vec::new(), Vec::new());
         if let Some(facets) = self.facets() {
             for group in facets.targets() {
@@ -19,7 +29,8 @@ impl PreparedModel {
         }
         let prepared = self.sampling(samples, rule);
         let bezier = self.bezier();
-        for (grid, patches) in prepared.sampling.grids.iter().zip(&bezier.grids) {
+        let grids = prepared.sampling.grids.iter().zip(&bezier.grids).enumerate();
+        for (_, (grid, patches)) in grids.filter(|&(surface, _)| is_chosen(self.face_of(surface))) {
             for (i, &(row, s)) in grid.locations[0].iter().enumerate() {
                 for (j, &(column, t)) in grid.locations[1].iter().enumerate() {
                     let patch = bezier.patches.patch(patches.first + row * patches.counts()[1] + column);

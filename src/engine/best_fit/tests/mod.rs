@@ -1,6 +1,7 @@
 //! Fits from poses over all rotations, of parts whose pose is known.
 
 mod one_side;
+mod selection;
 mod zone;
 
 use super::*;

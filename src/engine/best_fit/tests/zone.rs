@@ -125,7 +125,7 @@ fn no_motion_of_the_box_is_below_the_interval() {
         distances.into_iter().fold(0.0, f64::max)
     };
     assert!(largest(found.transform) <= zone.upper);
-    let mean = fit(&a, &b, &BestFitOptions { norm: FitNorm::Mean, ..options(zone_options) });
+    let mean = fit(&a, &b, &BestFitOptions { norm: FitNorm::Mean, ..options(ZoneOptions::default()) });
     assert!(zone.upper < largest(mean.transform), "{zone:?}");
     for round in 0..200 {
         // Near the pose found and far from it.

@@ -110,6 +110,15 @@ export interface BestFitOptions {
    * `none`, the default without.
    */
   robust?: "none" | "trimmed" | "tukey" | "geman-mcclure";
+  /** The faces of `a`, by their indices, whose samples count in the last fit; default all. `a` has surfaces. */
+  facesOfA?: number[];
+  /**
+   * The faces of `b`, by their indices: in the last fit the samples count whose closest points lie there; default
+   * all. `b` has surfaces.
+   */
+  facesOfB?: number[];
+  /** The distance from `b`, in model units, positive, beyond which a sample does not count in the last fit. */
+  maxDistance?: number;
   /** The length, in model units, below which a step ends the fit. */
   tolerance?: number;
   /**
@@ -218,8 +227,10 @@ export interface BestFit {
   freedoms: number;
   /** The number of poses that the fit started from. */
   tried: number;
-  /** The number of samples. */
+  /** The number of samples of `a`, or of `facesOfA`. */
   samples: number;
+  /** The number of those that count in the pose found: not left out, and nearest to `facesOfB`. */
+  counted: number;
   /** The samples left out: x, y, z each, where `a` lies in its own file, and the distance beyond which. */
   leftOut: { beyond?: number; points: number[] };
 }

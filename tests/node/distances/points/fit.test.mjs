@@ -114,6 +114,32 @@ test("a model on itself stays, and wrong options are refused", async () => {
   model.dispose();
 });
 
+/** Two squares at right angles and points of them, of which those of the second are 0.1 beside it, and one is far off. */
+test("a fit of chosen faces and within a distance leaves out the others", async () => {
+  const wall = { ...square(0), controlPoints: [0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 1, 0, 1, 1, 1] };
+  const part = hd.model([square(0), wall]);
+  const steps = [0.2, 0.4, 0.6, 0.8];
+  const grid = steps.flatMap((x) => steps.map((y) => [x, y]));
+  const floor = grid.map(([x, y]) => [x, y, 0]);
+  const beside = grid.map(([y, z]) => [-0.1, y, z]);
+  const scan = hd.mesh({ positions: [...floor, ...beside, [0.5, 0.5, 5]].flat() });
+  const options = { start: "given", norm: "none", maxDistance: 1 };
+  const near = await hd.bestFit(scan, part, options);
+  assert.deepEqual([near.samples, near.counted], [33, 32]);
+  assert.deepEqual(near.leftOut, { beyond: 1, points: [0.5, 0.5, 5] });
+  // Half of the points that count are 0.1 off.
+  assert.ok(Math.abs(near.rms - 0.1 / Math.SQRT2) < 1e-9, `${near.rms}`);
+  const chosen = await hd.bestFit(scan, part, { ...options, facesOfB: [1] });
+  assert.ok(Math.abs(chosen.rms - 0.1) < 1e-9 && chosen.counted === 16, JSON.stringify(chosen));
+  const ofA = await hd.bestFit(part, part, { norm: "none", samples: 4, facesOfA: [0] });
+  assert.deepEqual([ofA.samples, ofA.counted], [16, 16]);
+  await assert.rejects(
+    hd.bestFit(scan, part, { facesOfB: [2] }),
+    withCode("OPTION_INVALID", /face 2 of B/),
+  );
+  for (const model of [part, scan]) model.dispose();
+});
+
 /** A square of side 4 by its corners' heights. */
 const bent = (heights) => ({
   ...square(0),

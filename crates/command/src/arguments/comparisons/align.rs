@@ -5,7 +5,7 @@ use crate::arguments::models::Placement;
 use crate::arguments::names::{SamplingName, named};
 use crate::failure::Failure;
 use clap::{Args, ValueEnum};
-use nurbs_hausdorff::{BestFitOptions, Error, FitNorm, FitStart, Robust, ZoneOptions};
+use nurbs_hausdorff::{BestFitOptions, FitNorm, FitStart, Robust, ZoneOptions};
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
@@ -50,6 +50,15 @@ pub(crate) struct AlignArguments {
     /// The rule by which samples far from B lose their weight; trimmed if there are outliers, else none.
     #[arg(long, value_enum)]
     robust: Option<RobustName>,
+    /// The faces of A, by their indices, whose samples count in the last fit; all if not given.
+    #[arg(long, value_name = "FACES", value_delimiter = ',')]
+    faces_of_a: Vec<usize>,
+    /// The faces of B: in the last fit the samples count that are nearest to these; all if not given.
+    #[arg(long, value_name = "FACES", value_delimiter = ',')]
+    faces_of_b: Vec<usize>,
+    /// The distance from B beyond which a sample does not count in the last fit.
+    #[arg(long, value_name = "LENGTH")]
+    max_distance: Option<f64>,
     /// Samples along each parameter direction of every surface of A.
     #[arg(long, hide_short_help = true, default_value_t = BestFitOptions::default().samples)]
     samples: usize,
@@ -84,11 +93,6 @@ impl AlignArguments {
             limit: self.limit,
             max_boxes: self.max_boxes,
         };
-        let has_box = ZoneOptions { limit: None, ..zone } != ZoneOptions::default();
-        if has_box && matches!(self.norm, NormName::Mean | NormName::None) {
-            let found = "found a box of motions without a zone, expected --norm largest, outside or inside";
-            return Err(Error::OptionInvalid { found: found.to_owned() }.into());
-        }
         Ok(BestFitOptions {
             samples: self.samples,
             sampling: self.sampling.map(Into::into).unwrap_or_default(),
@@ -102,6 +106,9 @@ impl AlignArguments {
             zone,
             outliers: self.outliers,
             robust: self.robust.map(Into::into),
+            faces_of_a: self.faces_of_a.clone(),
+            faces_of_b: self.faces_of_b.clone(),
+            max_distance: self.max_distance,
             scale_units: self.placement.scales_units(),
             transform: self.placement.transform()?,
         })

@@ -102,7 +102,12 @@ fn motion(transform: &RigidTransform, diagonal: f64) -> String {
 fn lines(out: &mut String, fit: &BestFit, (side, diagonal): (&str, f64)) -> std::fmt::Result {
     let word = if fit.converged { "FITTED" } else { "NOT FITTED" };
     let [rms, before, random] = [fit.rms, fit.rms_before, fit.rms_random].map(estimate);
-    writeln!(out, "{word}: rms {rms} of {} samples, {before} before", fit.samples)?;
+    let counted = if fit.counted < fit.samples {
+        format!("{} of {}", fit.counted, fit.samples)
+    } else {
+        fit.samples.to_string()
+    };
+    writeln!(out, "{word}: rms {rms} of {counted} samples, {before} before")?;
     if !fit.converged {
         writeln!(
             out,

@@ -88,6 +88,27 @@ fn square(name: &str, heights: [f64; 4]) -> String {
     file(name, &Model::from_arrays(None, vec![arrays]).unwrap().to_json().unwrap())
 }
 
+/// Of a square on a saddle every sample is off; within a hundredth some are left, and of faces there is one.
+#[test]
+fn samples_are_chosen_by_faces_and_by_a_largest_distance() {
+    let saddle = square("align-saddle-chosen.json", [0.1, -0.1, -0.1, 0.1]);
+    let plane = square("align-plane-chosen.json", [0.0; 4]);
+    let given = ["align", &saddle, &plane, "--norm", "none"];
+    let fit = |chosen: &[&str]| -> Value {
+        let output = run(&[&given[..], chosen, &["--json"]].concat());
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let near = fit(&["--max-distance", "0.01", "--faces-of-a", "0", "--faces-of-b", "0"]);
+    let [samples, counted] = ["samples", "counted"].map(|key| near[key].as_u64().unwrap());
+    assert!(0 < counted && counted < samples && samples == 256, "{near}");
+    assert!(near["largest"].as_f64().unwrap() <= 0.01 && near["leftOut"]["beyond"] == 0.01, "{near}");
+    let text = String::from_utf8(run(&[&given[..], &["--max-distance", "0.01"]].concat()).stdout).unwrap();
+    assert!(text.contains(&format!(" of {counted} of 256 samples, ")), "{text}");
+    let output = run(&[&given[..], &["--faces-of-a", "0,1"]].concat());
+    assert_eq!(status(&output), 2);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("face 1 of A"));
+}
+
 /// A saddle whose corners are ± 0.1 beside the plane that is nearest to them.
 #[test]
 fn a_limit_that_no_motion_keeps_fails_and_one_that_the_pose_keeps_passes() {
