@@ -8,6 +8,7 @@ import { existsSync, readdirSync } from "node:fs";
 import { buildApi } from "../build/api.mjs";
 import { buildCommand, forTests } from "../build/command.mjs";
 import { buildSite } from "../build/site.mjs";
+import { areColorsBuilt, buildColors, colors } from "../build/wasm/colors.mjs";
 import { chosen as chosenModules, modules, wasm32 } from "../build/wasm/modules.mjs";
 import { areBuilt, buildQuick, useSmall } from "../build/wasm/quick.mjs";
 import { buildSmall, small } from "../build/wasm/small.mjs";
@@ -22,7 +23,7 @@ import { installPackages, testLibraries, testPython } from "./python.mjs";
 const denyWarnings = ["--", "-D", "warnings"];
 
 /** The crates of the wasm modules, with the exports of all of them. */
-const wasm = [...wasm32, ...chosenModules(modules)];
+const wasm = [...wasm32, ...chosenModules(modules), `--package=${colors.crate}`];
 
 /** All tests of Rust but those of its documentation. */
 const rustTests = ["--lib", "--bins", "--tests"];
@@ -92,7 +93,7 @@ export const steps = [
     name: "wasm",
     what: "the wasm modules for the page and the tests; --release builds those that are published",
     run: async () => {
-      say(`wasm modules: ${await buildQuick()}`);
+      say(`wasm modules: ${await buildQuick()}; the page's: ${await buildColors()}`);
     },
     release: {
       what: "the wasm modules that are published are within their budgets",
@@ -101,6 +102,7 @@ export const steps = [
         say(`wasm modules, optimised: ${await buildSmall()}`);
         checkBudget();
         useSmall(small);
+        say(`the page's module: ${await buildColors()}`);
       },
     },
   },
@@ -113,7 +115,7 @@ export const steps = [
     quick: {
       what: "TypeScript types, where the wasm modules are built",
       run: async () => {
-        if (areBuilt()) return checkTypes();
+        if (areBuilt() && areColorsBuilt()) return checkTypes();
         const line =
           "SKIPPED types: the wasm modules are not built of these sources, as npm start does";
         say(line);

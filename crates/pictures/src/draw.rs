@@ -1,9 +1,9 @@
 //! The pictures of maps, in the same colours.
 
-use super::scale::{Extent, Scale};
 use super::views::Scene;
 use super::{Pictures, legend, numbers};
 use nurbs_hausdorff::workspace::{FLOOR, SignedMap};
+use nurbs_hausdorff_colors::{Allowed, Extent, Scale, ScaleOptions};
 
 /// What pictures are made of.
 #[derive(Debug, Clone, Copy)]
@@ -27,7 +27,9 @@ pub(crate) fn draw<E>(
     mut deflate: impl FnMut(&[u8]) -> Result<Vec<u8>, E>,
 ) -> Result<Pictures, E> {
     let shown = || maps.into_iter().flatten();
-    let scale = Scale::new(extent(shown(), diagonal), allowed);
+    let (extent, absolute) = extent(shown(), diagonal);
+    let allowed = allowed.map(|allowed| Allowed { above: allowed, below: allowed });
+    let scale = Scale::new(extent, ScaleOptions { absolute, allowed, ..ScaleOptions::default() });
     let unit = unit.map(numbers::unit_name);
     let of_all = shown().map(largest).fold(f64::NEG_INFINITY, f64::max);
     let mut figures = Vec::new();
@@ -49,11 +51,11 @@ fn largest(map: &SignedMap) -> f64 {
     map.map.worst().map_or(f64::NEG_INFINITY, |worst| map.map.values[worst][1])
 }
 
-/// Returns the extremes of all maps. Distances are shown instead of signed deviations if a model has no
+/// Returns the extremes of all maps, and whether distances are shown instead of signed deviations, as a model has no
 /// signs.
-fn extent<'a>(maps: impl Iterator<Item = &'a SignedMap>, diagonal: f64) -> Extent {
-    let mut extent =
-        Extent { lowest: 0.0, highest: 0.0, largest: 0.0, floor: FLOOR * diagonal, absolute: false };
+fn extent<'a>(maps: impl Iterator<Item = &'a SignedMap>, diagonal: f64) -> (Extent, bool) {
+    let mut extent = Extent { lowest: 0.0, highest: 0.0, largest: 0.0, floor: FLOOR * diagonal };
+    let mut absolute = false;
     for map in maps {
         let mut has_signs = false;
         for &[signed, distance] in &map.map.values {
@@ -63,7 +65,7 @@ fn extent<'a>(maps: impl Iterator<Item = &'a SignedMap>, diagonal: f64) -> Exten
             extent.highest = extent.highest.max(signed);
             extent.largest = extent.largest.max(distance);
         }
-        extent.absolute |= !has_signs;
+        absolute |= !has_signs;
     }
-    extent
+    (extent, absolute)
 }

@@ -1,7 +1,7 @@
 //! The legend of the colours, as the page draws it: an upright scale with ticks, in SVG.
 
 use super::numbers::{distance_text, signed_text};
-use super::scale::Scale;
+use nurbs_hausdorff_colors::{Scale, Tick, TickKind};
 use std::fmt::Write;
 
 /// The sizes of the drawing, in its own units.
@@ -17,46 +17,19 @@ const BINS: usize = 48;
 const OVERLAP: f64 = 0.3;
 
 /// The least distance of two labels, as a fraction of the scale.
-const MIN_GAP: f64 = 0.075;
+const LEAST_GAP: f64 = 0.075;
 
-/// A labelled place of the scale.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Tick {
-    pub(crate) value: f64,
-    pub(crate) text: String,
-}
-
-/// Returns the ticks, the important ones first, without those that would cover each other.
-pub(crate) fn ticks(scale: &Scale, diagonal: f64) -> Vec<Tick> {
-    let extent = scale.extent;
-    let text = |value: f64| {
-        if value == 0.0 || extent.absolute {
-            distance_text(value, diagonal)
-        } else {
-            signed_text(value, diagonal)
-        }
+/// Returns the label of a tick.
+fn label(Tick { value, kind }: Tick, scale: &Scale, diagonal: f64) -> String {
+    let prefix = match kind {
+        TickKind::End | TickKind::Zero => "",
+        TickKind::Allowed => "allowed ",
+        TickKind::Least => "least ",
+        TickKind::Most => "most ",
     };
-    let mut all = vec![("", scale.high), ("", scale.low)];
-    if let Some(allowed) = scale.allowed {
-        all.push(("allowed ", allowed));
-        if !extent.absolute {
-            all.push(("allowed ", -allowed));
-        }
-    }
-    if !extent.absolute {
-        all.push(("least ", extent.lowest));
-    }
-    all.push(("most ", if extent.absolute { extent.largest } else { extent.highest }));
-    all.push(("", 0.0));
-    let gap = MIN_GAP * (scale.high - scale.low);
-    let mut kept: Vec<Tick> = Vec::new();
-    for (prefix, value) in all {
-        let is_inside = value >= scale.low && value <= scale.high;
-        if is_inside && kept.iter().all(|tick| (tick.value - value).abs() >= gap) {
-            kept.push(Tick { value, text: format!("{prefix}{}", text(value)) });
-        }
-    }
-    kept
+    let is_plain = value == 0.0 || scale.is_absolute();
+    let text = if is_plain { distance_text(value, diagonal) } else { signed_text(value, diagonal) };
+    format!("{prefix}{text}")
 }
 
 /// Returns the drawing.
@@ -76,8 +49,9 @@ pub(crate) fn drawing(scale: &Scale, diagonal: f64) -> String {
              fill=\"#{red:02x}{green:02x}{blue:02x}\"/>"
         );
     }
-    for Tick { value, text } in ticks(scale, diagonal) {
-        let y = TOP + size * (scale.high - value) / (scale.high - scale.low);
+    for tick in scale.ticks(LEAST_GAP, scale.allowed()) {
+        let y = TOP + size * (scale.high() - tick.value) / (scale.high() - scale.low());
+        let text = label(tick, scale, diagonal);
         let _ = writeln!(
             svg,
             "<path d=\"M{BAR},{y:.2}h5\"/><text x=\"{}\" y=\"{:.2}\">{text}</text>",
@@ -92,38 +66,31 @@ pub(crate) fn drawing(scale: &Scale, diagonal: f64) -> String {
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod tests {
     use super::*;
-    use crate::scale::Extent;
+    use nurbs_hausdorff_colors::{Allowed, Extent, ScaleOptions};
+
+    fn scale(lowest: f64, absolute: bool) -> Scale {
+        let extent = Extent { lowest, highest: 4.0, largest: 4.0, floor: 1e-3 };
+        let allowed = Some(Allowed { above: 1.0, below: 1.0 });
+        Scale::new(extent, ScaleOptions { allowed, absolute, ..ScaleOptions::default() })
+    }
 
     #[test]
-    fn ticks_are_at_the_ends_what_is_allowed_and_the_extremes_but_not_over_each_other() {
-        let extent = Extent { lowest: -2.0, highest: 4.0, largest: 4.0, floor: 1e-3, absolute: false };
-        let of = |allowed: f64, extent| {
-            let ticks = ticks(&Scale::new(extent, Some(allowed)), 120.0);
-            ticks.into_iter().map(|tick| (tick.text, tick.value)).collect::<Vec<_>>()
+    fn labels_say_what_a_tick_marks() {
+        let of = |scale: &Scale| -> Vec<String> {
+            scale
+                .ticks(LEAST_GAP, scale.allowed())
+                .into_iter()
+                .map(|tick| label(tick, scale, 120.0))
+                .collect()
         };
-        let expected = [
-            ("+4.000", 4.0),
-            ("−4.000", -4.0),
-            ("allowed +1.000", 1.0),
-            ("allowed −1.000", -1.0),
-            ("least −2.000", -2.0),
-            ("0.000", 0.0),
-        ]
-        .map(|(text, value)| (text.to_owned(), value));
-        assert_eq!(of(1.0, extent), expected);
-        // What is allowed hides 0, from which it is less than 7.5 % of the scale away.
-        let near = of(0.3, extent);
-        assert!(near.iter().any(|(text, _)| text == "allowed +0.300"), "{near:?}");
-        assert!(near.iter().all(|&(_, value)| value != 0.0), "{near:?}");
-        let absolute = of(1.0, Extent { absolute: true, ..extent });
-        let texts: Vec<_> = absolute.iter().map(|(text, _)| text.as_str()).collect();
-        assert_eq!(texts, ["4.000", "0.000", "allowed 1.000"]);
+        let expected = ["+4.000", "−4.000", "allowed +1.000", "allowed −1.000", "least −2.000", "0.000"];
+        assert_eq!(of(&scale(-2.0, false)), expected);
+        assert_eq!(of(&scale(-2.0, true)), ["4.000", "0.000", "allowed 1.000"]);
     }
 
     #[test]
     fn a_tick_is_where_its_colour_is() {
-        let extent = Extent { lowest: 0.0, highest: 4.0, largest: 4.0, floor: 1e-3, absolute: false };
-        let svg = drawing(&Scale::new(extent, Some(1.0)), 120.0);
+        let svg = drawing(&scale(0.0, false), 120.0);
         // A quarter of 236 above the foot at 248.
         assert!(
             svg.contains("<path d=\"M16,189.00h5\"/><text x=\"24\" y=\"193.00\">allowed +1.000<"),

@@ -29,7 +29,6 @@ mod models;
 mod numbers;
 mod png;
 mod raster;
-mod scale;
 mod views;
 
 pub use clash::{Clash, clash_pictures};

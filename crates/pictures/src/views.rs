@@ -4,11 +4,12 @@
 use super::camera::Camera;
 use super::numbers::{distance_text, signed_text};
 use super::raster::{Corner, Raster};
-use super::scale::Scale;
+
 use super::{Figure, Picture, mark, png};
 use glam::DVec3;
 use nurbs_hausdorff::Signs;
 use nurbs_hausdorff::workspace::{Map, Vertex};
+use nurbs_hausdorff_colors::Scale;
 
 /// The width and height of a picture, in pixels: 220 to the inch where two are beside each other on A4.
 pub(super) const SIZE: [usize; 2] = [640, 560];
@@ -95,14 +96,14 @@ impl Scene<'_> {
 
     /// Returns what is shown.
     fn what(&self) -> String {
-        let what = if self.scale.extent.absolute { "Distance" } else { "Signed deviation" };
+        let what = if self.scale.is_absolute() { "Distance" } else { "Signed deviation" };
         let unit = self.unit.map_or_else(String::new, |unit| format!(", {unit}"));
         format!("{what} of {} from {}{unit}", self.names[0], self.names[1])
     }
 
     /// Returns what a sign stands for.
     fn sign_text(&self) -> String {
-        match (self.scale.extent.absolute, self.signs) {
+        match (self.scale.is_absolute(), self.signs) {
             (true, _) => String::new(),
             (_, Signs::Solid) => format!(" (negative inside the solid {})", self.names[1]),
             _ => format!(" (negative behind {}'s normals)", self.names[1]),
@@ -113,10 +114,10 @@ impl Scene<'_> {
     fn worst(&self) -> Option<(usize, String)> {
         let worst = self.map.worst().filter(|_| self.is_worst)?;
         let [signed, distance] = self.map.values[worst];
-        if distance <= self.scale.extent.floor {
+        if distance <= self.scale.floor() {
             return None;
         }
-        let is_plain = self.scale.extent.absolute || signed.is_nan();
+        let is_plain = self.scale.is_absolute() || signed.is_nan();
         let text = if is_plain {
             distance_text(distance, self.diagonal)
         } else {
@@ -220,11 +221,11 @@ impl Scene<'_> {
 
     /// Returns a colour of the scale by those of its parts.
     fn colored(&self, table: &[[u8; 3]], [signed, distance]: [f64; 2]) -> [u8; 3] {
-        let Scale { low, high, extent, .. } = *self.scale;
-        if signed.is_nan() && !extent.absolute {
-            return self.scale.color([signed, distance]);
+        let (low, high, absolute) = (self.scale.low(), self.scale.high(), self.scale.is_absolute());
+        if signed.is_nan() && !absolute {
+            return self.scale.color(distance, false);
         }
-        let value = if extent.absolute { distance } else { signed };
+        let value = if absolute { distance } else { signed };
         let index = ((value - low) / (high - low) * COLORS as f64) as usize;
         table[index.min(COLORS - 1)]
     }

@@ -186,8 +186,6 @@ function legendOf({ maps, drawn, result, extent }: ShownMaps): Legend {
     // A legend shows all colours, whichever are in focus.
     scale: new ColorScale(extent, { ...options(), focus: undefined }),
     ...{ absolute, allowed: allowed(), diagonal: result.diagonal },
-    lowest: absolute ? 0 : extent.lowest,
-    highest: absolute ? extent.largest : extent.highest,
     title: texts.places.deviationOf(
       what,
       names.join(texts.places.and),

@@ -2,7 +2,7 @@
 // extremes found, and the histogram beside it.
 import { element } from "../common/elements.ts";
 import { distanceText, signedText } from "../common/text/numbers.ts";
-import type { Allowed, ColorScale } from "../scene/colors/scale.ts";
+import type { Allowed, ColorScale, Mark } from "../scene/colors/scale.ts";
 import { texts } from "../texts/index.ts";
 import type { Distribution } from "../worker/map/distribution.ts";
 import { BINS, binsOf, histogram } from "./histogram.ts";
@@ -17,19 +17,14 @@ export interface Legend {
   scale: ColorScale;
   absolute: boolean;
   allowed: Allowed | undefined;
-  /** The extremes found. */
-  lowest: number;
-  highest: number;
   diagonal: number;
   title: string;
   distributions: readonly Distribution[];
 }
 
 /** A labelled place of the scale. */
-export interface Tick {
-  value: number;
+export interface Tick extends Mark {
   text: string;
-  kind: "end" | "zero" | "allowed" | "extreme";
 }
 
 const legend = element("legend");
@@ -64,32 +59,20 @@ function stopsOf(scale: ColorScale): string {
   return stops.join(", ");
 }
 
-/** Returns the ticks, the important ones first, without those that would cover each other. */
-export function ticksOf({ scale, absolute, allowed, lowest, highest, diagonal }: Legend): Tick[] {
-  const text = (value: number) =>
-    value === 0 || absolute ? distanceText(value, diagonal) : signedText(value, diagonal);
-  const tick = (kind: Tick["kind"], value: number, named = (shown: string) => shown): Tick => ({
-    ...{ kind, value },
-    text: named(text(value)),
+/** Returns the ticks with their texts, the important ones first, without those that would cover each other. */
+export function ticksOf({ scale, absolute, allowed, diagonal }: Legend): Tick[] {
+  const named: Record<Mark["kind"], (shown: string) => string> = {
+    end: (shown) => shown,
+    zero: (shown) => shown,
+    allowed: texts.places.allowedAt,
+    least: texts.places.leastAt,
+    most: texts.places.mostAt,
+  };
+  return scale.marks(MIN_GAP, allowed).map(({ value, kind }) => {
+    const isPlain = value === 0 || absolute;
+    const text = isPlain ? distanceText(value, diagonal) : signedText(value, diagonal);
+    return { value, kind, text: named[kind](text) };
   });
-  const limits =
-    allowed === undefined ? [] : [allowed.above, ...(absolute ? [] : [-allowed.below])];
-  const all = [
-    tick("end", scale.high),
-    tick("end", scale.low),
-    ...limits.map((value) => tick("allowed", value, texts.places.allowedAt)),
-    ...(absolute ? [] : [tick("extreme", lowest, texts.places.leastAt)]),
-    tick("extreme", highest, texts.places.mostAt),
-    tick("zero", 0),
-  ];
-  const width = scale.high - scale.low;
-  const kept: Tick[] = [];
-  for (const one of all) {
-    if (one.value < scale.low || one.value > scale.high) continue;
-    const isFree = kept.every(({ value }) => Math.abs(value - one.value) >= MIN_GAP * width);
-    if (isFree) kept.push(one);
-  }
-  return kept;
 }
 
 function label({ value, text, kind }: Tick, scale: ColorScale): HTMLElement {

@@ -78,7 +78,7 @@ export function histogramDrawing(legend: Legend): SVGElement {
       ],
     ),
     ...ticksOf(legend)
-      .filter(({ kind }) => kind !== "extreme" && kind !== "allowed")
+      .filter(({ kind }) => kind === "end" || kind === "zero")
       .map(({ value, text }) =>
         draw("text", { x: x(value), y: height - 16, "text-anchor": anchor(value, legend) }, text),
       ),
