@@ -145,7 +145,9 @@ impl BestFitOptions {
             return Err(Error::out_of_range("maxDistance", most, "positive"));
         }
         if self.leaves_out() && self.robust == Some(Robust::None) {
-            return Err(invalid("found samples to leave out and robust none, expected a rule that does"));
+            return Err(invalid(
+                "found outliers or a largest distance with robust none, expected a rule that leaves samples out",
+            ));
         }
         let has_zone = matches!(self.norm, FitNorm::Largest | FitNorm::Outside | FitNorm::Inside);
         let is_of_some = self.loss().robust != Robust::None || self.selects();
@@ -157,7 +159,7 @@ impl BestFitOptions {
         self.zone.validate(has_zone && self.norm != FitNorm::Largest)?;
         if !has_zone && self.zone != ZoneOptions::default() {
             return Err(invalid(
-                "found options of a zone, expected a norm of the largest distance with them",
+                "found a limit or a box of motions, expected a norm of the largest distance, whose zone alone has them",
             ));
         }
         if self.max_steps == 0 {

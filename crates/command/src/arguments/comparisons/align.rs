@@ -48,10 +48,10 @@ pub(crate) struct AlignArguments {
     #[arg(long, value_name = "SHARE", default_value_t = 0.0)]
     outliers: f64,
     /// The rule by which samples far from B lose their weight; trimmed if there are outliers, else none.
-    #[arg(long, value_enum)]
+    #[arg(long, hide_short_help = true, value_enum)]
     robust: Option<RobustName>,
     /// The faces of A, by their indices, whose samples count in the last fit; all if not given.
-    #[arg(long, value_name = "FACES", value_delimiter = ',')]
+    #[arg(long, hide_short_help = true, value_name = "FACES", value_delimiter = ',')]
     faces_of_a: Vec<usize>,
     /// The faces of B: in the last fit the samples count that are nearest to these; all if not given.
     #[arg(long, value_name = "FACES", value_delimiter = ',')]
