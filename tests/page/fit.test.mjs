@@ -1,6 +1,7 @@
 // The best fit: a shape that was moved and turned returns to itself, and undo takes it back.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { box, model } from "./support/boxes.mjs";
 import { open } from "./support/open.mjs";
 
 let opened;
@@ -71,6 +72,33 @@ test("a bracket that lies on its back finds its place from another start", async
   await page.waitForFunction(() => /steps\)/.test(document.getElementById("fit-text").textContent));
   assert.ok(Number((await opened.data()).upper) < 1e-4, JSON.stringify(await opened.data()));
   assert.equal(await page.locator("#fit-text").getAttribute("data-poor"), "false");
+});
+
+test("what a fit counts is chosen", async () => {
+  const { page } = opened;
+  // 0.5 higher is the top of A alone: the other faces lie on those of B at once.
+  const block = (name, height) => model(name, box("block", [0, 0, 0], [4, 3, height]));
+  await opened.until("done", () =>
+    page.setInputFiles("#file-both", [block("high.json", 2.5), block("low.json", 2)]),
+  );
+  const fitted = async () => {
+    await page.locator("#best-fit").click();
+    await page.waitForFunction(() => /now \(/.test(document.getElementById("fit-text").textContent));
+    return page.locator("#fit-text").textContent();
+  };
+  assert.match(await fitted(), /^RMS ≈ 0\.\d*[1-9]\d* before, ≈ 0\.\d*[1-9]/);
+  await opened.until("done", () => page.locator("#undo").click());
+  await page.locator("#fit-choice > summary").click();
+  await page.locator("#fit-faces").fill("0 and 1");
+  await page.locator("#best-fit").click();
+  assert.ok(await page.locator("#fit-faces").evaluate((input) => !input.validity.valid));
+  await page.locator("#fit-faces").fill("0-5");
+  await page.locator("#fit-distance").fill("0.001");
+  assert.match(await fitted(), /^RMS ≈ 0\.0+ before, ≈ 0\.0+ now .*; \d+ of 1536 samples count/);
+  await opened.screenshot("fit-choice");
+  await page.locator("#fit-faces").fill("6");
+  await page.locator("#best-fit").click();
+  await page.locator("#error", { hasText: "face 6 of B" }).waitFor();
 });
 
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

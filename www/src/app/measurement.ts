@@ -5,6 +5,7 @@ import { checkRules } from "../check/rules.ts";
 import { showMeeting } from "../clearance/meeting.ts";
 import { element } from "../common/elements.ts";
 import { clearFit, isFitting, showFitting } from "../controls/bestFit.ts";
+import { fitChoice } from "../controls/fitChoice.ts";
 import { display } from "../controls/display.ts";
 import { exploded } from "../controls/explode.ts";
 import { distanceOptions, overlays, paint } from "../controls/options.ts";
@@ -78,8 +79,11 @@ export class Measurement {
 
   /** Moves A to where it fits B: by all of it, or from where these pairs of points or datums lay it. */
   fit(start: Partial<Pick<PlainFitOptions, "pairs" | "datums" | "norm">>): void {
+    const choice = fitChoice();
+    if (choice === undefined) return;
     showFitting(start.norm === "none");
-    this.#parts.client.fit({ transform: this.pose().transform, scaleUnits: true, ...start });
+    const { transform } = this.pose();
+    this.#parts.client.fit({ transform, scaleUnits: true, ...choice, ...start });
   }
 
   /** Measures the volumes that the models have in common and apart, as they are placed. */

@@ -17,6 +17,7 @@ export const files = {
   notConverged: ", not converged",
   laidOnByHand: "laid on by hand",
   steps: (steps: number, end: string) => `${steps} steps${end}`,
+  countedOf: (counted: number, samples: number) => `; ${counted} of ${samples} samples count`,
   otherPoses: (ambiguous: number) => `; ${ambiguous} other poses fit as well`,
   rmsBeforeNow: (rmsBefore: string, rms: string, how: string, others: string, poor: string) =>
     `RMS ${rmsBefore} before, ${rms} now (${how})${others}${poor}`,

@@ -156,6 +156,12 @@ export const main = {
   movesAndTurnsATo:
     "Moves and turns A to where the mean squared distance of its samples from B is least, from any pose",
   bestFit: "Best fit",
+  whatTheFitCounts: "What the fit counts",
+  leftOut: "All but this share of A’s samples, the farthest, in %",
+  withinOfB: "Those within this distance of B, in model units",
+  nearestToFacesOfB: "Those nearest to these faces of B",
+  all: "all",
+  indicesOfFacesAs: "Indices of faces of B as its list has them: 3, 7-9",
   pointsOrFacesOfA: "Points or faces of A are clicked with those of B where they belong",
   byPointsOrFaces: "By points or faces",
   positionOfA: "Position of A",
