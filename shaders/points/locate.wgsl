@@ -85,56 +85,22 @@ fn bounded(best: Located, patch_index: u32, point: vec3<f32>) -> Located {
 fn descend(start: Located, point: vec3<f32>, is_bounding: bool) -> Located {
     var best = start;
     var limit = threshold(best, is_bounding);
-    var codes: array<u32, STACK_SIZE>;
-    var distances: array<f32, STACK_SIZE>;
-    var height = 0u;
-    var code = nodes[0].code;
+    var descent: Descent;
+    start_descent(&descent);
     loop {
-        // Down to the nearest leaf.
-        while (code & 1u) == 0u || (code == NO_NODE && height > 0u) {
-            while code == NO_NODE && height > 0u {
-                height--;
-                // The limit of stage `bound_others` does not fall: all that waits is below it.
-                if distances[height] < limit {
-                    code = codes[height];
-                }
-            }
-            if (code & 1u) == 0u {
-                let left = (code >> 1u) + 1u;
-                let right = nodes[left - 1u].right_child;
-                let left_distance = box_distance_squared(left, point);
-                let right_distance = box_distance_squared(right, point);
-                let right_is_nearer = right_distance < left_distance;
-                let near = min(left_distance, right_distance);
-                let far = max(left_distance, right_distance);
-                let left_code = nodes[left].code;
-                let right_code = nodes[right].code;
-                code = NO_NODE;
-                if near < limit {
-                    code = select(left_code, right_code, right_is_nearer);
-                } else {
-                    best.others = min(best.others, near);
-                }
-                if far < limit {
-                    codes[height] = select(right_code, left_code, right_is_nearer);
-                    distances[height] = far;
-                    height++;
-                } else {
-                    best.others = min(best.others, far);
-                }
-            }
-        }
-        if code == NO_NODE {
+        let leaf = next_leaf(&descent, point, limit);
+        if leaf == NO_NODE {
             break;
         }
         if is_bounding {
-            best = bounded(best, code >> 1u, point);
+            best = bounded(best, leaf, point);
         } else {
-            best = offer(best, code >> 1u, point);
+            best = offer(best, leaf, point);
             limit = threshold(best, false);
         }
-        code = NO_NODE;
     }
+    // The limit of stage `bound_others` does not fall: all that waited was below it.
+    best.others = min(best.others, descent.passed);
     return best;
 }
 
