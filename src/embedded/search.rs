@@ -148,21 +148,21 @@ impl<'a> Search<'a> {
         if !a.aabb.grown(self.apart()).meets(&b.aabb) {
             return Some(0.0);
         }
+        let halves = self.sides_of_halves([a, b]);
+        let joined = self.joined_sides([a, b]);
+        let corners = self.corners([a, b]);
+        let is_alone = halves.is_empty() && joined.is_empty() && corners.is_empty();
+        if is_alone && self.are_apart(a, b) {
+            return Some(0.0);
+        }
         let on_sheets = || {
             self.on_one_sheet([a, b], most)
                 .or_else(|| self.off_sheet(a, b, most))
                 .or_else(|| self.off_sheet(b, a, most))
         };
-        if let Some(within) = on_sheets() {
-            return Some(within);
-        }
-        let halves = self.sides_of_halves([a, b]);
-        let joined = self.joined_sides([a, b]);
-        let corners = self.corners([a, b]);
-        if halves.is_empty() && joined.is_empty() && corners.is_empty() {
-            let start = a.aabb.center() - b.aabb.center();
-            let found = hull_distance(&a.points, &b.points, start, 2.0 * self.apart(), 0.0);
-            return (found.lower > self.apart()).then_some(0.0);
+        let within = on_sheets();
+        if within.is_some() || is_alone {
+            return within;
         }
         let beside_halves =
             halves.into_iter().filter_map(|(pieces, sides)| self.beside(pieces, sides, (0.0, false), most));
@@ -171,6 +171,12 @@ impl<'a> Search<'a> {
         let about_corners =
             corners.into_iter().filter_map(|(touches, spread)| self.about([a, b], touches, spread, most));
         beside_halves.chain(beside_edges).chain(about_corners).next()
+    }
+
+    /// Returns true only if the hulls of two pieces are farther from each other than what is near (lemma S8, e).
+    fn are_apart(&self, a: &Piece, b: &Piece) -> bool {
+        let start = a.aabb.center() - b.aabb.center();
+        hull_distance(&a.points, &b.points, start, 2.0 * self.apart(), 0.0).lower > self.apart()
     }
 
     /// Returns the sides along which two pieces of one patch meet, with the pieces in the order of these.

@@ -192,7 +192,10 @@ fn what_has_no_effect_on_a_fit_is_refused() {
     let wing = wing("no-effect");
     for more in [["--box-degrees", "2"], ["--max-boxes", "9"], ["--box-translation", "1"]] {
         let refused = run(&[&["align", &wing, &wing], &more[..]].concat());
-        assert!(String::from_utf8_lossy(&refused.stderr).contains("whose zone alone has them"), "{refused:?}");
+        assert!(
+            String::from_utf8_lossy(&refused.stderr).contains("whose zone alone has them"),
+            "{refused:?}"
+        );
     }
     for (text, expected) in [("# none\n", "found no pairs"), ("1 2 3\n", "found 3 numbers, expected 6, or 7")]
     {
