@@ -3,6 +3,7 @@
 import { type MeshFormat, type MeshOptions, readMesh } from "./cad/mesh.js";
 import type { CadOptions } from "./cad/options.js";
 import { readCad } from "./cad/read.js";
+import { CREATE_OPTIONS } from "./create.js";
 import { HausdorffError, translated, translating } from "./error.js";
 import { checkKeys } from "./keys.js";
 import { load, type ModuleSource, requireLoaded, setSource } from "./load.js";
@@ -73,11 +74,6 @@ export interface CreateOptions {
   /** The same of the module that `readMesh` reads scans by, `nurbs-hausdorff/nurbs_hausdorff_scans_bg.wasm`. */
   scans?: ModuleSource;
 }
-
-/** The names of the options of `create`. */
-const CREATE_OPTIONS: readonly (keyof CreateOptions)[] = [
-  ...(["backend", "module", "readers", "meshes", "scans"] as const),
-];
 
 /** A shape that the package makes. */
 export interface ShapeInfo {

@@ -74,10 +74,10 @@ impl PreparedModel {
         Ok(Self { source: None, prepared: Rc::new(prepared), report: None })
     }
 
-    /// A model of interchange JSON.
+    /// A model of interchange JSON; a unit that the text states comes before this one.
     #[wasm_bindgen(js_name = fromJson)]
-    pub fn from_json(text: &JsString) -> Result<PreparedModel> {
-        let model = Model::from_json(&checked(text)?)?;
+    pub fn from_json(text: &JsString, unit: Option<f64>) -> Result<PreparedModel> {
+        let model = json_model(text, unit)?;
         let report = ReadReport::of_exact(&model);
         Self::new(model, Some(report))
     }
@@ -149,10 +149,10 @@ impl PreparedModel {
         interchange(reader_model(text)?)
     }
 
-    /// `{json, report}` of interchange JSON, validated and written anew.
+    /// `{json, report}` of interchange JSON, validated and written anew, as [`Self::from_json`].
     #[wasm_bindgen(js_name = jsonToJson)]
-    pub fn json_to_json(text: &JsString) -> std::result::Result<JsValue, JsValue> {
-        let model = Model::from_json(&checked(text)?)?;
+    pub fn json_to_json(text: &JsString, unit: Option<f64>) -> std::result::Result<JsValue, JsValue> {
+        let model = json_model(text, unit)?;
         to_object(&Interchange { json: model.to_json()?, report: ReadReport::of_exact(&model) })
     }
 
@@ -357,4 +357,12 @@ fn reader_model(text: &JsString) -> Result<(Model, ReadReport)> {
 #[wasm_bindgen]
 pub fn shapes() -> std::result::Result<JsValue, JsValue> {
     to_object(&list().collect::<Vec<_>>())
+}
+
+fn json_model(text: &JsString, unit: Option<f64>) -> Result<Model> {
+    let model = Model::from_json(&checked(text)?)?;
+    match unit.filter(|_| model.unit().is_none()) {
+        Some(metres) => model.with_unit(metres),
+        None => Ok(model),
+    }
 }

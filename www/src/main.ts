@@ -4,6 +4,7 @@ import { AnnotationLayer } from "./annotations/layer.ts";
 import { AnnotationList } from "./annotations/list.ts";
 import { annotationTool } from "./annotations/tool.ts";
 import { connect } from "./app/controls.ts";
+import "./controls/numberFields.ts";
 import { Measurement } from "./app/measurement.ts";
 import { Opening } from "./app/opening.ts";
 import type { Parts } from "./app/parts.ts";

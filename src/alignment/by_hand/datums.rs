@@ -183,12 +183,15 @@ impl State {
     }
 
     /// Takes rotations: lays the direction of A on that of B. A point has one where translations can no
-    /// longer move it: from the point that rotations keep.
+    /// longer move it: from the point that rotations keep. So has an axis along that of the rotation that is left, as a
+    /// second bore beside the first.
     fn turn(&mut self, a: &Checked, b: &Checked) {
         let image = self.motion.apply(a.point);
         let anchor = self.anchor.unwrap_or(image);
         let (from, to) = match (a.direction, b.direction) {
-            (Some(of_a), Some(of_b)) => (self.motion.rotate(of_a), of_b),
+            (Some(of_a), Some(of_b)) if !(a.rank == 2 && self.is_about([self.motion.rotate(of_a), of_b])) => {
+                (self.motion.rotate(of_a), of_b)
+            }
             _ if self.slides_across() => return,
             _ => (unit(image - anchor), unit(b.point - anchor)),
         };
@@ -211,6 +214,12 @@ impl State {
             Turning::Fixed => return,
         };
         self.motion = self.motion.followed(vector, anchor, DVec3::ZERO);
+    }
+
+    /// Returns whether one rotation is left, about an axis along these directions.
+    fn is_about(&self, directions: [DVec3; 2]) -> bool {
+        let Turning::About(axis) = self.turning else { return false };
+        directions.iter().all(|direction| direction.cross(axis).length() <= SAME_DIRECTION)
     }
 
     /// Returns whether a translation is left across the axis of the rotation that is left.
@@ -336,11 +345,16 @@ mod tests {
             };
             (of(a), of(b))
         };
-        let found = fit(&[floor, bore(1.0, 0.3, 0.0), point(bore(5.0, 0.0, 0.2))]);
-        assert_eq!((found.taken.as_slice(), found.free), ([3, 2, 1].as_slice(), 0));
-        for corner in [DVec3::ZERO, DVec3::new(5.0, 1.0, 0.0)] {
-            assert!(found.transform.apply(pose.apply(corner)).distance(corner) < 100.0 * ROUNDING);
+        for second in [point(bore(5.0, 0.0, 0.2)), bore(5.0, 0.7, 0.2)] {
+            let found = fit(&[floor, bore(1.0, 0.3, 0.0), second]);
+            assert_eq!((found.taken.as_slice(), found.free), ([3, 2, 1].as_slice(), 0));
+            for corner in [DVec3::ZERO, DVec3::new(5.0, 1.0, 0.0)] {
+                assert!(found.transform.apply(pose.apply(corner)).distance(corner) < 100.0 * ROUNDING);
+            }
         }
+        // Bores alone leave the shift along them; the same bore again takes nothing.
+        assert_eq!(fit(&[bore(1.0, 0.3, 0.0), bore(5.0, 0.0, 0.0)]).taken, [4, 1]);
+        assert_eq!(fit(&[floor, bore(1.0, 0.3, 0.0), bore(1.0, 0.0, 0.0)]).taken, [3, 2, 0]);
     }
 
     #[test]

@@ -27,7 +27,7 @@ pub enum Overlap {
     },
     /// The boundaries are certainly apart, and a shell of one lies inside the other.
     Contained {
-        /// A point certainly inside both, or on one and inside the other.
+        /// A point certainly inside both; where none was found, on the boundary of one and inside the other.
         inside_both: [f64; 3],
     },
 }
@@ -110,7 +110,13 @@ impl<'a> Solids<'a> {
             .iter()
             .fold(interval.lower, |distance, model| model.boundary().clear_radius(distance));
         if strips_apart > self.error() {
-            return self.of_disjoint().ok_or(OverlapUnknown::Side);
+            let overlap = self.of_disjoint().ok_or(OverlapUnknown::Side)?;
+            let Overlap::Contained { .. } = overlap else { return Ok(overlap) };
+            // The point known is on a boundary: one off it says more.
+            return Ok(match self.common_point(nearest, goal.tolerance, is_late) {
+                CommonPoint::Found(point) => Overlap::Contained { inside_both: point.to_array() },
+                _ => overlap,
+            });
         }
         match self.common_point(nearest, goal.tolerance, is_late) {
             CommonPoint::Found(point) => return Ok(Overlap::Intersecting { inside_both: point.to_array() }),

@@ -50,7 +50,7 @@ export async function readCad(
   return translating(() => {
     if ("read" in file) return modelOf(prepareRead(file, options));
     if ("model" in file) return modelOf(prepareFaces(file));
-    return modelOf(prepareInterchange(file.text));
+    return modelOf(prepareInterchange(file.text, options.unit));
   });
 }
 
@@ -67,7 +67,7 @@ export async function convertCad(
   requireGoing(options.signal);
   return translating(() => {
     if ("read" in file) return readInterchange(file, options.name);
-    return "model" in file ? facesInterchange(file) : rewritten(file.text);
+    return "model" in file ? facesInterchange(file) : rewritten(file.text, options.unit);
   });
 }
 

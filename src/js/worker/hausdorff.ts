@@ -3,8 +3,10 @@
 import type { MeshFormat, MeshOptions } from "../cad/mesh.js";
 import type { CadOptions } from "../cad/options.js";
 import type { PeerLoader } from "../cad/peers/peers.js";
+import { CREATE_OPTIONS } from "../create.js";
 import { HausdorffError } from "../error.js";
 import type { CreateOptions, ShapeInfo } from "../hausdorff.js";
+import { checkKeys } from "../keys.js";
 import type { ModuleSource } from "../load.js";
 import type { CheckOptions, CheckResult } from "../measure/bodies/check.js";
 import type {
@@ -53,6 +55,9 @@ export interface WorkerCreateOptions extends CreateOptions, PoolOptions {
   worker?: Worker;
 }
 
+/** The names of the options of `create` of this entry. */
+const WORKER_OPTIONS = [...CREATE_OPTIONS, "worker", "workers", "memoryBudget"];
+
 /** Options of `Hausdorff.closestPoints` of this entry. */
 export interface WorkerClosestPointOptions extends ClosestPointOptions {
   /** Whether the points' buffer is transferred, and empty afterwards, not copied; default no. */
@@ -99,6 +104,7 @@ export class Hausdorff implements DistanceEngine<NurbsModel> {
    * @throws {HausdorffError} `WORKER_FAILED`, and those of the main entry's `create`.
    */
   static async create(options: WorkerCreateOptions = {}): Promise<Hausdorff> {
+    checkKeys("options", options, WORKER_OPTIONS);
     const { worker, module, readers, meshes, scans, workers, memoryBudget, ...rest } = options;
     const pool = requirePoolOptions({ workers, memoryBudget });
     const channel = new Channel((listener) => connect(listener, worker));

@@ -1,9 +1,12 @@
 // Which edge is near a point of a face, and how long it is: a plate with a round end.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { Hausdorff } from "../../../dist/node.js";
 import { moduleOf } from "../support/module.mjs";
 
 const { edgeNear } = await moduleOf("measuring/edges.ts");
+const { outline } = await moduleOf("worker/models/outline.ts");
 
 /** Parts of the half circle. */
 const PARTS = 12;
@@ -70,3 +73,36 @@ test("an edge on a circle is as long as its arc, and closed where it ends in its
   assert.ok(circle.isClosed);
   assert.equal(edgeNear(model([]), 0, [0, 0, 0]), undefined);
 });
+
+// A plate of 80 by 50 by 8 with two bores of radius 9 at x = ±20, whose faces are cut beside the bores.
+test("an edge of a face that is cut into pieces is whole", async () => {
+  const hd = await Hausdorff.create({ backend: "cpu" });
+  const file = new URL("../../../examples/parts/a.step", import.meta.url);
+  const part = await hd.readCad(readFileSync(file), { name: "a.step" });
+  const tessellation = await part.tessellate();
+  const box = { min: [-40, -25, -4], max: [40, 25, 4] };
+  const faceNames = Array.from({ length: part.faceCount }, (_, face) => `${face}`);
+  const drawn = { box, tessellation, outline: outline(tessellation, box), faceNames };
+  const lengthAt = (face, point) => edgeNear(drawn, face, point).edge.length;
+  for (const [face, z] of [
+    [0, -4],
+    [1, 4],
+  ]) {
+    for (const y of [-20, 0, 8.98, 20]) measured(lengthAt(face, [40, y, z]), 50);
+    measured(lengthAt(face, [3, 25, z]), 80);
+    for (const angle of [0, 1.5, 3, 4.7]) {
+      const at = [20 + 9 * Math.cos(angle), 9 * Math.sin(angle), z];
+      const { edge } = edgeNear(drawn, face, at);
+      measured(edge.length, 2 * Math.PI * 9);
+      measured(edge.circle.radius, 9);
+    }
+  }
+  // The bore's seam is no edge.
+  measured(lengthAt(6, [-11, 0, 0]), 2 * Math.PI * 9);
+  for (const owner of [part, hd]) owner.dispose();
+});
+
+/** Positions are float32, and rims chords. */
+function measured(found, expected) {
+  assert.ok(Math.abs(found - expected) < 1e-3, `${found} for ${expected}`);
+}

@@ -43,17 +43,19 @@ export function showFit(reply: FitReply, diagonal: number): void {
           : texts.files.searchingPoses(Math.round(100 * reply.fraction));
       return;
     case "done": {
-      const { rms, rmsBefore, steps, converged, ambiguous, counted, samples } = reply.fit;
+      const { rms, rmsBefore, steps, converged, ambiguous, counted, samples, taken } = reply.fit;
       const end = converged ? "" : texts.files.notConverged;
       const poor = converged || isByHand ? "" : POOR_TEXT;
       const how = isByHand ? texts.files.laidOnByHand : texts.files.steps(steps, end);
+      const without = (taken ?? []).flatMap((count, datum) => (count === 0 ? [datum + 1] : []));
+      const idle = without.length > 0 ? texts.files.datumsTookNothing(without.join(", ")) : "";
       const of = counted < samples ? texts.files.countedOf(counted, samples) : "";
       const others = ambiguous.length > 0 ? texts.files.otherPoses(ambiguous.length) : "";
       text.textContent = texts.files.rmsBeforeNow(
         length(rmsBefore),
         length(rms),
         how,
-        of + others,
+        of + idle + others,
         poor,
       );
       text.dataset.poor = `${poor !== ""}`;

@@ -7,8 +7,10 @@ import { sectionText } from "../controls/section.ts";
 import { painted } from "../inspection/deviationPanel.ts";
 import type { Legend } from "../inspection/legend.ts";
 import type { View } from "../scene/view.ts";
+import { formState } from "../state/formState.ts";
 import { texts } from "../texts/index.ts";
 import { dataUrl, pictureOf } from "./download.ts";
+import { legendDrawing } from "./report/drawings.ts";
 
 /** A picture with what its colours mean. */
 export interface ReportView {
@@ -16,6 +18,10 @@ export interface ReportView {
   /** The picture's address. */
   picture: string;
   legend: Legend | undefined;
+  /** The legend as it was drawn, in the unit of then. */
+  drawing: SVGElement | undefined;
+  /** What is allowed, and where A was. */
+  state: string;
   /** Where the models are cut open. */
   section: string | undefined;
 }
@@ -24,6 +30,17 @@ export interface ReportView {
 const NONE = element("view-count").textContent;
 const add = element("add-view").querySelector(".text");
 const ADD = add?.textContent ?? "";
+
+/** What a view shows colours of, as the form has it. */
+export function stateNow(): string {
+  const all = new URLSearchParams(formState());
+  return SHOWN.map((name) => all.get(name) ?? "").join();
+}
+
+/** The names of its controls. */
+const SHOWN = ["a", "b", "limit", "limit-below", "own-limits", "shown-unit"].concat(
+  ["x", "y", "z"].flatMap((axis) => [axis, `turn-${axis}`]),
+);
 
 export class Views {
   readonly #view: View;
@@ -65,7 +82,9 @@ export class Views {
   async take(title: string): Promise<ReportView> {
     const section = sectionText(this.#view.models);
     const picture = await dataUrl(await this.picture());
-    return { title, picture, legend: painted()?.legend, section };
+    const legend = painted()?.legend;
+    const drawing = legend && legendDrawing(legend);
+    return { title, picture, legend, drawing, state: stateNow(), section };
   }
 
   /** The picture of the view, PNG. */

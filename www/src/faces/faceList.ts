@@ -2,7 +2,7 @@
 
 import { type FaceDifference, facePath } from "nurbs-hausdorff";
 import { span } from "../common/elements.ts";
-import { heldText, intervalText, listedText } from "../common/text/numbers.ts";
+import { attainedText, heldText, intervalText } from "../common/text/numbers.ts";
 import { texts } from "../texts/index.ts";
 import type { Side } from "../worker/protocol.ts";
 import type { Change } from "./changes.ts";
@@ -77,7 +77,7 @@ export class FaceList {
         "size",
         difference.state === "undecided"
           ? texts.faces.kinds.undecided
-          : listedText((lower + upper) / 2, [lower, upper], diagonal),
+          : attainedText([lower, upper], diagonal),
       ),
       span("interval", intervalText(lower, upper, diagonal)),
     );

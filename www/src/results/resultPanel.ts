@@ -127,7 +127,11 @@ export function onWhere(callback: () => void): void {
 /** Where the distance is attained. */
 function whereText(result: DistanceResult): string {
   // Between models that agree, no place is farther than another.
-  if (agrees(result)) return texts.results.theModelsAgreeNoPlace;
+  if (agrees(result)) {
+    const skipped = skippedFaces();
+    const left = skipped > 0 ? texts.results.butFacesAreLeftOut(skipped) : "";
+    return texts.results.theModelsAgreeNoPlace + left;
+  }
   const { a, b } = result.witness;
   const fromA = farthestSide(result) === "a";
   const [onA, onB] = [`A ${placeName(a)}`, `B ${placeName(b)}`];

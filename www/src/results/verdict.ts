@@ -20,7 +20,10 @@ const compared = element("compared");
 const judged = signal<Judged | undefined>(undefined);
 const limits = computed((): Allowed | undefined => {
   const above = sizeOf(limit.value);
-  return above === undefined ? undefined : { above, below: sizeOf(limitBelow.value) ?? above };
+  if (above === undefined) return undefined;
+  // Whoever types it with its sign means the same.
+  const below = sizeOf(limitBelow.value.replace(/^-/, ""));
+  return { above, below: below ?? above };
 });
 
 // The card follows what is judged and what is allowed.

@@ -97,11 +97,14 @@ export function heldNumber(
   const known = Math.max(narrow, 1 - magnitude(computed));
   const first = digitsAfterPoint(Math.min(wanted, known));
   const last = digitsAfterPoint(SIGNIFICANT_DIGITS - 1 - magnitude(upper));
-  for (let digits = first; digits <= last; digits++) {
-    const step = 10 ** -digits;
-    const texts = [computed, computed - step, computed + step].map((at) => at.toFixed(digits));
-    const held = texts.find((text) => lower <= Number(text) && Number(text) <= upper);
-    if (held !== undefined) return held;
+  const isHeld = (text: string) => lower <= Number(text) && Number(text) <= upper;
+  // What rounds the number comes first: in a wide interval another one with fewer digits may be far from it.
+  for (const steps of [[0], [-1, 1]]) {
+    for (let digits = first; digits <= last; digits++) {
+      const texts = steps.map((step) => (computed + step * 10 ** -digits).toFixed(digits));
+      const held = texts.find(isHeld);
+      if (held !== undefined) return held;
+    }
   }
   // An interval between two neighbours of such numbers: its own end, with all its digits.
   return `${lower <= computed && computed <= upper ? computed : upper}`;
@@ -127,6 +130,10 @@ export function listedText(
 /** The largest distance of an interval whose distance is not computed, as `certifiedText`. */
 export const heldText = (interval: readonly [number, number], diagonal: number): string =>
   certifiedText((interval[0] + interval[1]) / 2, interval, diagonal);
+
+/** The largest distance of an interval that ends where its limit was decided: the lower end, which a point has. */
+export const attainedText = ([lower, upper]: readonly [number, number], diagonal: number): string =>
+  listedText(lower, [lower, upper], diagonal);
 
 /** A signed distance, always with its sign. */
 export function signedText(distance: number, diagonal: number): string {

@@ -71,7 +71,7 @@ const isWrittenOut = (size: number): boolean =>
   WRITTEN_OUT.from <= size && size < WRITTEN_OUT.below;
 
 /** The relative width up to which an interval is shown by a number: one of a wider one would say more than is known. */
-const NARROW = 0.1;
+const NARROW = 0.01;
 
 /** Whether a number stands for the interval, or for how near to 0 it is. */
 export const isNarrow = ({ lower, upper }: Interval): boolean =>

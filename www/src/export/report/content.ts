@@ -6,15 +6,17 @@ import {
   certifiedText,
   distanceText,
   intervalText,
+  shownLength,
   signedText,
 } from "../../common/text/numbers.ts";
 import { unitName } from "../../common/text/units.ts";
 import { hashOf } from "../../files/identity.ts";
-import { commonUnit, modelUnit } from "../../files/units.ts";
+import { commonUnit } from "../../files/units.ts";
 import { isBeyond, sizeText } from "../../inspection/places/placeList.ts";
 import type { Place } from "../../inspection/places/places.ts";
 import { limitText } from "../../results/ownLimits.ts";
 import { allowed, allowedOf, shownVerdict } from "../../results/verdict.ts";
+import type { Allowed } from "../../scene/colors/scale.ts";
 import { texts } from "../../texts/index.ts";
 import { type DisplayModel, SIDES, type Sides } from "../../worker/protocol.ts";
 import type { ExportedState } from "../exports.ts";
@@ -22,6 +24,9 @@ import type { ReportContent } from "./report.ts";
 
 /** Faces in the table; a longer one is for the JSON. */
 const MAX_FACES = 200;
+
+/** Digits of a limit in another unit than that in which it is typed. */
+const LIMIT_DIGITS = 12;
 
 /** Everything but the pictures. */
 export async function contentOf(
@@ -39,7 +44,7 @@ export async function contentOf(
     ),
     faces: {
       head: [
-        texts.report.face,
+        `${texts.report.face}, ${commonUnit() ?? texts.report.modelUnits}`,
         texts.report.least,
         texts.report.most,
         texts.report.largest,
@@ -63,10 +68,7 @@ function verdictTerms({ result }: ExportedState): [string, string][] {
   const { lower, upper, computed, diagonal, gap, withGaps, witness } = result;
   const unit = commonUnit() ?? texts.report.modelUnits;
   const limits = allowed();
-  const limit =
-    limits === undefined
-      ? texts.report.notStated
-      : `+${limits.above} / −${limits.below} ${modelUnit() ?? texts.report.modelUnits}`;
+  const limit = limits === undefined ? texts.report.notStated : limitIn(shownLimits(limits), unit);
   return [
     [texts.report.measured, element("kind").textContent ?? ""],
     [texts.report.allowedDeviation, limit],
@@ -94,7 +96,7 @@ async function fileTerms(
     [texts.report.faces, `${faceCount}`],
     [texts.report.unit, unit === null ? texts.report.unknown : unitName(unit)],
     [texts.report.skippedFaces, report === null ? "" : `${report.skipped.length}`],
-    [texts.report.gapOfTheFile, report === null ? "" : `${report.gap}`],
+    [texts.report.gapOfTheFile, report === null ? "" : lengthOf(report.gap, unit)],
   ];
   if ("shape" in source) return [[texts.report.model, source.shape], ...common];
   const { file } = source;
@@ -107,6 +109,10 @@ async function fileTerms(
   ];
 }
 
+/** A length of a file, in its own unit. */
+const lengthOf = (length: number, unit: number | null): string =>
+  `${length} ${unit === null ? texts.report.modelUnits : unitName(unit)}`;
+
 function faceRow(place: Place, diagonal: number): string[] {
   const { side, name, lowest, highest } = place;
   const limits = allowedOf(side, place.face);
@@ -115,10 +121,19 @@ function faceRow(place: Place, diagonal: number): string[] {
     signedText(lowest, diagonal),
     signedText(highest, diagonal),
     sizeText(place, diagonal),
-    limits === undefined ? "" : limitText(limits),
+    limits === undefined ? "" : limitText(shownLimits(limits)),
     limits === undefined ? "" : isBeyond(place, limits) ? texts.report.beyond : texts.report.within,
   ];
 }
+
+const limitIn = ({ above, below }: Allowed, unit: string): string =>
+  `+${above} / −${below} ${unit}`;
+
+/** Limits in the unit in which lengths are shown. */
+const shownLimits = ({ above, below }: Allowed): Allowed => ({
+  above: Number(shownLength(above).toPrecision(LIMIT_DIGITS)),
+  below: Number(shownLength(below).toPrecision(LIMIT_DIGITS)),
+});
 
 function settingsOf({ options }: ExportedState): [string, string][] {
   const { method, relativeTolerance, symmetric, transform } = options;

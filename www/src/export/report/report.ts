@@ -2,11 +2,12 @@
 
 import { element, make } from "../../common/elements.ts";
 import type { ReportTable } from "../../common/tables.ts";
+import { painted } from "../../inspection/deviationPanel.ts";
 import type { Verdict } from "../../results/judgement.ts";
 import { texts } from "../../texts/index.ts";
-import type { ReportView } from "../views.ts";
+import { type ReportView, stateNow } from "../views.ts";
 import { table, terms } from "./dom.ts";
-import { histogramDrawing, legendDrawing } from "./drawings.ts";
+import { histogramDrawing } from "./drawings.ts";
 import { chosenPaper, hasSection, logo } from "./settings.ts";
 import { styleFor } from "./style.ts";
 
@@ -92,7 +93,7 @@ function* sections(content: ReportContent) {
       { class: "places" },
     );
   }
-  const legend = views.find((view) => view.legend !== undefined)?.legend;
+  const legend = painted()?.legend;
   if (legend !== undefined && hasSection("histogram")) {
     yield make("h2", texts.report.deviationOverTheAreaEstimates);
     const drawing = make("figure", [make("figcaption", legend.title)]);
@@ -117,10 +118,11 @@ function* sections(content: ReportContent) {
   yield make("footer", texts.report.madeBy(VERSION, text("engine")));
 }
 
-function figure({ title, picture, legend, section }: ReportView): HTMLElement {
+function figure({ title, picture, legend, drawing, state, section }: ReportView): HTMLElement {
   const body = make("div", [make("img", [], { src: picture, alt: title })], { class: "view" });
-  if (legend !== undefined) body.append(legendDrawing(legend));
-  const said = [legend?.title, section].filter((part) => part !== undefined).join("; ");
+  if (drawing !== undefined) body.append(drawing.cloneNode(true));
+  const then = state === stateNow() ? undefined : texts.report.asItWasAdded;
+  const said = [legend?.title, section, then].filter((part) => part !== undefined).join("; ");
   const caption = said === "" ? title : `${title}: ${said}`;
   return make("figure", [make("figcaption", caption), body]);
 }

@@ -1,7 +1,7 @@
 // The faces that a comparison found changed, in the view: coloured, the others grey, or one of them alone.
 import type { DiffResult, Vector3 as Point } from "nurbs-hausdorff";
 import { Vector3 } from "three";
-import { heldText } from "../../common/text/numbers.ts";
+import { attainedText } from "../../common/text/numbers.ts";
 import { type Change, classesOf, classOf } from "../../faces/changes.ts";
 import type { Side, Sides } from "../../worker/protocol.ts";
 import type { FaceClass } from "../faces.ts";
@@ -57,7 +57,7 @@ export class ChangedFaces {
     this.#models.classify({ ...plain, [side]: only(difference.face, classOf(kind)) });
     const [from, to] = side === "a" ? [a.point, b.point] : [b.point, a.point];
     const { lower, upper } = difference;
-    const texts = { length: heldText([lower, upper], diff.diagonal), from: "", to: "" };
+    const texts = { length: attainedText([lower, upper], diff.diagonal), from: "", to: "" };
     this.#arrow.show(from, to, texts, this.#models.center);
     return this.#around(side, difference.face, [from, to]);
   }

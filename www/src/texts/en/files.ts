@@ -17,6 +17,8 @@ export const files = {
   notConverged: ", not converged",
   laidOnByHand: "laid on by hand",
   steps: (steps: number, end: string) => `${steps} steps${end}`,
+  datumsTookNothing: (datums: string) =>
+    `; pair ${datums} turned and moved nothing, as those before it had left no such freedom`,
   countedOf: (counted: number, samples: number) => `; ${counted} of ${samples} samples count`,
   otherPoses: (ambiguous: number) => `; ${ambiguous} other poses fit as well`,
   rmsBeforeNow: (rmsBefore: string, rms: string, how: string, others: string, poor: string) =>

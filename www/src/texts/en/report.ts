@@ -48,6 +48,7 @@ export const report = {
   operator: "Operator",
   date: "Date",
   noVerdict: "NO VERDICT",
+  asItWasAdded: "as it was when it was added: limits, unit or the position of A were others",
   views: "Views",
   worstPlaces: "Worst places",
   deviationOverTheAreaEstimates: "Deviation over the area (estimates)",

@@ -43,6 +43,8 @@ export const results = {
   cancelledContainsTheDistance: "cancelled; contains the distance",
   oneDirectionSoFar: "one direction so far",
   modelUnits: "model units",
+  butFacesAreLeftOut: (count: number) =>
+    `. ${count} face${count === 1 ? " was" : "s were"} not read, and ${count === 1 ? "is" : "are"} not compared.`,
   theModelsAgreeNoPlace: "The models agree: no place is farther than another",
   farthestFrom: (from: string, to: string) => `Farthest: ${from}, from ${to}`,
   gapsOfTheFilesUp: (result: string, value: string) =>

@@ -29,7 +29,7 @@ export function outline(tessellation: Tessellation, { min, max }: Bounds, isMesh
     const own = indices.subarray(firstIndex, firstIndex + indexCount);
     if (isMesh) return creases(tessellation, own);
     const edges = withoutDoubled(openEdges(tessellation, own), tessellation);
-    return withoutInner(edges, tessellation, tolerance);
+    return withoutInner(edges, own, tessellation, tolerance);
   });
   let end = 0;
   const ends = edges.map(({ length }) => {
