@@ -165,6 +165,10 @@ test("errors keep their codes", async () => {
   model.dispose();
   await assert.rejects(hd.distance(model, model), withCode("DISPOSED"));
   await assert.rejects(
+    Hausdorff.create({ wrokers: 2 }),
+    withCode("OPTION_INVALID", /"wrokers".*workers/),
+  );
+  await assert.rejects(
     Hausdorff.create({ module: new Uint8Array([0, 1]) }),
     withCode("MODULE_FAILED"),
   );

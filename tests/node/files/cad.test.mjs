@@ -256,6 +256,20 @@ test("BREP text, and its unit as the caller states it", async () => {
   assert.equal((await readCad(bytes.buffer)).report.faces, 6);
 });
 
+test("interchange JSON without a unit has that of the caller", async () => {
+  const text = (unit) => bytesOf(JSON.stringify({ ...interchangeSquare(), ...unit }));
+  const unitOf = async (...given) => {
+    const { unit, report } = await readCad(...given);
+    assert.equal(report.unit, unit);
+    return unit;
+  };
+  assert.equal(await unitOf(text({})), null);
+  assert.equal(await unitOf(text({}), { unit: 0.0254 }), 0.0254);
+  assert.equal(await unitOf(text({ unit: 0.001 }), { unit: 0.0254 }), 0.001);
+  const { json, report } = await convertCad(text({}), { unit: 0.01 });
+  assert.deepEqual([JSON.parse(json).unit, report.unit], [0.01, 0.01]);
+});
+
 test("conversion and reading give the same model", async () => {
   const hd = await loaded();
   const bytes = bytesOf(await boxText(1));

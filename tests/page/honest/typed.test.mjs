@@ -42,7 +42,7 @@ test("the deviation on the other side may have its sign", async () => {
 });
 
 test("what is no number of the range is marked, and nothing is judged by it", async () => {
-  for (const text of ["-1", "1e", "1,2,3"]) {
+  for (const text of ["-1", "1e"]) {
     await type("limit", text);
     assert.equal(await page.locator("#limit").getAttribute("aria-invalid"), "true", text);
     assert.equal(await verdict(), null, text);
