@@ -38,6 +38,9 @@ export function verdictText(result: CheckResult): string {
   return `${texts.bodies.clean(all, others)}${faults}`;
 }
 
+/** The width of a depth, which is often known from one side only, up to which one number stands for it. */
+const DEPTH_WIDTH = 0.01;
+
 /** How near the bodies of a pair come, or how deep they are in each other; `scale` is the scene's units in one of the check's. */
 export function pairText(
   { state, clearance, depth, volume, why }: BodyPair,
@@ -49,7 +52,7 @@ export function pairText(
     const deep =
       depth === null
         ? []
-        : [texts.bodies.depth(narrowText(shownQuantity(depth, 1, scale)), of(""))];
+        : [texts.bodies.depth(narrowText(shownQuantity(depth, 1, scale), DEPTH_WIDTH), of(""))];
     const large =
       volume === null
         ? []

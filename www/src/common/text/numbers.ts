@@ -7,6 +7,8 @@ import { texts } from "../../texts/index.ts";
 const SIGNIFICANT_DIGITS = 15;
 /** The largest argument that `toFixed` accepts. */
 const MAX_DIGITS = 100;
+/** The part of a number by which one that stands for it may differ from it, beside its rounding. */
+const NEAR = 0.01;
 /** Digits of a distance below the models' order of magnitude. */
 const RELATIVE_DIGITS = 5;
 
@@ -98,13 +100,12 @@ export function heldNumber(
   const first = digitsAfterPoint(Math.min(wanted, known));
   const last = digitsAfterPoint(SIGNIFICANT_DIGITS - 1 - magnitude(upper));
   const isHeld = (text: string) => lower <= Number(text) && Number(text) <= upper;
-  // What rounds the number comes first: in a wide interval another one with fewer digits may be far from it.
-  for (const steps of [[0], [-1, 1]]) {
-    for (let digits = first; digits <= last; digits++) {
-      const texts = steps.map((step) => (computed + step * 10 ** -digits).toFixed(digits));
-      const held = texts.find(isHeld);
-      if (held !== undefined) return held;
-    }
+  for (let digits = first; digits <= last; digits++) {
+    const step = 10 ** -digits;
+    // In a wide interval a neighbour with few digits may be far from what was computed.
+    const steps = step <= NEAR * computed ? [0, -step, step] : [0];
+    const held = steps.map((by) => (computed + by).toFixed(digits)).find(isHeld);
+    if (held !== undefined) return held;
   }
   // An interval between two neighbours of such numbers: its own end, with all its digits.
   return `${lower <= computed && computed <= upper ? computed : upper}`;

@@ -71,12 +71,11 @@ const isWrittenOut = (size: number): boolean =>
   WRITTEN_OUT.from <= size && size < WRITTEN_OUT.below;
 
 /** The relative width up to which an interval is shown by a number: one of a wider one would say more than is known. */
-const NARROW = 0.01;
+const NARROW = 0.1;
 
-/** Whether a number stands for the interval, or for how near to 0 it is. */
-export const isNarrow = ({ lower, upper }: Interval): boolean =>
-  (lower <= 0 && upper >= 0) ||
-  upper - lower <= NARROW * Math.max(Math.abs(lower), Math.abs(upper));
+/** Whether a number stands for the interval, which is at most this part of it wide, or for how near to 0 it is. */
+export const isNarrow = ({ lower, upper }: Interval, part = NARROW): boolean =>
+  (lower <= 0 && upper >= 0) || upper - lower <= part * Math.max(Math.abs(lower), Math.abs(upper));
 
 /** As `quantityText` for tables: of many digits the first ones, with dots that say that there are more. */
 export const listedQuantity = (interval: Interval): string =>
@@ -142,8 +141,8 @@ function outwards(end: number, sign: -1 | 1, size: number, digits: number): stri
 }
 
 /** A number that the interval holds; a wide interval itself. */
-export const narrowText = (interval: Interval): string =>
-  isNarrow(interval) ? listedQuantity(interval) : rangeText(interval);
+export const narrowText = (interval: Interval, part = NARROW): string =>
+  isNarrow(interval, part) ? listedQuantity(interval) : rangeText(interval);
 
 /** A number that the interval holds, with the interval; a wide interval alone. */
 export const wholeText = (interval: Interval): string =>
