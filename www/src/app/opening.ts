@@ -166,8 +166,10 @@ export class Opening {
     if (camera !== undefined) view.camera = camera;
     const { drawn } = view.models;
     const fromFile = SIDES.some((side) => "file" in (drawn[side]?.source ?? {}));
+    // What was before cannot be opened again where it was of files.
+    const isOfFiles = fromFile || past.ofFiles;
     past.ofFiles = fromFile;
-    if (fromFile) past.reset();
+    if (isOfFiles) past.reset();
     else past.record();
   }
 

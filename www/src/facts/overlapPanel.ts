@@ -114,7 +114,11 @@ export class OverlapPanel {
   get tables(): ReportTable[] {
     const { result } = this;
     if (result === undefined) return [];
-    const rows = rowsOf(result).map(([name, interval]) => [name, wholeText(interval)]);
+    const { volumesUnknown } = result;
+    const rows =
+      volumesUnknown === undefined
+        ? rowsOf(result).map(([name, interval]) => [name, wholeText(interval)])
+        : [[UNKNOWN[volumesUnknown], ""]];
     return [{ title: texts.bodies.volumeInCommonAsPlaced, head: ["", ""], rows }];
   }
 

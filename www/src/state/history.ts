@@ -30,6 +30,7 @@ const OF_PAIR = [
 
 const undoButton = element("undo", HTMLButtonElement);
 const redoButton = element("redo", HTMLButtonElement);
+const loading = element("loading");
 
 export class History {
   readonly #restore: (state: string) => void;
@@ -104,6 +105,11 @@ export class History {
   }
 
   #record(): void {
+    // While models are read the form has something of both pairs.
+    if (!loading.hidden) {
+      this.record();
+      return;
+    }
     const state = formState();
     if (state === this.#current) return;
     if (this.#current !== undefined) {
