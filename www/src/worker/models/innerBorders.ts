@@ -32,8 +32,15 @@ export function withoutInner(
   tolerance: number,
 ): Edge[] {
   if (edges.length > MAX_EDGES) return edges;
-  const pieces = piecesOf(indices);
-  const thirds = thirdsOf(edges, indices, positions.length / 3);
+  // Of most faces no edge is near another one.
+  let [pieces, thirds]: [Pieces | undefined, Thirds | undefined] = [undefined, undefined];
+  const isAcross = (edge: Edge, other: Edge): boolean => {
+    pieces ??= piecesOf(indices);
+    thirds ??= thirdsOf(edges, indices, positions.length / 3);
+    const isOfOne = pieces(edge[0]) === pieces(other[0]);
+    const isSame = !isOfOne || liesAlong(middle, other, positions, SEAM * tolerance);
+    return isSame && isBeyond(edge, other, thirds, positions);
+  };
   const slabs = slabsOf(edges, positions, tolerance);
   const middle = new Float64Array(3);
   return edges.filter((edge) => {
@@ -45,68 +52,71 @@ export function withoutInner(
       .at(middle)
       .some(
         (other) =>
-          liesAlong(
-            middle,
-            other,
-            positions,
-            pieces.get(other[0]) === pieces.get(from) ? SEAM * tolerance : tolerance,
-          ) &&
-          isBeyond(edge, other, thirds, positions) &&
+          liesAlong(middle, other, positions, tolerance) &&
           smooth(normals, from, other[0]) &&
-          smooth(normals, to, other[1]),
+          smooth(normals, to, other[1]) &&
+          isAcross(edge, other),
       );
   });
 }
 
-/** A number of the piece of each vertex: pieces share none. O(n) nearly. */
-function piecesOf(indices: Uint32Array): ReadonlyMap<number, number> {
-  const parents = new Map<number, number>();
+/** A number of the piece of a vertex: pieces share none. */
+type Pieces = (vertex: number) => number;
+/** The third corner of the triangle of each open edge. */
+type Thirds = ReadonlyMap<Edge, number>;
+
+/** O(n) nearly. */
+function piecesOf(indices: Uint32Array): Pieces {
+  const [low, high] = ends(indices);
+  const parents = Int32Array.from({ length: high - low + 1 }, (_, vertex) => vertex);
   const root = (vertex: number): number => {
-    let at = vertex;
-    for (let up = parents.get(at) ?? at; up !== at; up = parents.get(at) ?? at) {
-      parents.set(at, parents.get(up) ?? up);
+    let at = vertex - low;
+    for (let up = parents[at] ?? at; up !== at; up = parents[at] ?? at) {
+      parents[at] = parents[up] ?? up;
       at = up;
     }
     return at;
   };
-  for (const [corner, vertex] of indices.entries()) {
-    if (!parents.has(vertex)) parents.set(vertex, vertex);
-    if (corner % 3 > 0) parents.set(root(vertex), root(indices[corner - 1] ?? vertex));
+  for (let first = 0; first < indices.length; first += 3) {
+    for (const corner of [first + 1, first + 2]) {
+      parents[root(indices[corner] ?? low)] = root(indices[first] ?? low);
+    }
   }
-  return new Map([...parents.keys()].map((vertex) => [vertex, root(vertex)]));
+  return root;
 }
 
-/** The third corner of the triangle of each open edge, of so many vertices. O(n). */
-function thirdsOf(
-  edges: Edge[],
-  indices: Uint32Array,
-  vertices: number,
-): ReadonlyMap<Edge, number> {
+function ends(indices: Uint32Array): [low: number, high: number] {
+  let [low, high] = [indices[0] ?? 0, 0];
+  for (const index of indices) {
+    if (index < low) low = index;
+    if (index > high) high = index;
+  }
+  return [low, high];
+}
+
+/** Of a model of so many vertices. O(n). */
+function thirdsOf(edges: Edge[], indices: Uint32Array, vertices: number): Thirds {
   const key = (one: number, other: number) =>
     Math.min(one, other) * vertices + Math.max(one, other);
   const open = new Map(edges.map((edge) => [key(...edge), edge]));
+  const [low, high] = ends(indices);
+  const onRims = new Uint8Array(high - low + 1);
+  for (const edge of edges) for (const vertex of edge) onRims[vertex - low] = 1;
   const thirds = new Map<Edge, number>();
   for (let first = 0; first < indices.length; first += 3) {
-    const [a = 0, b = 0, c = 0] = indices.subarray(first, first + 3);
-    for (const [one, other, third] of [
-      [a, b, c],
-      [b, c, a],
-      [c, a, b],
-    ] as const) {
+    for (let corner = 0; corner < 3; corner++) {
+      const one = indices[first + corner] ?? 0;
+      const other = indices[first + ((corner + 1) % 3)] ?? 0;
+      if (onRims[one - low] === 0 || onRims[other - low] === 0) continue;
       const edge = open.get(key(one, other));
-      if (edge !== undefined) thirds.set(edge, third);
+      if (edge !== undefined) thirds.set(edge, indices[first + ((corner + 2) % 3)] ?? 0);
     }
   }
   return thirds;
 }
 
 /** Whether two edges go one way, or back, with their triangles on different sides. */
-function isBeyond(
-  edge: Edge,
-  other: Edge,
-  thirds: ReadonlyMap<Edge, number>,
-  positions: Float32Array,
-): boolean {
+function isBeyond(edge: Edge, other: Edge, thirds: Thirds, positions: Float32Array): boolean {
   const at = (vertex: number): Vector => [
     positions[3 * vertex] ?? 0,
     positions[3 * vertex + 1] ?? 0,
