@@ -1,7 +1,5 @@
 //! The module of the page: its main thread colours without asking the worker, which may be measuring.
 
-#![expect(unreachable_pub, reason = "wasm-bindgen exports what is public, and nothing in Rust uses it")]
-
 use crate::{Allowed, ColorMap, Extent, Scale, ScaleOptions, Tick, TickKind};
 use wasm_bindgen::prelude::*;
 
