@@ -20,6 +20,8 @@ const shown = () =>
   Promise.all(["shape-a", "shape-b", "limit"].map((id) => page.locator(`#${id}`).inputValue()));
 
 test("the pair before is shown again, with its limit", async () => {
+  await choose("Bracket and its revision");
+  await page.waitForFunction(() => location.hash.includes("limit=0.2"));
   const before = await shown();
   assert.equal(before[2], "0.2");
   await choose("Concentric spheres");
