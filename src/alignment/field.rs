@@ -67,23 +67,19 @@ pub(crate) enum FootField<'a> {
 
 impl<'a> FootField<'a> {
     /// Returns the field with feet up to another excess.
-    pub(crate) fn up_to(self, excess: f64) -> Self {
-        match self {
-            Self::Patches { target, size, counted, .. } => {
-                Self::Patches { target, gap: excess, size, counted }
-            }
-            facets @ Self::Facets { .. } => facets,
+    pub(crate) fn up_to(mut self, excess: f64) -> Self {
+        if let Self::Patches { gap, .. } = &mut self {
+            *gap = excess;
         }
+        self
     }
 
     /// Returns the field in which only samples with their feet on these patches count.
-    pub(crate) fn on_patches(self, patches: &'a [bool]) -> Self {
-        match self {
-            Self::Patches { target, gap, size, .. } => {
-                Self::Patches { target, gap, size, counted: Some(patches) }
-            }
-            facets @ Self::Facets { .. } => facets,
+    pub(crate) fn on_patches(mut self, patches: &'a [bool]) -> Self {
+        if let Self::Patches { counted, .. } = &mut self {
+            *counted = Some(patches);
         }
+        self
     }
 }
 

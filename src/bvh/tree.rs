@@ -87,6 +87,11 @@ impl Bvh {
         self.order[node.first_leaf as usize]
     }
 
+    /// Returns a box that contains those of all primitives, [`Aabb::EMPTY`] without any.
+    pub(crate) fn bounding_box(&self) -> Aabb {
+        self.nodes.first().map_or(Aabb::EMPTY, |root| root.aabb)
+    }
+
     /// Calls a function with each pair of primitives whose boxes meet, once. O(pairs of nodes whose boxes meet).
     pub(crate) fn for_each_pair(&self, mut each: impl FnMut(u32, u32)) {
         let nodes = self.nodes();

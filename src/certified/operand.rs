@@ -37,7 +37,7 @@ pub(crate) struct Operand<'a> {
 impl<'a> Operand<'a> {
     /// `bounds` belong to the target's patches, one each.
     pub(crate) fn new(target: &'a Target, bounds: &'a [LocalDerivativeBounds]) -> Self {
-        let control_box = target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb);
+        let control_box = target.tree.bounding_box();
         let point_error = PointError::within(target.max_degree, &control_box).after(MAX_HALVINGS);
         let uncut_patches = &target.patches;
         Self {

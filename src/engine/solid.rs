@@ -106,16 +106,9 @@ impl PreparedModel {
     }
 
     /// Returns the side of all points within `error` of this one.
-    ///
-    /// Faces, strips and cones are within the edges' reach of the box of the control points, and beyond a box that has the
-    /// boundary all is outside.
     pub(super) fn side_within(&self, point: DVec3, error: f64) -> Side {
         if !point.is_finite() || !self.boundary().is_closed() {
             return Side::Undecided;
-        }
-        let reach = self.boundary().reach() + self.boundary().margin_at(point) + error;
-        if self.control_box().grown(reach).min_distance_squared(point) > 0.0 {
-            return Side::Outside;
         }
         let enclosing = self.boundary().enclosing(&self.target(Flatness::None).target, point, error);
         enclosing.map_or(Side::Undecided, |enclosing| self.sides().side(&enclosing))

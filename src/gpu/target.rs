@@ -3,7 +3,7 @@
 use super::Gpu;
 use super::degree_groups::{Controls, by_degree};
 use super::float32::{ModelFrame, patch_error, representation_error, round_down, round_up};
-use crate::bvh::{self, Aabb, Bvh};
+use crate::bvh::{self, Bvh};
 use crate::closest::Target;
 use crate::rounding::upper_max;
 use bytemuck::{Pod, Zeroable};
@@ -52,7 +52,7 @@ pub(crate) struct TargetGroup {
 impl Gpu {
     /// Uploads the target's patches group by group. O(n log n) for n patches.
     pub(crate) fn upload_target(&self, target: &Target) -> GpuTarget {
-        let aabb = target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb);
+        let aabb = target.tree.bounding_box();
         let frame = ModelFrame::new(aabb);
         let mut groups = Vec::new();
         let mut patches: Vec<u32> = Vec::with_capacity(target.patches.len());

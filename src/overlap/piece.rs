@@ -165,7 +165,7 @@ impl Patches {
 
     /// Returns the box of all patches.
     pub(super) fn bounding_box(&self) -> Aabb {
-        self.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb)
+        self.tree.bounding_box()
     }
 
     /// Returns the patches whose boxes are within `margin` of a box. O(log n) and their number.

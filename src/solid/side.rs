@@ -86,8 +86,14 @@ impl Boundary {
         if !point.is_finite() {
             return None;
         }
+        let margin = self.margin_at(point) + error;
+        // Beyond the box of all that a ray may meet, the ray away from it meets nothing.
+        let all = target.tree.bounding_box().union(self.strip_tree.bounding_box());
+        if all.grown(margin).min_distance_squared(point) > 0.0 {
+            return Some(Vec::new());
+        }
         for direction in rays.map(direction) {
-            match self.crossed(target, &Ray::new(point, direction, self.margin_at(point) + error)) {
+            match self.crossed(target, &Ray::new(point, direction, margin)) {
                 Ok(crossings) => return Some(crossings),
                 Err(Obstacle::OnTheWay) => {}
                 Err(Obstacle::AtTheEnd) => return None,
@@ -216,6 +222,24 @@ mod tests {
                 assert_eq!(found, expected, "{x} within {error}");
             }
         }
+    }
+
+    /// Beyond the box of the cube, grown by the margin and the error of the point, no ray is needed; within it one is.
+    #[test]
+    fn a_point_beyond_the_box_needs_no_ray() {
+        let (target, boundary) = cube(6);
+        let without_rays = |x: f64, error: f64| {
+            let point = DVec3::new(x, 0.2, -0.3);
+            boundary.crossings(&target, point, error, std::iter::empty()).map(|crossings| crossings.len())
+        };
+        for error in [0.0, 1e-3] {
+            let reach = boundary.margin_at(DVec3::X) + error;
+            for x in [1.0, -1.0] {
+                assert_eq!(without_rays(x * (1.0 + 2.0 * reach), error), Some(0), "{x} within {error}");
+                assert_eq!(without_rays(x * (1.0 + 0.5 * reach), error), None, "{x} within {error}");
+            }
+        }
+        assert_eq!(without_rays(f64::INFINITY, 0.0), None);
     }
 
     /// All rays count the same, whichever way they go.

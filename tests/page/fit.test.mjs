@@ -93,7 +93,17 @@ test("what a fit counts is chosen", async () => {
   await page.locator("#fit-faces").fill("0 and 1");
   await page.locator("#best-fit").click();
   assert.ok(await page.locator("#fit-faces").evaluate((input) => !input.validity.valid));
-  await page.locator("#fit-faces").fill("0-5");
+  // Also where it is folded away.
+  await page.locator("#fit-choice").evaluate((choice) => {
+    choice.open = false;
+  });
+  await page.locator("#best-fit").click();
+  assert.ok(await page.locator("#fit-faces").isVisible());
+  for (const list of ["0-", "0-1-2", "1,,2", "0-9999999"]) {
+    await page.locator("#fit-faces").fill(list);
+    assert.ok(await page.locator("#fit-faces").evaluate((input) => !input.validity.valid), list);
+  }
+  await page.locator("#fit-faces").fill("5, 4-0");
   await page.locator("#fit-distance").fill("0.001");
   assert.match(await fitted(), /^RMS ≈ 0\.0+ before, ≈ 0\.0+ now .*; \d+ of 1536 samples count/);
   await opened.screenshot("fit-choice");

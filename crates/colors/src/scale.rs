@@ -41,9 +41,9 @@ pub struct ScaleOptions {
     pub map: ColorMap,
     /// Whether distances are shown instead of signed deviations.
     pub absolute: bool,
-    /// The upper end of the scale; none for the largest distance.
+    /// The upper end of the scale; `None` sets it to the largest distance.
     pub range: Option<f64>,
-    /// How far the scale reaches below 0; none for as far as above.
+    /// The extent of the scale below 0; `None` makes it equal to the extent above 0.
     pub range_below: Option<f64>,
     /// The number of steps of one colour each; 0 for a continuous scale.
     pub steps: usize,
@@ -115,7 +115,7 @@ impl Scale {
         if focus.is_some_and(|[from, to]| shown < from || shown > to) {
             return bytes(UNFOCUSED);
         }
-        // Allowed deviations have one colour on all parts, also where rounding cannot be told from 0.
+        // An allowed deviation has the colour of allowed ones on all parts, even if it is below the floor of rounding.
         if allowed.is_some_and(|allowed| allowed.has(deviation, is_signed)) {
             return bytes(WITHIN);
         }

@@ -51,8 +51,12 @@ impl DeviationScale {
 
     /// The colour of a deviation as 0xrrggbb.
     pub fn color(&self, deviation: f64, is_signed: bool) -> u32 {
-        let [red, green, blue] = self.0.color(deviation, is_signed);
-        u32::from_be_bytes([0, red, green, blue])
+        number(self.0.color(deviation, is_signed))
+    }
+
+    /// The colours of equal parts of the scale, the lowest first.
+    pub fn stops(&self, count: usize) -> Vec<u32> {
+        self.0.stops(count).map(number).collect()
     }
 
     /// The ticks of the legend, the important ones first, with those of what is allowed above and below; labels are this
@@ -60,6 +64,10 @@ impl DeviationScale {
     pub fn ticks(&self, least_gap: f64, allowed: Option<Box<[f64]>>) -> Vec<LegendTick> {
         self.0.ticks(least_gap, limits(allowed)).into_iter().map(LegendTick).collect()
     }
+}
+
+fn number([red, green, blue]: [u8; 3]) -> u32 {
+    u32::from_be_bytes([0, red, green, blue])
 }
 
 fn pair(values: Option<Box<[f64]>>) -> Option<[f64; 2]> {

@@ -1,10 +1,10 @@
 // The page's own module, in www/wasm: the colours, which its main thread has from the start.
-import { existsSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, rmSync } from "node:fs";
 import { inRoot } from "../../paths.mjs";
 import { environment, must } from "../../process.mjs";
 import { toolsFolder } from "../../setup/tools.mjs";
 import { digest, stamp, stamped } from "../../stamp.mjs";
-import { bind, compiled, moduleIn, wasm32 } from "./modules.mjs";
+import { bind, compiled, embed, moduleIn, wasm32 } from "./modules.mjs";
 
 const made = ".setup/colors-made-from";
 const out = inRoot("www", "wasm");
@@ -26,10 +26,7 @@ export async function buildColors() {
   rmSync(out, { recursive: true, force: true });
   mkdirSync(out, { recursive: true });
   await bind(compiled("release", colors), out, colors.name);
-  const text = moduleIn(out, colors).toString("base64");
-  writeFileSync(`${out}/inlined-colors.js`, `export default "${text}";\n`);
-  const declaration = "declare const base64: string;\nexport default base64;\n";
-  writeFileSync(`${out}/inlined-colors.d.ts`, declaration);
+  embed(moduleIn(out, colors), out, "inlined-colors");
   stamp(made, sources());
   return "built";
 }

@@ -58,8 +58,12 @@ export const bind = (file, folder, name) =>
 
 /** Writes a module as a JavaScript string: gzipped, in base64. */
 export function inline(bytes, folder, name, level) {
-  const text = gzipSync(bytes, { level }).toString("base64");
-  writeFileSync(`${folder}/${name}.js`, `export default "${text}";\n`);
+  embed(gzipSync(bytes, { level }), folder, name);
+}
+
+/** Writes bytes as a JavaScript string in base64. */
+export function embed(bytes, folder, name) {
+  writeFileSync(`${folder}/${name}.js`, `export default "${bytes.toString("base64")}";\n`);
   const declaration = "declare const base64: string;\nexport default base64;\n";
   writeFileSync(`${folder}/${name}.d.ts`, declaration);
 }

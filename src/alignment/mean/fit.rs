@@ -176,8 +176,9 @@ impl<'a, F: Field> LocalFit<'a, F> {
         if total > 0.0 { (squares / total).sqrt() } else { f64::INFINITY }
     }
 
-    /// Returns what poses are compared by: with a largest distance the root mean square of the distances, of which none
-    /// counts as more than that, so that leaving out more is no better; else [`Self::rms`].
+    /// Returns the residual by which poses are compared. If a largest distance is set, it is the root mean square of the
+    /// distances, each truncated at that distance, so that a pose gains nothing by more samples beyond it. Otherwise it is
+    /// [`Self::rms`].
     pub(crate) fn residual(&self) -> f64 {
         let total: f64 = self.weights.iter().sum();
         match self.loss.max_distance {

@@ -61,9 +61,9 @@ impl Loss {
         Self { outliers: (self.outliers + SHARE_DEVIATIONS * deviation).min(MAX_SHARE), ..self }
     }
 
-    /// Returns the distance beyond which a sample counts as left out, at least `least`: the quantile
-    /// of the share that is kept, or a multiple of the standard deviation as the median of the kept
-    /// half gives it, or the largest distance, of which there are at least the nearest twentieth. O(n log n).
+    /// Returns the distance beyond which a sample counts as left out, at least `least`. It is the quantile of the share that
+    /// is kept, or a multiple of the standard deviation that the median of the kept half gives. If a largest distance is set,
+    /// it is that distance, but at least the twentieth part of the samples is kept. O(n log n).
     pub(super) fn scale(self, distances: &[f64], weights: &[f64], least: f64) -> f64 {
         let kept = 1.0 - self.outliers;
         let deviation = || DEVIATION_OF_MEDIAN * quantile(distances, weights, HALF * kept);

@@ -107,14 +107,15 @@ impl Engine {
             }
             (None, None) => return Err(Error::EmptyModel),
         };
-        let chosen = Selection::of(options, [a, b], held.as_deref())?;
+        let all = a.fit_samples(options.samples, options.sampling).thinned(MAX_SAMPLES);
+        let chosen = Selection::of(options, [a, b], held.as_deref(), &all)?;
         let pair = Pair {
             whole: field,
             field: chosen.patches.as_deref().map_or(field, |patches| field.on_patches(patches)),
             diagonal,
             held: held.as_deref(),
             a,
-            all: a.fit_samples(options.samples, options.sampling).thinned(MAX_SAMPLES),
+            all,
             other: b.fit_samples(options.samples, options.sampling),
             b,
             options,

@@ -29,8 +29,10 @@ impl PreparedModel {
         }
         let prepared = self.sampling(samples, rule);
         let bezier = self.bezier();
-        let grids = prepared.sampling.grids.iter().zip(&bezier.grids).enumerate();
-        for (_, (grid, patches)) in grids.filter(|&(surface, _)| is_chosen(self.face_of(surface))) {
+        for (surface, (grid, patches)) in prepared.sampling.grids.iter().zip(&bezier.grids).enumerate() {
+            if !is_chosen(self.face_of(surface)) {
+                continue;
+            }
             for (i, &(row, s)) in grid.locations[0].iter().enumerate() {
                 for (j, &(column, t)) in grid.locations[1].iter().enumerate() {
                     let patch = bezier.patches.patch(patches.first + row * patches.counts()[1] + column);

@@ -19,7 +19,7 @@ pub(super) struct Selection {
 }
 
 impl Selection {
-    /// Returns what the options choose; `held` are B's patches.
+    /// Returns what the options choose; `held` are B's patches, and `all` the samples of all of A.
     ///
     /// # Errors
     /// [`Error::OptionInvalid`] for faces of a model without surfaces, and for an index of no face.
@@ -27,12 +27,16 @@ impl Selection {
         options: &BestFitOptions,
         [a, b]: [&PreparedModel; 2],
         held: Option<&PreparedTarget>,
+        all: &Samples,
     ) -> Result<Self> {
         let BestFitOptions { faces_of_a, faces_of_b, samples, sampling, .. } = options;
         require_faces("A", a, faces_of_a)?;
         require_faces("B", b, faces_of_b)?;
-        let of_a = |face: usize| faces_of_a.is_empty() || faces_of_a.contains(&face);
-        let samples = a.fit_samples_where(*samples, *sampling, of_a).thinned(MAX_SAMPLES);
+        let of_a = |face: usize| faces_of_a.contains(&face);
+        let samples = match faces_of_a.is_empty() {
+            true => all.clone(),
+            false => a.fit_samples_where(*samples, *sampling, of_a).thinned(MAX_SAMPLES),
+        };
         let of_b = |surface: usize| faces_of_b.contains(&b.face_of(surface));
         let patches = held
             .filter(|_| !faces_of_b.is_empty())

@@ -88,7 +88,7 @@ impl Measured<'_> {
     pub(super) fn bounding_box(&self) -> Aabb {
         match self {
             Self::Facets { facets, .. } => facets.bounding_box(),
-            Self::Patches { target, .. } => target.tree.nodes().first().map_or(Aabb::EMPTY, |root| root.aabb),
+            Self::Patches { target, .. } => target.tree.bounding_box(),
         }
     }
 

@@ -176,6 +176,8 @@ fn the_overlap_of_spheres_is_that_of_their_centres_and_radii() {
             };
             if let Some(point) = inside {
                 assert!(point.length() < 1.0 && point.distance(offset) <= 0.5 + 1e-12, "{point}");
+                // A point of a body that the other one contains is not on its boundary.
+                assert!(kind != "contained" || point.distance(offset) < 0.5 - 1e-9, "{point}");
             }
             let at_least = options.limit.map(|_| kind == "none");
             assert_eq!(result.at_least, at_least, "{kind}");

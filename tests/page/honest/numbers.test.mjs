@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { moduleOf } from "../support/module.mjs";
 
-const { certifiedText, heldText, intervalText, listedText } =
+const { attainedText, certifiedText, heldText, intervalText, listedText } =
   await moduleOf("common/text/numbers.ts");
 
 /** A generator of numbers in [0, 1), the same on every run (Park and Miller's). */
@@ -51,6 +51,12 @@ test("a list has the first of many digits, and says that there are more", () => 
   assert.equal(listedText(2.061552812809, [2.0615528128085, 2.0615528128095], 3.7), "2.06155…");
   assert.equal(listedText(0.35, [0.3499999, 0.3500001], 107), "0.350");
   assert.equal(listedText(1e-12, [0, 1.05e-11], 100), "≤ 1.1e-11");
+});
+
+test("a wide interval whose lower end is attained has the number of that end", () => {
+  assert.equal(attainedText([0.0101676, 0.53], 90), "0.0102");
+  assert.equal(listedText(0.0102, [0.0101676, 0.53], 90), "0.0102");
+  assert.equal(attainedText([0.3499999, 0.3500001], 107), "0.350");
 });
 
 test("an interval that reaches down to nothing states an upper bound", () => {

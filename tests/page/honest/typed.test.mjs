@@ -1,25 +1,16 @@
 // What is typed into a field of numbers is taken as it is meant, or marked.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { open } from "../support/open.mjs";
+import { test } from "node:test";
+import { openedForAll } from "../support/open.mjs";
 
-let opened;
-let page;
+const opened = openedForAll();
 
-before(async () => {
-  opened = await open();
-  page = opened.page;
-  await page.locator('#result[data-state="done"]').waitFor();
-});
-
-after(() => opened.close());
-
-const verdict = () => page.locator("#badge").getAttribute("data-verdict");
+const verdict = () => opened.page.locator("#badge").getAttribute("data-verdict");
 
 async function type(id, text) {
-  await page.locator(`#${id}`).fill("");
-  await page.locator(`#${id}`).pressSequentially(text);
-  return page.locator(`#${id}`).inputValue();
+  await opened.page.locator(`#${id}`).fill("");
+  await opened.page.locator(`#${id}`).pressSequentially(text);
+  return opened.page.locator(`#${id}`).inputValue();
 }
 
 // The bracket and its revision are 0.35 apart.
@@ -44,13 +35,13 @@ test("the deviation on the other side may have its sign", async () => {
 test("what is no number of the range is marked, and nothing is judged by it", async () => {
   for (const text of ["-1", "1e"]) {
     await type("limit", text);
-    assert.equal(await page.locator("#limit").getAttribute("aria-invalid"), "true", text);
+    assert.equal(await opened.page.locator("#limit").getAttribute("aria-invalid"), "true", text);
     assert.equal(await verdict(), null, text);
-    assert.ok(await page.locator("#no-limit").isVisible(), text);
+    assert.ok(await opened.page.locator("#no-limit").isVisible(), text);
   }
   await type("limit", "0.5");
-  assert.equal(await page.locator("#limit").getAttribute("aria-invalid"), "false");
-  assert.ok(await page.locator("#no-limit").isHidden());
+  assert.equal(await opened.page.locator("#limit").getAttribute("aria-invalid"), "false");
+  assert.ok(await opened.page.locator("#no-limit").isHidden());
 });
 
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

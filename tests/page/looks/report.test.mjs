@@ -51,6 +51,29 @@ test("a report has the title, the logo, the paper and the parts that are wanted"
   assert.match(chosen, /<h2>Views<\/h2>/);
 });
 
+test("a view keeps the legend of its unit, and says that it is of another state", async () => {
+  const captions = (html) =>
+    [...html.matchAll(/<figcaption>(.*?)<\/figcaption>/gs)].map(([, said]) => said);
+  await drawn(page);
+  await page.locator("#add-view").click();
+  await page.locator("#view-count", { hasText: /^1 view/ }).waitFor();
+  const [same] = captions(await report());
+  assert.match(same, /^View 1: Signed deviation of A and B, mm$/);
+  await page.locator("#limit").fill("0.5");
+  await page.selectOption("#shown-unit", "0.0254");
+  await drawn(page);
+  const html = await report();
+  const said = captions(html);
+  assert.match(said[0], /^View 1: Signed deviation of A and B, mm; as it was when it was added/);
+  // The histogram is of what is shown now.
+  assert.ok(said.includes("Signed deviation of A and B, in"), said.join("\n"));
+  const legend = html.match(/<svg[^>]*class="legend".*?<\/svg>/s)[0];
+  assert.match(legend, /allowed \+0\.200</);
+  assert.match(html, /\+0\.0196850393701 \/ −0\.0196850393701 in/);
+  await page.selectOption("#shown-unit", "");
+  await page.locator("#limit").fill("0.2");
+});
+
 test("what is no picture of a logo is refused", async () => {
   await page.setInputFiles("#report-logo", {
     ...{ name: "l.txt", mimeType: "text/plain", buffer: Buffer.from("logo") },

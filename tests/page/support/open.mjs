@@ -1,5 +1,5 @@
 // Serves the built page and opens it in headless Chromium.
-import { after } from "node:test";
+import { after, before } from "node:test";
 import { chromium } from "playwright-core";
 import { preview } from "vite";
 import { launchOptions } from "../../../scripts/test/browser.mjs";
@@ -31,6 +31,17 @@ function launched(args) {
 
 /** The main page with the least of work: one direction, and no colours. */
 export const PLAIN = "#symmetric=&deviation=";
+
+/** Opens the page for all tests of a file, which begin once its models are measured; returns what `open` gives by then. */
+export function openedForAll(options) {
+  const opened = {};
+  before(async () => {
+    Object.assign(opened, await open(options));
+    await opened.page.locator('#result[data-state="done"]').waitFor();
+  });
+  after(() => opened.close());
+  return opened;
+}
 
 /**
  * Opens the page, all that it folds unfolded, or as users see it with `unfolded: false`, and without motion. `webgpu: false` disables WebGPU, `webgl: false` all 3D APIs;

@@ -2,6 +2,7 @@
 import { element } from "../common/elements.ts";
 import type { PlainFitOptions } from "../worker/protocol.ts";
 
+const choice = element("fit-choice", HTMLDetailsElement);
 const outliers = element("fit-outliers", HTMLInputElement);
 const distance = element("fit-distance", HTMLInputElement);
 const faces = element("fit-faces", HTMLInputElement);
@@ -10,7 +11,10 @@ const faces = element("fit-faces", HTMLInputElement);
 export function fitChoice():
   | Pick<PlainFitOptions, "outliers" | "maxDistance" | "facesOfB">
   | undefined {
-  if (![outliers, distance, faces].every((input) => input.reportValidity())) return undefined;
+  const fields = [outliers, distance, faces];
+  // Browsers say nothing of a field that is folded away.
+  if (fields.some((field) => !field.checkValidity())) choice.open = true;
+  if (!fields.every((field) => field.reportValidity())) return undefined;
   return {
     ...(outliers.value !== "" && { outliers: outliers.valueAsNumber / 100 }),
     ...(distance.value !== "" && { maxDistance: distance.valueAsNumber }),
@@ -18,10 +22,11 @@ export function fitChoice():
   };
 }
 
-/** The indices of a list such as 3, 7-9. */
+/** The indices of a list such as 3, 7-9, which the field's pattern accepts. */
 function indicesOf(list: string): number[] {
   return list.split(",").flatMap((range) => {
-    const [first = 0, last = first] = range.split("-").map(Number);
-    return Array.from({ length: Math.max(0, last - first + 1) }, (_, index) => first + index);
+    const ends = range.split("-").map(Number);
+    const [first, last] = [Math.min(...ends), Math.max(...ends)];
+    return Array.from({ length: last - first + 1 }, (_, index) => first + index);
   });
 }

@@ -5,7 +5,6 @@ import { labelled } from "../annotations/picture.ts";
 import { element } from "../common/elements.ts";
 import { sectionText } from "../controls/section.ts";
 import { painted } from "../inspection/deviationPanel.ts";
-import type { Legend } from "../inspection/legend.ts";
 import type { View } from "../scene/view.ts";
 import { formState } from "../state/formState.ts";
 import { texts } from "../texts/index.ts";
@@ -17,9 +16,8 @@ export interface ReportView {
   title: string;
   /** The picture's address. */
   picture: string;
-  legend: Legend | undefined;
-  /** The legend as it was drawn, in the unit of then. */
-  drawing: SVGElement | undefined;
+  /** What the colours mean, and their legend in the unit that was shown. */
+  legend: { title: string; drawing: SVGElement } | undefined;
   /** What is allowed, and where A was. */
   state: string;
   /** Where the models are cut open. */
@@ -83,8 +81,10 @@ export class Views {
     const section = sectionText(this.#view.models);
     const picture = await dataUrl(await this.picture());
     const legend = painted()?.legend;
-    const drawing = legend && legendDrawing(legend);
-    return { title, picture, legend, drawing, state: stateNow(), section };
+    return {
+      ...{ title, picture, section, state: stateNow() },
+      legend: legend && { title: legend.title, drawing: legendDrawing(legend) },
+    };
   }
 
   /** The picture of the view, PNG. */

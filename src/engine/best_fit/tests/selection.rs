@@ -55,7 +55,7 @@ fn a_fit_on_faces_of_b_does_not_see_the_others() {
     let found = fit(&moved, &part, &BestFitOptions { faces_of_b, ..BestFitOptions::default() });
     assert!(found.converged && found.rms < 1e-8, "{found:?}");
     assert_eq!((found.samples, found.counted, found.left_out.points.len()), (216, 180, 0));
-    // A box lies on itself in four poses, of which one has the high face where it belongs.
+    // A box coincides with itself in four poses. In one of them the raised face of the scan lies above the top.
     let off = |pose: &RigidTransform| {
         points.iter().map(|&point| pose.apply(motion.apply(point)).distance(point)).fold(0.0, f64::max)
     };
@@ -63,8 +63,7 @@ fn a_fit_on_faces_of_b_does_not_see_the_others() {
     assert!(off(&found.transform) < 1e-7 || others.fold(f64::INFINITY, f64::min) < 0.2, "{found:?}");
 }
 
-/// Of a box that is 0.1 higher all faces but the top lie on the lower box, as far as that reaches; here the floor and two
-/// walls of the lower one are A.
+/// A is a box, and B the same box with the top 0.1 higher. In the identity pose all faces of A but the top lie on B.
 #[test]
 fn a_fit_on_faces_of_a_is_of_their_samples() {
     let [part, higher] = [1.0, 1.1].map(|height| block([3.0, 2.0, height]));

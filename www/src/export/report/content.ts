@@ -68,7 +68,8 @@ function verdictTerms({ result }: ExportedState): [string, string][] {
   const { lower, upper, computed, diagonal, gap, withGaps, witness } = result;
   const unit = commonUnit() ?? texts.report.modelUnits;
   const limits = allowed();
-  const limit = limits === undefined ? texts.report.notStated : limitIn(shownLimits(limits), unit);
+  const shown = limits && shownLimits(limits);
+  const limit = shown ? `+${shown.above} / −${shown.below} ${unit}` : texts.report.notStated;
   return [
     [texts.report.measured, element("kind").textContent ?? ""],
     [texts.report.allowedDeviation, limit],
@@ -125,9 +126,6 @@ function faceRow(place: Place, diagonal: number): string[] {
     limits === undefined ? "" : isBeyond(place, limits) ? texts.report.beyond : texts.report.within,
   ];
 }
-
-const limitIn = ({ above, below }: Allowed, unit: string): string =>
-  `+${above} / −${below} ${unit}`;
 
 /** Limits in the unit in which lengths are shown. */
 const shownLimits = ({ above, below }: Allowed): Allowed => ({

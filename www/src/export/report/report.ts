@@ -118,9 +118,9 @@ function* sections(content: ReportContent) {
   yield make("footer", texts.report.madeBy(VERSION, text("engine")));
 }
 
-function figure({ title, picture, legend, drawing, state, section }: ReportView): HTMLElement {
+function figure({ title, picture, legend, state, section }: ReportView): HTMLElement {
   const body = make("div", [make("img", [], { src: picture, alt: title })], { class: "view" });
-  if (drawing !== undefined) body.append(drawing.cloneNode(true));
+  if (legend !== undefined) body.append(legend.drawing.cloneNode(true));
   const then = state === stateNow() ? undefined : texts.report.asItWasAdded;
   const said = [legend?.title, section, then].filter((part) => part !== undefined).join("; ");
   const caption = said === "" ? title : `${title}: ${said}`;

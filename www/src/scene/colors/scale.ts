@@ -77,9 +77,7 @@ export class ColorScale {
 
   /** The scale from low to high as stops, each from and to a fraction of it. */
   stops(count: number): Color[] {
-    return Array.from({ length: count }, (_, index) =>
-      this.color(this.low + ((index + 0.5) / count) * (this.high - this.low)),
-    );
+    return Array.from(this.#scale.stops(count), (color) => new Color(color));
   }
 
   /**

@@ -52,6 +52,7 @@ export function withoutInner(
       .at(middle)
       .some(
         (other) =>
+          other !== edge &&
           liesAlong(middle, other, positions, tolerance) &&
           smooth(normals, from, other[0]) &&
           smooth(normals, to, other[1]) &&
