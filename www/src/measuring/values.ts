@@ -10,6 +10,9 @@ import { localOf, nameOf, SEPARATOR, unitText, type Value } from "./said.ts";
 
 const own = texts.measuring;
 
+/** The largest part along an axis that may be the rounding of what is drawn, which is float32, in diagonals. */
+const DRAWN_ROUNDING = 2 ** -23;
+
 /** What was measured; undefined where the models have no such place. */
 export function measured(measure: Measure, models: Models): Value | undefined {
   if (measure.what === "points") return distanceOf(measure.places, models);
@@ -31,7 +34,10 @@ function distanceOf([first, second]: readonly [Place, Place], models: Models): V
   const way = to.at.clone().sub(from.at);
   const { diagonal } = models;
   const size = distanceText(way.length(), diagonal);
-  const parts = way.toArray().map((part, axis) => `${"xyz"[axis]} ${signedText(part, diagonal)}`);
+  const parts = way.toArray().map((part, axis) => {
+    const drawn = Math.abs(part) > DRAWN_ROUNDING * diagonal ? part : 0;
+    return `${"xyz"[axis]} ${signedText(drawn, diagonal)}`;
+  });
   const isFacing = [first, second].every(({ normal }) => normal.some((at) => at !== 0));
   const angle = models
     .turn(first.side, first.normal)

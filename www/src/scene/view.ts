@@ -92,6 +92,11 @@ export class View {
     };
   }
 
+  /** Whether clicks on the view are a tool's, between which the models do not move. */
+  set isPicked(isPicked: boolean) {
+    if (this.#viewport !== undefined) this.#viewport.isPicked = isPicked;
+  }
+
   /** Calls back before each drawing, to move what follows points of the models. */
   follow(callback: (viewport: Viewport) => void): void {
     this.#followers.push(callback);

@@ -51,6 +51,7 @@ export class Probing {
   /** Gives the next clicks on the view to `taken` instead of pinning points; `undefined` ends that. */
   set nextClick(taken: ((clientX: number, clientY: number) => void) | undefined) {
     this.#nextClick = taken;
+    this.#view.isPicked = taken !== undefined;
   }
 
   /** Measures the point of a model that is nearest to one in its own coordinates. */

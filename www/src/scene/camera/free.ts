@@ -16,6 +16,18 @@ export function partOf({ offsetLeft, offsetTop, offsetWidth, offsetHeight }: HTM
   return { left: offsetLeft, right, top: offsetTop, bottom };
 }
 
+/** The least rectangle around two; what is nowhere has none. */
+export function around(one: Part, other: Part): Part {
+  if (isSame(one, NOWHERE)) return other;
+  if (isSame(other, NOWHERE)) return one;
+  return {
+    left: Math.min(one.left, other.left),
+    right: Math.max(one.right, other.right),
+    top: Math.min(one.top, other.top),
+    bottom: Math.max(one.bottom, other.bottom),
+  };
+}
+
 export const isSame = (one: Part, other: Part): boolean =>
   one.left === other.left &&
   one.right === other.right &&

@@ -18,7 +18,7 @@ import { nextTask } from "../../common/nextTask.ts";
 import { POINT_SIZE } from "../material.ts";
 import { fitDistance } from "./fit.ts";
 import { followFlat } from "./flat.ts";
-import { isSame, NOWHERE, type Part, partOf } from "./free.ts";
+import { around, isSame, NOWHERE, type Part, partOf } from "./free.ts";
 import { light } from "./light.ts";
 import { settle } from "./settle.ts";
 import { STANDARD_VIEWS } from "./standardViews.ts";
@@ -52,6 +52,8 @@ interface Fitted {
 export class Viewport {
   readonly scene = new Scene();
   readonly controls: OrbitControls;
+  /** Whether clicks are a tool's: what lies over the view is then heeded where it grows, and keeps its place else. */
+  isPicked = false;
   /** Called before every drawing, after the camera was updated. */
   onDraw: () => void = () => {};
   /** Called when the browser takes the means of drawing away, and when it gives them back. */
@@ -145,7 +147,10 @@ export class Viewport {
   /** Heeds where the elements over the view are now; returns whether that is elsewhere than before. */
   #clear(): boolean {
     const before = this.over;
-    for (const over of this.#over) over.part = partOf(over.element);
+    for (const over of this.#over) {
+      const part = partOf(over.element);
+      over.part = this.isPicked ? around(over.part, part) : part;
+    }
     return this.#over.some(({ part }, index) => !isSame(part, before[index] ?? NOWHERE));
   }
 
