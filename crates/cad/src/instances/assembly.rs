@@ -4,7 +4,7 @@ use crate::edges::EdgeUses;
 use crate::faces::{Converted, convert};
 use crate::levels::{LevelId, Levels, placed_name};
 use crate::outline::outline;
-use crate::placed::{Owner, Placed, matrix};
+use crate::placed::{FaceKey, Owner, Placed, matrix};
 use crate::report::{FaceFault, Remark};
 use crate::topology::{Color, Face, Mesh, Orientation, ShapeKind, Topology};
 use glam::{DAffine3, DVec3};
@@ -61,7 +61,7 @@ pub(crate) fn assemble(file: &Topology, on_face: Option<OnFace<'_>>) -> Result<A
         shapes: Vec::new(),
     };
     // The index of each face among those read.
-    let mut faces: HashMap<(usize, Option<usize>), usize> = HashMap::new();
+    let mut faces: HashMap<FaceKey, usize> = HashMap::new();
     for ((number, placed), converted) in distinct.into_iter().zip(converted) {
         match converted {
             Ok(mut converted) => {
@@ -141,11 +141,7 @@ fn sizes(file: &Topology, distinct: &[(usize, &Placed)]) -> Vec<usize> {
 
 /// Returns the placements of faces, in the order of the file: those that follow each other in one
 /// part, place and solid together.
-fn instances(
-    levels: &Levels<'_>,
-    placed: &[Placed],
-    faces: &HashMap<(usize, Option<usize>), usize>,
-) -> Vec<InstanceArrays> {
+fn instances(levels: &Levels<'_>, placed: &[Placed], faces: &HashMap<FaceKey, usize>) -> Vec<InstanceArrays> {
     let mut instances: Vec<InstanceArrays> = Vec::new();
     let mut last = None;
     for placed in placed {

@@ -21,6 +21,9 @@ pub(crate) struct Placed {
     pub(crate) owner: Owner,
 }
 
+/// The shape of a face, that of its solid, and whether its normal is turned over: a prism may have its base as its top.
+pub(crate) type FaceKey = (usize, Option<usize>, bool);
+
 /// What a face belongs to.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub(crate) struct Owner {
@@ -31,9 +34,9 @@ pub(crate) struct Owner {
 }
 
 impl Placed {
-    /// Returns the shape of the face and that of its solid. Placements with the same key are one face of the model.
-    pub(crate) fn key(&self) -> (usize, Option<usize>) {
-        (self.shape, self.owner.solid)
+    /// Returns what tells the face from others. Placements with the same key are one face of the model.
+    pub(crate) fn key(&self) -> FaceKey {
+        (self.shape, self.owner.solid, self.reversed)
     }
 
     pub(crate) fn label<'a>(&self, file: &'a Topology) -> Option<&'a FaceLabel> {

@@ -57,6 +57,18 @@ fn at(shape: usize, location: usize) -> Child {
     Child { shape, sign: '+', location }
 }
 
+/// The base of a prism is its top, too, moved and turned over, as OpenCASCADE makes prisms: the normals of both are out.
+#[test]
+fn a_face_that_is_used_reversed_elsewhere_is_turned_over_there() {
+    let (mut text, [square, ..]) = squares();
+    let top = Child { shape: square, sign: '-', location: 1 };
+    let shell = text.shape("Sh\n", &[plus(square), top]);
+    let (model, report) = from_brep(&text.text(plus(shell))).unwrap();
+    let turned: Vec<bool> = model.faces().map(|face| face.is_reversed()).collect();
+    let names: Vec<_> = model.faces().map(|face| face.name().unwrap().to_owned()).collect();
+    assert_eq!((turned, names, report.faces), (vec![false, true], vec!["face 0".into(), "face 1".into()], 2));
+}
+
 /// `TopExp_Explorer` meets the faces of a part at one place, then those of another, then again one
 /// at the first place; a face that two shells share is met once more and counted once.
 #[test]
