@@ -6,6 +6,7 @@ use crate::bezier::Jet;
 use crate::closest::Target;
 use crate::facets::{FacetTarget, Nearest};
 use crate::flatness::Flatness;
+use crate::pieces::FacePieces;
 use crate::solid::{Enclosing, Side, pseudonormal};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -42,6 +43,7 @@ pub enum Signs {
 /// The model from which deviations are measured, with its patches; none of a cloud, nor of a mesh
 /// that is not closed or too large to be joined.
 pub(super) struct SignSource<'a> {
+    pieces: &'a FacePieces,
     source: Option<(Shells<'a>, Arc<PreparedTarget>)>,
     tolerance: f64,
 }
@@ -49,6 +51,7 @@ pub(super) struct SignSource<'a> {
 /// The same, to be shared by threads.
 #[derive(Clone, Copy)]
 pub(super) struct SignRule<'a> {
+    pieces: &'a FacePieces,
     source: Option<(Shells<'a>, &'a Target)>,
     /// Distances up to it have the sign 0.
     tolerance: f64,
@@ -56,8 +59,8 @@ pub(super) struct SignRule<'a> {
 
 /// The closest point of a model.
 pub(super) enum SignFoot<'a> {
-    /// On a patch.
-    Patch(&'a Jet),
+    /// On a patch of a surface.
+    Patch(&'a Jet, usize),
     /// On the facet at a place of its tree.
     Facet(&'a FacetTarget, u32, &'a Nearest),
 }
@@ -66,7 +69,7 @@ impl SignFoot<'_> {
     /// Returns the vector from the foot to the point.
     fn offset(&self, point: DVec3) -> DVec3 {
         match self {
-            Self::Patch(foot) => point - foot.point,
+            Self::Patch(foot, _) => point - foot.point,
             Self::Facet(_, _, nearest) => -nearest.offset,
         }
     }
@@ -89,12 +92,12 @@ impl<'a> SignSource<'a> {
     pub(super) fn new(model: &'a PreparedModel, tolerance: f64) -> Self {
         let is_needed = model.facets().is_none_or(|mesh| mesh.may_close() && model.boundary().is_closed());
         let source = is_needed.then(|| (model.sides(), model.target(Flatness::None)));
-        Self { source, tolerance }
+        Self { pieces: model.pieces(), source, tolerance }
     }
 
     pub(super) fn rule(&self) -> SignRule<'_> {
         let source = self.source.as_ref().map(|(shells, target)| (*shells, &target.target));
-        SignRule { source, tolerance: self.tolerance }
+        SignRule { pieces: self.pieces, source, tolerance: self.tolerance }
     }
 }
 
@@ -144,13 +147,15 @@ impl SignRule<'_> {
         let offset = foot.offset(point);
         let distance = offset.length();
         let normal = match *foot {
-            SignFoot::Patch(foot) => {
+            SignFoot::Patch(foot, surface) => {
+                let is_turned = |surface: usize| self.pieces.is_turned(surface);
+                let sign = if is_turned(surface) { -1.0 } else { 1.0 };
                 let is_along = |normal: &DVec3| offset.cross(*normal).length() <= MAX_SINE * distance;
                 let of_all = || {
                     let (shells, target) = self.source?;
-                    pseudonormal(target, foot.point, shells.boundary.reach())
+                    pseudonormal(target, foot.point, shells.boundary.reach(), is_turned)
                 };
-                foot.normal().filter(is_along).or_else(of_all)
+                foot.normal().filter(is_along).map(|normal| sign * normal).or_else(of_all)
             }
             SignFoot::Facet(facets, place, nearest) => facets.normal(place, nearest),
         };

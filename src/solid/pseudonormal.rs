@@ -18,11 +18,16 @@ const MIN_SUM: f64 = 1e-6;
 
 /// Returns the angle-weighted normal at `point` over all patches within `reach` of it (Bærentzen and
 /// Aanæs 2005, equation 2), of unit length; `None` where no patch has a normal, or where their sum
-/// vanishes.
+/// vanishes. The normals of surfaces that are turned count the other way round.
 ///
 /// Inside a face it is the face's normal, on the rim of a sheet that of its one face, on an edge the
 /// mean of two. O(p q) a patch near the point.
-pub(crate) fn pseudonormal(target: &Target, point: DVec3, reach: f64) -> Option<DVec3> {
+pub(crate) fn pseudonormal(
+    target: &Target,
+    point: DVec3,
+    reach: f64,
+    is_turned: impl Fn(usize) -> bool,
+) -> Option<DVec3> {
     let (mut sum, mut angles) = (DVec3::ZERO, 0.0);
     for leaf in target.tree.leaves_within(point, reach * reach) {
         let patch = target.patches.patch(target.tree.primitive(&leaf) as usize);
@@ -31,7 +36,7 @@ pub(crate) fn pseudonormal(target: &Target, point: DVec3, reach: f64) -> Option<
             continue;
         }
         if let Some((normal, angle)) = sector(&patch, foot.parameters) {
-            sum += angle * normal;
+            sum += if is_turned(patch.surface) { -angle } else { angle } * normal;
             angles += angle;
         }
     }
@@ -99,7 +104,7 @@ mod tests {
             let normal = |other: [f64; 2]| {
                 let model = Model::from_arrays(None, vec![half(1.0, [0.0, 1.0]), half(-1.0, other)]).unwrap();
                 let target = Target::new(extract(&model).patches);
-                pseudonormal(&target, rotation * DVec3::new(0.0, 0.5, 0.0), 1e-9)
+                pseudonormal(&target, rotation * DVec3::new(0.0, 0.5, 0.0), 1e-9, |_| false)
             };
             assert_eq!(normal([0.0, 1.0]), None, "{turn}");
             let along = normal([1.0, 0.0]).unwrap();

@@ -83,8 +83,10 @@ impl<'a> FieldTarget<'a> {
             Self::Patches { target, signs, gap } => {
                 let closest = closest_above(target, point, *gap, known.place, 0.0, None)?;
                 known.place = Some((closest.patch as u32, closest.parameters));
-                let foot: Jet = target.patches.patch(closest.patch).jet(closest.parameters);
-                let signed = signs.signed(point, closest.lower, &SignFoot::Patch(&foot), &mut known.side);
+                let patch = target.patches.patch(closest.patch);
+                let foot: Jet = patch.jet(closest.parameters);
+                let of_patch = SignFoot::Patch(&foot, patch.surface);
+                let signed = signs.signed(point, closest.lower, &of_patch, &mut known.side);
                 Some(Foot { point: foot.point, distance: point.distance(foot.point), signed })
             }
             Self::Facets { facets: PreparedFacets { target, error, .. }, signs } => {

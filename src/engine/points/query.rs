@@ -183,7 +183,7 @@ impl<'a> PointQuery<'a> {
     /// Returns the distance of a point with its sign, as [`Signs`] states.
     pub(super) fn signed(&self, point: DVec3, found: &Found<'_>, known: &mut Known) -> f64 {
         let foot = match &found.place {
-            Place::Patch { jet, .. } => SignFoot::Patch(jet),
+            Place::Patch { patch, jet, .. } => SignFoot::Patch(jet, patch.surface),
             Place::Facet { facets, facet, nearest } => SignFoot::Facet(&facets.target, *facet, nearest),
         };
         self.rule.signed(point, found.clear, &foot, &mut known.side)

@@ -3,7 +3,8 @@
 use super::solids::face;
 use glam::DVec3;
 use nurbs_hausdorff::internals::engine::{Engine, PreparedModel};
-use nurbs_hausdorff::{ClosestPointOptions, Model, Signs, SurfaceArrays};
+use nurbs_hausdorff::trim::FaceArrays;
+use nurbs_hausdorff::{ClosestPointOptions, Model, ModelArrays, Signs, SurfaceArrays};
 
 /// Returns the signed distances of points from a sheet of these faces.
 fn signed(faces: &[SurfaceArrays], points: &[[f64; 3]]) -> Vec<f64> {
@@ -73,4 +74,25 @@ fn where_normals_cancel_there_is_no_sign() {
     let point = [0.0, -1.0, 0.5];
     assert_signed(&[left.clone(), right], &[(point, 1.25_f64.sqrt())]);
     assert_signed(&[left, flipped], &[(point, f64::NAN)]);
+}
+
+/// A reversed face has its normal the other way round, inside and beside its rim; where two faces meet whose surfaces
+/// are oriented against each other, one of them reversed, the normals agree.
+#[test]
+fn signs_are_those_of_reversed_faces() {
+    let signed = |faces: Vec<FaceArrays>, points: &[[f64; 3]]| {
+        let model = Model::from_faces(ModelArrays { faces, ..ModelArrays::default() }).unwrap();
+        let prepared = PreparedModel::new(&model).unwrap();
+        let options = ClosestPointOptions::default();
+        Engine::cpu().closest_points(&prepared, &points.concat(), &options).wait().unwrap().signed
+    };
+    let reversed = |surface| FaceArrays { reversed: true, ..FaceArrays::new(surface, None) };
+    let side = 0.34_f64.sqrt();
+    let found = signed(vec![reversed(square())], &[[0.5, 0.5, 0.3], [0.5, 0.5, -0.2], [1.5, 0.5, 0.3]]);
+    let expected = [-0.3, 0.2, -side];
+    assert!(found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-9), "{found:?}");
+    let left = rectangle([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let flipped = rectangle([0.0; 3], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let found = signed(vec![FaceArrays::new(left, None), reversed(flipped)], &[[0.0, -1.0, 0.5]]);
+    assert!((found[0] - 1.25_f64.sqrt()).abs() < 1e-9, "{found:?}");
 }
