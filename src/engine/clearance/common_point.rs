@@ -59,9 +59,9 @@ pub(super) enum CommonPoint {
 
 impl Solids<'_> {
     /// Looks for a point inside both solids: about the place where they are nearest, in the box that
-    /// both reach into, and behind some hundred patches of both, down to half the tolerance behind them: a layer
-    /// between two faces as thick as the tolerance has points there. There may be such points where none is
-    /// found. Ends before a point once `is_late`. O(points √patches).
+    /// both reach into, behind some hundred patches of both, down to half the tolerance behind them, and behind all others
+    /// whose middle is inside the other solid: a layer between two faces as thick as the tolerance has points there. There
+    /// may be such points where none is found. Ends before a point once `is_late`. O(points √patches).
     pub(super) fn common_point(
         &self,
         nearest: &Nearest,
@@ -86,7 +86,9 @@ impl Solids<'_> {
                 Side::Undecided => is_decided = false,
             }
         }
-        match behind(self.spread(&common)) {
+        let near = [0, 1].map(|side| self.near(side, &common));
+        let found = behind(self.spread(&near)).or_else(|| behind(self.middles_within(&near, is_late)));
+        match found {
             Some(found) => CommonPoint::Found(found),
             None if is_late() => CommonPoint::Late,
             None if is_decided => CommonPoint::NotFound,
@@ -111,8 +113,9 @@ impl Solids<'_> {
         steps: &[f64],
         common: &Aabb,
     ) -> Option<DVec3> {
-        for BoundaryPoint { point, normal, is_of_a } in points {
-            let other = if is_of_a { self.b.side_within(point, 0.0) } else { self.side_of_a(point) };
+        for boundary_point in points {
+            let other = self.side_of_other(&boundary_point);
+            let BoundaryPoint { point, normal, .. } = boundary_point;
             let Some(normal) = normal.filter(|_| other != Side::Outside) else { continue };
             for side in [1.0, -1.0] {
                 let inner = steps.iter().map(|&step| point + side * step * normal);
@@ -157,17 +160,25 @@ impl Solids<'_> {
         [self.a, self.b].into_iter().enumerate().flat_map(of_side).collect()
     }
 
-    /// Returns points of both boundaries, of patches spread evenly over those that reach into a box.
-    fn spread(&self, common: &Aabb) -> Vec<BoundaryPoint> {
-        let of_side = |(side, model): (usize, &PreparedModel)| {
-            let is_of_a = side == 0;
-            let patches = &model.bezier().patches;
-            let reaches = |index: &usize| {
-                let aabb = patches.patch(*index).bounding_box();
-                let center = if is_of_a { self.transform.apply(aabb.center()) } else { aabb.center() };
-                common.min_distance_squared(center) <= 0.25 * aabb.extent().length_squared()
-            };
-            let near: Vec<usize> = (0..patches.len()).filter(reaches).collect();
+    /// Returns the patches of A or of B that reach into a box.
+    fn near(&self, side: usize, common: &Aabb) -> Vec<usize> {
+        let patches = &self.model(side).bezier().patches;
+        let reaches = |index: &usize| {
+            let aabb = patches.patch(*index).bounding_box();
+            let center = if side == 0 { self.transform.apply(aabb.center()) } else { aabb.center() };
+            common.min_distance_squared(center) <= 0.25 * aabb.extent().length_squared()
+        };
+        (0..patches.len()).filter(reaches).collect()
+    }
+
+    fn model(&self, side: usize) -> &PreparedModel {
+        if side == 0 { self.a } else { self.b }
+    }
+
+    /// Returns points of both boundaries, of patches spread evenly over these.
+    fn spread(&self, near: &[Vec<usize>; 2]) -> Vec<BoundaryPoint> {
+        let of_side = |(side, near): (usize, &Vec<usize>)| {
+            let patches = &self.model(side).bezier().patches;
             let chosen = near.len().min(MAX_PATCHES);
             let places = (BOUNDARY_POINTS / chosen.max(1)).isqrt().clamp(1, MAX_PLACES);
             let mut points = Vec::with_capacity(chosen * places * places);
@@ -175,12 +186,29 @@ impl Solids<'_> {
                 let inner = (0..places * places)
                     .map(|place| [place / places, place % places].map(|k| (k as f64 + 0.5) / places as f64));
                 for at in inner.chain(beside_corners()) {
-                    points.push(self.boundary_point(&patch, at, is_of_a));
+                    points.push(self.boundary_point(&patch, at, side == 0));
                 }
             }
             points
         };
-        [self.a, self.b].into_iter().enumerate().flat_map(of_side).collect()
+        near.iter().enumerate().flat_map(of_side).collect()
+    }
+
+    /// Returns the middles of patches that are certainly inside the other solid, of the boundary that has more of them
+    /// than are [spread](Self::spread).
+    fn middles_within(&self, near: &[Vec<usize>; 2], is_late: &dyn Fn() -> bool) -> Vec<BoundaryPoint> {
+        let of_side = |(side, near): (usize, &Vec<usize>)| {
+            let patches = &self.model(side).bezier().patches;
+            let all = near.iter().filter(|_| near.len() > MAX_PATCHES).take_while(|_| !is_late());
+            let middles = all.map(|&index| self.boundary_point(&patches.patch(index), [0.5; 2], side == 0));
+            middles.filter(|middle| self.side_of_other(middle) == Side::Inside).collect::<Vec<_>>()
+        };
+        near.iter().enumerate().flat_map(of_side).collect()
+    }
+
+    /// Returns on which side of the other solid a point of the one is.
+    fn side_of_other(&self, of: &BoundaryPoint) -> Side {
+        if of.is_of_a { self.b.side_within(of.point, 0.0) } else { self.side_of_a(of.point) }
     }
 
     fn boundary_point(&self, patch: &Patch<'_>, at: [f64; 2], is_of_a: bool) -> BoundaryPoint {
@@ -212,8 +240,63 @@ fn points_of(aabb: &Aabb) -> impl Iterator<Item = DVec3> + '_ {
 }
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
+    use crate::model::{Model, RigidTransform, SurfaceArrays};
+
+    /// The places of knots, at uneven steps: else the knots are removed as they change nothing.
+    fn uneven(index: usize) -> f64 {
+        index as f64 + if index % 2 == 1 { 0.25 } else { 0.0 }
+    }
+
+    /// A box of side `SIDE`, standing at a height; its bottom has 900 patches, of which one corner is pulled down.
+    fn spiked(height: f64) -> PreparedModel {
+        const SIDE: usize = 30;
+        let side = SIDE as f64;
+        let flat = |points: [[f64; 3]; 4]| SurfaceArrays {
+            degree: [1, 1],
+            knots: [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]],
+            counts: [2, 2],
+            control_points: points.map(|[x, y, z]| [x, y, z + height, 1.0]).to_vec(),
+        };
+        let on_line = |[x, y]: [f64; 2], [to_x, to_y]: [f64; 2]| {
+            flat([[x, y, 0.0], [x, y, side], [to_x, to_y, 0.0], [to_x, to_y, side]])
+        };
+        let corners = [[0.0, 0.0], [side, 0.0], [side, side], [0.0, side]];
+        let mut surfaces: Vec<_> = (0..4).map(|k| on_line(corners[(k + 1) % 4], corners[k])).collect();
+        surfaces.push(flat([[0.0, 0.0, side], [0.0, side, side], [side, 0.0, side], [side, side, side]]));
+        let knots: Vec<f64> = (0..SIDE + 3).map(|k| (k.clamp(1, SIDE + 1) - 1) as f64).collect();
+        let points = (0..=SIDE).flat_map(|y| (0..=SIDE).map(move |x| [x, y]));
+        let control_points = points.map(|[x, y]| {
+            let depth = if [x, y] == [11, 7] { -0.5 } else { 0.0 };
+            [uneven(x), uneven(y), height + depth, 1.0]
+        });
+        surfaces.push(SurfaceArrays {
+            degree: [1, 1],
+            knots: [knots.clone(), knots],
+            counts: [SIDE + 1; 2],
+            control_points: control_points.collect(),
+        });
+        PreparedModel::new(&Model::from_arrays(None, surfaces).unwrap()).unwrap()
+    }
+
+    /// Of 900 patches that lie on the other box, those about the corner that is pulled into it.
+    #[test]
+    fn patches_whose_middles_are_inside_are_found_among_many() {
+        let (above, below) = (spiked(0.0), spiked(-30.0));
+        let solids = Solids::new([&above, &below], RigidTransform::IDENTITY).unwrap();
+        let common = solids.common_box().unwrap();
+        let near = [0, 1].map(|side| solids.near(side, &common));
+        assert!(near[0].len() > MAX_PATCHES, "{near:?}");
+        let mut found: Vec<_> =
+            solids.middles_within(&near, &|| false).into_iter().map(|of| of.point.to_array()).collect();
+        found.sort_by(|a, b| a.partial_cmp(b).unwrap());
+        // The corner is at (11.25, 7.25).
+        let at = |x: f64, y: f64| [x, y, -0.125];
+        assert_eq!(found, [at(10.625, 6.625), at(10.625, 7.625), at(11.625, 6.625), at(11.625, 7.625)]);
+        assert!(solids.middles_within(&near, &|| true).is_empty(), "it ends in time");
+    }
 
     /// Every eighth of a box has some of its points, and no point is outside.
     #[test]
