@@ -148,3 +148,13 @@ def test_assertions_name_the_parts_that_moved():
         nh.testing.assert_same_assembly(box((0, 0, 0)), box((0, 3, 0)))
     summary = nh.diff(before, moved).parts_summary
     assert summary == "1 of 2 parts changed: hub moved by 5.000 along z"
+
+
+TWO = assembly(a=box((0, 0, 0)), b=box((2, 0, 0)))
+
+
+@pytest.mark.parametrize("rules", [[], "rules.json", {"intended": "shaft"}, {"intended": [["a", "b"]]}])
+def test_rules_that_are_no_mappings_are_refused(rules):
+    with pytest.raises(nh.NurbsHausdorffError) as raised:
+        nh.check(TWO, rules=rules)
+    assert raised.value.code in ("ARGUMENT_INVALID", "OPTION_INVALID")

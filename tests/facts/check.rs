@@ -1,9 +1,13 @@
 //! All pairs of bodies: assemblies whose answers are known.
 
-use crate::models::{box_of_faces, circle, cuboid, faces, mesh, moved, of, placed_all, prepared, stretched};
+use crate::models::{
+    box_of_faces, circle, cuboid, faces, mesh, moved, of, of_quads, placed_all, prepared, quads_of_box,
+    stretched,
+};
+use nurbs_hausdorff::trim::FaceArrays;
 use nurbs_hausdorff::{
-    CheckOptions, CheckResult, CheckRules, DQuat, DVec3, Engine, Error, Model, ModelArrays, NamedModel,
-    NamesOfPair, PairState, PreparedModel, RequiredDistance, Rule, SurfaceArrays, shapes,
+    CheckOptions, CheckResult, CheckRules, DQuat, DVec3, EmbeddedDoubt, Engine, Error, Model, ModelArrays,
+    NamedModel, NamesOfPair, PairState, PreparedModel, RequiredDistance, Rule, SurfaceArrays, shapes,
 };
 
 fn check(model: &PreparedModel, options: &CheckOptions) -> CheckResult {
@@ -51,6 +55,79 @@ fn boxes_that_overlap_clash_at_a_point_inside_both() {
 fn boxes_that_stand_flush_touch_and_do_not_clash() {
     let result = check(&unit_box_and([1.0, 0.25, 0.25], [2.0, 0.75, 0.75]), &below(0.0));
     assert_eq!(states(&result), [PairState::Touching]);
+}
+
+/// A box on a larger one, whose bottom of 40 by 40 patches lies on that but for one corner of them, which is pulled into
+/// it by 0.5: of a thousand patches there, four tell.
+#[test]
+fn a_spike_among_a_thousand_flush_patches_is_a_clash() {
+    const COUNT: usize = 40;
+    let size = DVec3::new(COUNT as f64, COUNT as f64, 3.0);
+    let knots: Vec<f64> = (0..COUNT + 3).map(|k| (k.clamp(1, COUNT + 1) - 1) as f64).collect();
+    let on = |spike: Option<[usize; 2]>| {
+        let mut quads = quads_of_box(DVec3::ZERO, size).to_vec();
+        // The bottom of the box is the first of its sides.
+        quads.remove(0);
+        let mut all = faces(&of_quads(&quads));
+        // Uneven, as knots at even steps change nothing and are removed.
+        let at = |index: usize| index as f64 + if index % 2 == 1 { 0.25 } else { 0.0 };
+        let point = |index: usize| {
+            let place = [index / (COUNT + 1), index % (COUNT + 1)];
+            let z = if Some(place) == spike { -0.5 } else { 0.0 };
+            // The second parameter runs along x, so that the normal is down.
+            [at(place[1]), at(place[0]), z, 1.0]
+        };
+        let bottom = SurfaceArrays {
+            degree: [1, 1],
+            knots: [knots.clone(), knots.clone()],
+            counts: [COUNT + 1; 2],
+            control_points: (0..(COUNT + 1) * (COUNT + 1)).map(point).collect(),
+        };
+        all.push(FaceArrays::new(bottom, None));
+        let below = box_of_faces(DVec3::new(-1.0, -1.0, -2.0), DVec3::new(size.x + 1.0, size.y + 1.0, 0.0));
+        prepared(&placed_all(&[(&below, moved([0.0; 3])), (&of(all), moved([0.0; 3]))]))
+    };
+    assert_eq!(states(&check(&on(None), &below(0.0))), [PairState::Touching]);
+    for spike in [[7, 12], [20, 20], [33, 5]] {
+        let result = check(&on(Some(spike)), &below(0.0));
+        assert_eq!(states(&result), [PairState::Clash], "{spike:?}");
+        let [x, y, z] = result.pairs[0].point;
+        let off = [x - spike[1] as f64, y - spike[0] as f64];
+        assert!(off.iter().all(|off| off.abs() < 1.25) && z < 0.0, "{:?}", result.pairs[0].point);
+        // The integral of a bilinear hat of height 0.5 over four squares.
+        assert!(result.pairs[0].volume.unwrap().contains(0.5), "{:?}", result.pairs[0].volume);
+    }
+}
+
+/// What is proven of single bodies heeds the time, also where each body takes little.
+#[test]
+fn no_time_leaves_all_bodies_undecided() {
+    let ball = shapes::sphere(DVec3::ZERO, 1.0).unwrap();
+    let model = prepared(&placed_all(&[(&ball, moved([0.0; 3])), (&ball, moved([5.0, 0.0, 0.0]))]));
+    let result = check(&model, &CheckOptions { max_seconds: Some(1e-9), ..below(0.0) });
+    for body in &result.bodies {
+        assert_eq!(body.embedded, None);
+        assert_eq!(body.embedded_unknown.as_ref().unwrap().why, EmbeddedDoubt::Budget);
+    }
+    assert!(check(&model, &below(0.0)).bodies.iter().all(|body| body.embedded == Some(true)));
+}
+
+/// Balls of radius 1 that are 0.5 apart, where intervals may be as wide as the tolerance.
+#[test]
+fn the_tolerance_itself_tells_what_touches() {
+    let ball = shapes::sphere(DVec3::ZERO, 1.0).unwrap();
+    let model = prepared(&placed_all(&[(&ball, moved([0.0; 3])), (&ball, moved([1.5, 2.0, 0.0]))]));
+    let state = |tolerance: f64| {
+        let options = CheckOptions { tolerance: Some(tolerance), ..below(0.0) };
+        states(&check(&model, &options))
+    };
+    for tolerance in [0.5001, 0.51, 0.6, 0.8, 2.0] {
+        assert_eq!(state(tolerance), [PairState::Touching], "{tolerance}");
+    }
+    for tolerance in [0.1, 0.3, 0.45, 0.49, 0.4999] {
+        assert!(matches!(state(tolerance)[..], [] | [PairState::Apart]), "{tolerance}");
+    }
+    assert_eq!(state(0.5), [PairState::Undecided]);
 }
 
 /// 0.25 apart: near below 0.5, apart below 0.125, and not even searched.

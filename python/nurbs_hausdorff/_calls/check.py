@@ -91,4 +91,8 @@ def _levels(parts: Sequence[Model]) -> list[str | None]:
 def _rules(rules: Mapping[str, Any] | None) -> dict[str, Any] | None:
     if rules is None:
         return None
-    return {_names.camel(name): [dict(rule) for rule in of] for name, of in rules.items()}
+    try:
+        return {_names.camel(name): [dict(rule) for rule in of] for name, of in rules.items()}
+    except (AttributeError, TypeError, ValueError) as error:
+        message = f"rules: {error}, expected lists of mappings by name, as intended"
+        raise NurbsHausdorffError("ARGUMENT_INVALID", message) from error

@@ -24,7 +24,8 @@ pub enum PairState {
     Undecided,
     /// They are certainly within the tolerance of each other, and either a motion by at most the tolerance certainly
     /// leaves them without a common inside, or no point inside both was found: about the place where they are
-    /// nearest, in the box that both reach into, and behind some hundred patches of each.
+    /// nearest, in the box that both reach into, behind some hundred patches of each, and behind all others whose middle
+    /// is inside the other one.
     Touching,
     /// They are certainly nearer than `below`, and certainly have no common inside.
     Near,
@@ -86,6 +87,12 @@ pub(super) fn judged(
     let is_far = found.at_least == Some(true);
     if !is_far {
         found = searched(models, goal(None), limits.cells())?;
+        let Interval { lower, upper } = found.interval;
+        if lower <= limits.tolerance && limits.tolerance < upper {
+            // Whether they touch is asked of the tolerance itself.
+            let about = searched(models, goal(Some(limits.tolerance)), limits.cells())?;
+            found.interval = found.interval.within(about.interval);
+        }
     }
     let Found { interval, nearest, .. } = found;
     let meets = interval.upper <= limits.tolerance;
@@ -158,9 +165,6 @@ fn by_clearance(interval: Interval, limits: &Limits, is_far: bool) -> Option<Pai
         Some(PairState::Touching)
     } else if interval.upper < limits.below {
         Some(PairState::Near)
-    } else if interval.lower >= limits.below && interval.lower > 0.0 {
-        // About the tolerance apart, and no more is asked.
-        Some(PairState::Apart)
     } else {
         None
     }

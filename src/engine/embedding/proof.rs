@@ -90,6 +90,10 @@ impl PreparedModel {
     }
 
     fn embedded_verdict(&self, is_late: &dyn Fn() -> bool) -> Result<Verdict, EmbeddedDoubt> {
+        // A small body has fewer pairs of parts than are looked at between two looks at the clock.
+        if is_late() {
+            return Err(EmbeddedDoubt::Budget);
+        }
         let most = RELATIVE_MOST * self.control_box().diagonal();
         if let Some(facets) = self.facets() {
             if self.gap() > 0.0 {

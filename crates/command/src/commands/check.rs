@@ -13,8 +13,10 @@ use nurbs_hausdorff::{
     BodyPair, CheckResult, CheckRules, Engine, Error, NamedModel, PairState, PreparedModel, checked_bodies,
 };
 use nurbs_hausdorff_pictures::Clash;
+use serde_json::Value;
 use std::cell::Cell;
 use std::collections::HashMap;
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 /// Compares the bodies, prints which clash, touch or come near, and returns the exit status.
@@ -111,8 +113,19 @@ fn rules_of(path: &Path) -> Result<CheckRules, Failure> {
         path: path.display().to_string(),
         found: error.to_string(),
     })?;
-    let invalid = |error: serde_json::Error| Error::OptionInvalid {
-        found: format!("the rules in {}: {error}", path.display()),
-    };
-    Ok(serde_json::from_str(&text).map_err(invalid)?)
+    let invalid =
+        |why: &dyn Display| Error::OptionInvalid { found: format!("the rules in {}: {why}", path.display()) };
+    // Some editors begin a file with a mark of its byte order.
+    let rules: Value =
+        serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|error| invalid(&error))?;
+    if !is_by_names(&rules) {
+        return Err(invalid(&"expected lists of objects by name, as intended").into());
+    }
+    Ok(serde_json::from_value(rules).map_err(|error| invalid(&error))?)
+}
+
+/// Returns whether rules are lists of objects by name: arrays would be read as the values of one.
+fn is_by_names(rules: &Value) -> bool {
+    let are_objects = |list: &Value| list.as_array().is_none_or(|list| list.iter().all(Value::is_object));
+    rules.as_object().is_some_and(|rules| rules.values().all(are_objects))
 }

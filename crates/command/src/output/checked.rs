@@ -41,6 +41,9 @@ pub(crate) fn text(result: &CheckResult, verdict: Verdict) -> String {
         of(PairState::Touching),
         of(PairState::Near)
     );
+    // Two digits: it follows from the diagonal where none is stated.
+    let tolerance = format!("{:.1e}", result.tolerance).parse().unwrap_or(result.tolerance);
+    let _ = writeln!(out, "tolerance  {}, up to which bodies touch", number(tolerance));
     let embedded = |known| result.bodies.iter().filter(|body| body.embedded == known).count();
     let _ = writeln!(
         out,
