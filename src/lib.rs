@@ -191,10 +191,10 @@ pub use engine::{
     GapOptions, GapsResult, Grid, GridOptions, HausdorffScore, HierarchyOptions, IterationOptions, LeftOut,
     Measure, Method, MethodName, ModelInfo, NamedModel, NamedOptions, NamesOfPair, Overlap, OverlapOptions,
     OverlapResult, OverlapUnknown, OverlapVolumes, PairState, PartDifference, PartFaces, PartMotion,
-    PartState, Percentile, Placement, Precision, PreparedModel, Query, RequiredDistance, Requirement, Rule,
-    Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, SelfOverlap, Shell, SignedDistanceOptions,
-    SignedDistances, Signs, Solid, Statistics, StatisticsOptions, SurfaceScore, UnkeptRule, VolumesUnknown,
-    Witness, Zone, ZoneOptions, checked_bodies,
+    PartState, PartsUnknown, Percentile, Placement, Precision, PreparedModel, Query, RequiredDistance,
+    Requirement, Rule, Score, ScoreAlignment, ScoreNumber, ScoreOptions, ScoredModel, SelfOverlap, Shell,
+    SignedDistanceOptions, SignedDistances, Signs, Solid, Statistics, StatisticsOptions, SurfaceScore,
+    UnkeptRule, VolumesUnknown, Witness, Zone, ZoneOptions, checked_bodies,
 };
 pub use error::{Error, Result};
 pub use facets::{Facets, MeshGroup, MeshReport, PointCloud, TriangleMesh};

@@ -52,7 +52,7 @@ pub use deviation_maps::{DeviationMap, DeviationMapOptions, DeviationMaps};
 pub(crate) use deviation_maps::{Here, MapPoints, Measurer};
 pub use diff::{
     DiffOptions, DiffResult, FaceChange, FaceCounterpart, FaceDifference, FaceState, PartDifference,
-    PartFaces, PartMotion, PartState,
+    PartFaces, PartMotion, PartState, PartsUnknown,
 };
 pub use dispatch::Engine;
 pub use embedding::{EmbeddedDoubt, EmbeddedUnknown, Embedding, SelfOverlap};

@@ -1,10 +1,10 @@
 //! Revisions of assemblies by known edits: what `diff` says of each part.
 
-use crate::models::{cuboid, faces, moved, prepared};
+use crate::models::{cuboid, faces, moved, of, prepared};
 use nurbs_hausdorff::trim::{FaceArrays, TrimCurveArrays};
 use nurbs_hausdorff::{
-    DQuat, DVec3, DiffOptions, Engine, InstanceArrays, Model, ModelArrays, Monitor, PartDifference,
-    PartState, PreparedModel, RigidTransform, SurfaceArrays, shapes,
+    DQuat, DVec3, DiffOptions, Engine, FaceState, InstanceArrays, Model, ModelArrays, Monitor,
+    PartDifference, PartState, PartsUnknown, PreparedModel, RigidTransform, SurfaceArrays, shapes,
 };
 
 /// A named part of an assembly, placed by a row-major matrix.
@@ -197,6 +197,42 @@ fn names_count_only_where_one_is_new() {
     assert_eq!(parts[1].name_of_b.as_deref(), Some("starboard"));
 }
 
+/// What is named by the other part's name is no copy of it.
+#[test]
+fn exchanged_names_of_different_parts_are_named() {
+    let (cylinder, ball) = (shapes::cylinder(0.5, 2.0).unwrap(), shapes::sphere(DVec3::ZERO, 1.0).unwrap());
+    let far = moved([9.0, 0.0, 0.0]);
+    let before = [("left", &cylinder, HERE), ("right", &ball, far)];
+    let after = [("right", &cylinder, HERE), ("left", &ball, far)];
+    let parts = diff(&before, &after);
+    assert_eq!([state_of(&parts, "left"), state_of(&parts, "right")], [PartState::Renamed; 2]);
+    assert_eq!(parts[0].name_of_b.as_deref(), Some("right"));
+}
+
+/// A ball of radius 1 fills a void of a ball of radius 2: each of its points is one of the void's, so that no face
+/// tells whether it is there.
+#[test]
+fn a_part_without_a_face_of_its_own_is_missed() {
+    let ball = |radius| shapes::sphere(DVec3::ZERO, radius).unwrap();
+    let mut shell = faces(&ball(2.0));
+    shell.extend(faces(&ball(1.0)).into_iter().map(|face| FaceArrays { reversed: !face.reversed, ..face }));
+    let (hollow, core) = (of(shell), ball(1.0));
+    let other = ("knob", &core, moved([0.0, 20.0, 0.0]));
+    let [with, without] =
+        [&[("shell", &hollow, HERE), other, ("core", &core, HERE)][..], &[("shell", &hollow, HERE), other]]
+            .map(assembly);
+    let compared = |a, b| Engine::cpu().diff(a, b, &DiffOptions::default()).wait().unwrap();
+    for (a, b, state) in [(&with, &without, PartState::Removed), (&without, &with, PartState::Added)] {
+        let result = compared(a, b);
+        assert_eq!(state_of(&result.parts, "core"), state, "{:?}", result.parts);
+        assert!(
+            result.faces_of_a.iter().chain(&result.faces_of_b).all(|face| face.state == FaceState::Unchanged)
+        );
+        assert_eq!([result.state, result.with_gaps], [FaceState::Changed; 2]);
+    }
+    assert_eq!(compared(&with, &with).state, FaceState::Unchanged);
+}
+
 #[test]
 fn a_mirror_image_is_no_motion() {
     let bracket = wedge(PUSH);
@@ -206,6 +242,8 @@ fn a_mirror_image_is_no_motion() {
     assert_eq!(state_of(&parts, "left"), PartState::Mirrored, "{parts:?}");
     let motion = parts[0].motion.unwrap();
     assert!(DVec3::from_array(motion.translation).distance(DVec3::new(8.0, 1.0, 2.0)) < 1e-6, "{motion:?}");
+    // Of x from 0 to 3.4 the mirror image reaches from 4.6 to 8.
+    assert!(DVec3::from_array(motion.shift).distance(DVec3::new(4.6, 1.0, 2.0)) < 1e-6, "{motion:?}");
     assert!(motion.angle < 1e-6, "{motion:?}");
 }
 
@@ -251,4 +289,17 @@ fn the_search_for_motions_is_cancelled() {
     let (engine, options) = (Engine::cpu(), DiffOptions::default());
     let result = engine.diff(&models[0], &models[1], &options).monitored(&mut monitor).wait();
     assert_eq!(result.map(|found| found.parts).unwrap_err().code(), "CANCELLED");
+}
+
+#[test]
+fn parts_that_there_was_no_time_for_are_said() {
+    let bracket = wedge(PUSH);
+    let models = [HERE, moved([5.0, 0.0, 0.0])].map(|place| assembly(&[("arm", &bracket, place)]));
+    let of = |max_seconds| {
+        let options = DiffOptions { max_seconds, ..DiffOptions::default() };
+        let found = Engine::cpu().diff(&models[0], &models[1], &options).wait().unwrap();
+        (found.parts.len(), found.parts_unknown)
+    };
+    assert_eq!(of(Some(1e-9)), (0, Some(PartsUnknown::Budget)));
+    assert_eq!(of(None), (1, None));
 }

@@ -149,6 +149,9 @@ class DiffResult:
         Every face, in order, compared with the other model.
     parts : tuple of PartDifference
         What became of each body: what moved, changed, was added or removed.
+    parts_unknown : {"budget", "too-many"} or None
+        Why there are no parts, of models that have some: the time was spent before, or a model has more
+        than 2,000 bodies.
     parts_summary : str or None
         That in words, ``3 of 41 parts changed: bracket (2 faces, at most 0.350 mm), ...``; None of
         two models of one part.
@@ -165,6 +168,7 @@ class DiffResult:
     gap: float
     unit: float | None = None
     parts: tuple[PartDifference, ...] = ()
+    parts_unknown: str | None = None
     parts_summary: str | None = None
     hint: str | None = None
 

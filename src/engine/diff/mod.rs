@@ -8,7 +8,7 @@ mod parts;
 mod search;
 
 pub use counterpart::{FaceChange, FaceCounterpart};
-pub use parts::{PartDifference, PartFaces, PartMotion, PartState};
+pub use parts::{PartDifference, PartFaces, PartMotion, PartState, PartsUnknown};
 
 use super::query::impl_query;
 use super::{PreparedModel, Seconds, Witness};
@@ -120,7 +120,8 @@ pub struct FaceDifference {
 #[serde(rename_all = "camelCase")]
 #[non_exhaustive]
 pub struct DiffResult {
-    /// The state of both models together.
+    /// The state of both models together: the worst of their faces, and `Changed` where the files name more parts of the
+    /// one than of the other.
     pub state: FaceState,
     /// The limit that the states refer to, in model units.
     pub limit: f64,
@@ -146,6 +147,9 @@ pub struct DiffResult {
     /// The parts of both: what moved, changed, was added or removed. None of clouds, and of models of more than
     /// 2,000 bodies.
     pub parts: Vec<PartDifference>,
+    /// Why there are no parts, of models that have some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parts_unknown: Option<PartsUnknown>,
     /// Where the time went.
     pub seconds: Seconds,
 }

@@ -70,7 +70,13 @@ impl Engine {
         pair_round_faces(&mut result, [a, b], options);
         // The progress is that of the faces.
         let mut section = Section { whole: monitor, part: [1.0, 0.0] };
-        result.parts = self.parts([a, b], options, &result, opened.clock(), &mut section).await?;
+        let parts = self.parts([a, b], options, &result, opened.clock(), &mut section).await?;
+        (result.parts, result.parts_unknown) = (parts.all, parts.unknown);
+        if parts.differ_in_number {
+            for state in [&mut result.state, &mut result.with_gaps] {
+                *state = (*state).max(FaceState::Changed);
+            }
+        }
         result.seconds.solve = opened.clock().seconds() - result.seconds.prepare;
         Ok(result)
     }
@@ -118,6 +124,7 @@ impl Engine {
             faces_of_a: of_a,
             faces_of_b: of_b,
             parts: Vec::new(),
+            parts_unknown: None,
             seconds: Seconds { prepare, compile: 0.0, solve: clock.seconds() - prepare },
         })
     }

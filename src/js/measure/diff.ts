@@ -130,6 +130,8 @@ export interface DiffResult {
   facesOfB: FaceDifference[];
   /** What became of each body; none of clouds of points, and of models of more than 2,000 bodies. */
   parts: PartDifference[];
+  /** Why there are no parts, of models that have some: the time was spent before, or there are too many. */
+  partsUnknown?: "budget" | "too-many";
   /** Where the time went. */
   seconds: { prepare: number; compile: number; solve: number };
 }

@@ -37,6 +37,17 @@ pub enum PartState {
     Undecided,
 }
 
+/// Why parts were not compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum PartsUnknown {
+    /// The budget of seconds was spent before.
+    Budget,
+    /// A model has more than 2,000 bodies.
+    TooMany,
+}
+
 /// A motion in the terms of `--rotate` and `--translate`: a turn about an axis through the origin, then a move.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
@@ -53,7 +64,9 @@ pub struct PartMotion {
 }
 
 impl PartMotion {
-    fn new(motion: &RigidTransform, middle: DVec3) -> Self {
+    /// Makes a motion of a part whose middle was at the first point, and is at the second one before the motion: that of
+    /// its mirror image is elsewhere.
+    fn new(motion: &RigidTransform, [middle, before]: [DVec3; 2]) -> Self {
         let (axis, angle) = motion.rotation().to_axis_angle();
         let is_long = angle > std::f64::consts::PI;
         let (axis, angle) = if is_long { (-axis, std::f64::consts::TAU - angle) } else { (axis, angle) };
@@ -62,7 +75,7 @@ impl PartMotion {
             translation: motion.offset().to_array(),
             axis: axis.to_array(),
             angle: angle.to_degrees(),
-            shift: (motion.apply(middle) - middle).to_array(),
+            shift: (motion.apply(before) - middle).to_array(),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::motions::{candidates, most_matching};
 use super::part::{Part, parts_of};
-use super::{PartDifference, PartFaces, PartMotion, PartState};
+use super::{PartDifference, PartFaces, PartMotion, PartState, PartsUnknown};
 use crate::engine::clock::Clock;
 use crate::engine::diff::{DiffOptions, DiffResult, FaceDifference, FaceState};
 use crate::engine::options::{CertifiedOptions, Method};
@@ -12,7 +12,6 @@ use crate::model::RigidTransform;
 use crate::progress::Monitor;
 use crate::sorting::sort_by_number;
 use glam::DVec3;
-use std::collections::HashSet;
 
 /// The largest number of bodies of a model that are paired: a soup of triangles has one a triangle.
 const MAX_PARTS: usize = 2000;
@@ -26,6 +25,16 @@ const COMMON_PART: f64 = 0.4;
 /// The largest number of cells of a search for a proof: copies take fewer, and what takes more is compared face by
 /// face.
 const PROOF_CELLS: usize = 65_536;
+
+/// What became of the parts of both models.
+#[derive(Default)]
+pub(in crate::engine::diff) struct Parts {
+    pub(in crate::engine::diff) all: Vec<PartDifference>,
+    /// Why there are none.
+    pub(in crate::engine::diff) unknown: Option<PartsUnknown>,
+    /// Whether the files name more parts of the one model than of the other.
+    pub(in crate::engine::diff) differ_in_number: bool,
+}
 
 /// Parts of both models, and those that are not paired yet.
 struct Pairing<'a> {
@@ -41,8 +50,8 @@ struct Pairing<'a> {
 impl Engine {
     /// Returns what became of each part of A, in their order, and then the parts of B alone.
     ///
-    /// None are returned of clouds, of models of more than 2,000 bodies, and where the budget of seconds is spent
-    /// before; what it leaves no time for is undecided.
+    /// Clouds have none. The reason is returned in place of the parts where a model has more than 2,000 bodies, and where
+    /// the budget of seconds is spent before; parts that it leaves no time for are undecided.
     ///
     /// # Errors
     /// Those of [`Engine::distance`] and [`Engine::diff`].
@@ -53,16 +62,23 @@ impl Engine {
         whole: &DiffResult,
         clock: Clock,
         monitor: &mut dyn Monitor,
-    ) -> Result<Vec<PartDifference>> {
+    ) -> Result<Parts> {
         let is_late = || clock.is_over();
-        // Bodies are paired by their facts, and areas take the longest of those.
-        let is_paired = |model: &PreparedModel| {
-            !(model.is_cloud() || is_late())
-                && model.bodies().len() <= MAX_PARTS
-                && model.has_face_areas(&is_late)
-        };
-        if !models.into_iter().all(is_paired) {
-            return Ok(Vec::new());
+        if models.iter().any(|model| model.is_cloud()) {
+            return Ok(Parts::default());
+        }
+        let without = |why| Ok(Parts { unknown: Some(why), ..Parts::default() });
+        for model in models {
+            if is_late() {
+                return without(PartsUnknown::Budget);
+            }
+            if model.bodies().len() > MAX_PARTS {
+                return without(PartsUnknown::TooMany);
+            }
+            // Bodies are paired by their facts, and areas take the longest of those.
+            if !model.has_face_areas(&is_late) {
+                return without(PartsUnknown::Budget);
+            }
         }
         let parts = [parts_of(models[0])?, parts_of(models[1])?];
         let open = [vec![true; parts[0].len()], vec![true; parts[1].len()]];
@@ -72,8 +88,7 @@ impl Engine {
         let mut pairing = Pairing { parts, open, options, clock, in_place, found: Vec::new() };
         match in_place.map(|whole| whole.state) {
             Some(FaceState::Unchanged) => {
-                let state = name_state(&pairing.parts[0][0], &pairing.parts[1][0], &pairing.parts);
-                pairing.add([0, 0], state, None, bounds(whole), PartFaces::default());
+                pairing.add([0, 0], pairing.name_state([0, 0]), None, bounds(whole), PartFaces::default());
                 return Ok(pairing.finished());
             }
             Some(FaceState::Changed) => {}
@@ -97,8 +112,7 @@ impl Engine {
             }
             let [one, other] = pairing.pair([a, b]);
             if let Some(bounds) = self.proven([&one.model, &other.model], &rest, pairing, monitor).await? {
-                let state = name_state(one, other, &pairing.parts);
-                pairing.add([a, b], state, None, bounds, PartFaces::default());
+                pairing.add([a, b], pairing.name_state([a, b]), None, bounds, PartFaces::default());
             }
         }
         Ok(())
@@ -132,8 +146,8 @@ impl Engine {
                 }
             }
             let Some((motion, bounds)) = proof else { continue };
-            let middle = rest.apply(from.aabb.center());
-            let motion = PartMotion::new(&after(&motion, &rest), middle);
+            let middles = [one, from].map(|part| rest.apply(part.aabb.center()));
+            let motion = PartMotion::new(&after(&motion, &rest), middles);
             let state = if is_mirrored { PartState::Mirrored } else { PartState::Moved };
             pairing.add([a, b], state, Some(motion), bounds, PartFaces::default());
         }
@@ -177,13 +191,13 @@ impl Engine {
                         FaceState::Unchanged => PartState::Moved,
                         FaceState::Undecided => PartState::Undecided,
                     };
-                    let motion = PartMotion::new(&after(motion, &rest), rest.apply(one.aabb.center()));
+                    let motion = PartMotion::new(&after(motion, &rest), [rest.apply(one.aabb.center()); 2]);
                     (state, Some(motion), bounds(moved), faces(moved))
                 }
                 None => {
                     let state = match place.state {
                         FaceState::Changed => PartState::Changed,
-                        FaceState::Unchanged => name_state(one, other, &pairing.parts),
+                        FaceState::Unchanged => pairing.name_state([a, b]),
                         FaceState::Undecided => PartState::Undecided,
                     };
                     (state, None, bounds(place), faces(place))
@@ -314,8 +328,22 @@ impl Pairing<'_> {
         self.found.push((a, PartDifference { name_of_a, name_of_b, state, motion, lower, upper, faces }));
     }
 
+    /// Returns the word for a part that is in its place: another name is one that the other model has not, or has for a
+    /// part that is no copy. Copies are often numbered anew.
+    fn name_state(&self, pair: [usize; 2]) -> PartState {
+        let [a, b] = self.pair(pair);
+        let has_name = |index: usize, of: &Part| self.parts[index].iter().any(|part| part.given == of.given);
+        let is_new = || !has_name(1, a) || !has_name(0, b);
+        let is_anothers = || {
+            let mut named = self.parts[0].iter().filter(|part| part.given == b.given);
+            named.any(|part| !part.is_like(a, self.options.limit))
+        };
+        let has_another = a.given.is_some() && b.given.is_some() && a.given != b.given;
+        if has_another && (is_new() || is_anothers()) { PartState::Renamed } else { PartState::Same }
+    }
+
     /// Returns all parts: those of A in their order, then those of B alone.
-    fn finished(mut self) -> Vec<PartDifference> {
+    fn finished(mut self) -> Parts {
         let alone = |name_of_a: Option<&Part>, name_of_b: Option<&Part>, state| PartDifference {
             name_of_a: name_of_a.map(|part| part.name.clone()),
             name_of_b: name_of_b.map(|part| part.name.clone()),
@@ -326,6 +354,13 @@ impl Pairing<'_> {
             faces: PartFaces::default(),
         };
         let is_late = self.is_late();
+        let are_named = [0, 1].into_iter().all(|index: usize| {
+            self.parts[index]
+                .iter()
+                .zip(&self.open[index])
+                .all(|(part, is_open)| !is_open || part.given.is_some())
+        });
+        let differ_in_number = self.parts[0].len() != self.parts[1].len() && are_named && !is_late;
         let or_undecided = |state| if is_late { PartState::Undecided } else { state };
         let [of_a, of_b] = &self.parts;
         for (index, part) in of_a.iter().enumerate().filter(|&(index, _)| self.open[0][index]) {
@@ -334,16 +369,9 @@ impl Pairing<'_> {
         sort_by_number(&mut self.found, |&(index, _)| index as f64);
         let added = of_b.iter().enumerate().filter(|&(index, _)| self.open[1][index]);
         let added = added.map(|(_, part)| alone(None, Some(part), or_undecided(PartState::Added)));
-        self.found.into_iter().map(|(_, part)| part).chain(added).collect()
+        let all = self.found.into_iter().map(|(_, part)| part).chain(added).collect();
+        Parts { all, unknown: None, differ_in_number }
     }
-}
-
-/// Returns the word for a part that is in its place: another name is one that the other model has not.
-fn name_state(a: &Part, b: &Part, parts: &[Vec<Part>; 2]) -> PartState {
-    let names = |index: usize| parts[index].iter().map(|part| &part.given).collect::<HashSet<_>>();
-    let is_new = !names(1).contains(&a.given) || !names(0).contains(&b.given);
-    let is_renamed = a.given.is_some() && b.given.is_some() && a.given != b.given && is_new;
-    if is_renamed { PartState::Renamed } else { PartState::Same }
 }
 
 /// Returns whether two parts may be the same in place, by their boxes.

@@ -12,7 +12,7 @@ use crate::pairs::{self, Comparison};
 use crate::reports::{Answer, Verdict};
 use nurbs_hausdorff::{
     DiffOptions, DiffResult, Engine, FaceChange, FaceCounterpart, FaceDifference, FaceState, FarthestPoint,
-    KnownDeviation, Query,
+    KnownDeviation, PartsUnknown, Query,
 };
 use nurbs_hausdorff_pictures::PictureOptions;
 use std::fmt::Write;
@@ -139,7 +139,13 @@ fn summary(result: &DiffResult, a: &Input, b: &Input) -> String {
     });
     let [a, b] = [&result.faces_of_a, &result.faces_of_b].map(|faces| counts(faces));
     let parts = result.parts_summary().map_or(String::new(), |parts| format!("{parts}; "));
-    format!("{largest}{parts}faces of A: {a}; of B: {b}{}", doubt(result))
+    let has_changed_faces = result.faces_in(FaceState::Changed).iter().any(|faces| !faces.is_empty());
+    // What decides comes first.
+    let first = match result.state {
+        FaceState::Changed if !has_changed_faces => format!("{parts}{largest}"),
+        _ => format!("{largest}{parts}"),
+    };
+    format!("{first}faces of A: {a}; of B: {b}{}", doubt(result))
 }
 
 /// A line for each face that is not unchanged, those that changed first.
@@ -198,6 +204,13 @@ fn text(result: &DiffResult) -> String {
     }
     for finding in findings(result) {
         let _ = writeln!(out, "{finding}");
+    }
+    if let Some(why) = result.parts_unknown {
+        let why = match why {
+            PartsUnknown::TooMany => "a model has more than 2,000 bodies",
+            _ => "the time was spent before",
+        };
+        let _ = writeln!(out, "parts      not compared, as {why}");
     }
     for part in result.part_lines() {
         let _ = writeln!(out, "part       {part}");

@@ -73,6 +73,37 @@ fn a_clash_is_the_first_line_and_exit_status_1() {
     assert_eq!(found["bodies"].as_array().unwrap().len(), 3);
 }
 
+/// Arrays would be read as the values of an object in their order, and no rules as kept ones.
+#[test]
+fn rules_are_lists_of_objects_by_name() {
+    let path = boxes("rules", &[("shaft", [0.0; 3], [1.0; 3]), ("housing", [0.5, 0.25, 0.25], [2.0; 3])]);
+    let meant = r#"{"intended": [{"a": "shaft", "b": "housing"}]}"#;
+    for (rules, expected) in [
+        (meant.to_owned(), 0),
+        (format!("\u{feff}{meant}"), 0),
+        ("[]".to_owned(), 2),
+        (r#"[[["shaft", "housing"]]]"#.to_owned(), 2),
+        (r#"{"intended": [["shaft", "housing"]]}"#.to_owned(), 2),
+        (r#"{"intended": {}}"#.to_owned(), 2),
+    ] {
+        let file = file("check-rules-kinds.json", &rules);
+        let output = run(&["check", &path, "--rules", &file]);
+        assert_eq!(status(&output), expected, "{rules}");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(expected == 0 || said.contains("OPTION_INVALID"), "{rules}: {said}");
+    }
+}
+
+#[test]
+fn the_tolerance_is_said() {
+    let path =
+        boxes("tolerance", &[("one", [0.0; 3], [1.0; 3]), ("far", [1e6, 0.0, 0.0], [1e6 + 1.0, 1.0, 1.0])]);
+    // A millionth of the diagonal, which a stray body makes long.
+    assert!(text(&run(&["check", &path])).contains("\ntolerance  1, up to which bodies touch\n"));
+    let stated = text(&run(&["check", &path, "--tolerance", "0.015"]));
+    assert!(stated.contains("\ntolerance  0.015, "), "{stated}");
+}
+
 /// A block of side 10 with a pocket of depth 12, whose walls pass through the floor.
 const POCKET: &str = "OFF
 16 14 0
@@ -253,4 +284,24 @@ fn a_file_without_a_unit_is_named() {
     let found = error([&stated, &unknown]);
     assert!(found.contains("check-unknown.json: it states no unit") && found.contains("0.001 m"), "{found}");
     assert_eq!(error([&unknown, &unknown]), "");
+}
+
+/// A copy in its original's place has no face of its own.
+#[test]
+fn a_part_more_is_a_change_that_comes_first() {
+    let (bolt, plate) = (("bolt", [0.0; 3], [1.0; 3]), ("plate", [3.0, 0.0, 0.0], [5.0, 2.0, 1.0]));
+    let before = boxes("parts-before", &[bolt, plate]);
+    let after = boxes("parts-after", &[bolt, plate, ("spare", bolt.1, bolt.2)]);
+    let output = run(&["diff", &before, &after, "--limit", "0.001"]);
+    assert_eq!(status(&output), 1);
+    let said = text(&output);
+    assert!(said.starts_with("CHANGED 0.001: 1 of 3 parts changed: spare added; "), "{said}");
+    assert!(said.contains("12 unchanged, 0 changed"), "{said}");
+    assert_eq!(status(&run(&["diff", &before, &before, "--limit", "0.001"])), 0);
+    let late = run(&["diff", &before, &after, "--limit", "0.001", "--max-seconds", "1e-9"]);
+    assert!(
+        text(&late).contains("\nparts      not compared, as the time was spent before\n"),
+        "{}",
+        text(&late)
+    );
 }
