@@ -4,7 +4,7 @@ use crate::models::{placed, prepared, stretched};
 use nurbs_hausdorff::shapes::{self, shape};
 use nurbs_hausdorff::{
     ClearanceOptions, DVec3, DiffOptions, DistanceOptions, Engine, Facets, Model, OverlapOptions, PointCloud,
-    PreparedModel, StatisticsOptions, TriangleMesh,
+    PreparedModel, ScoreOptions, StatisticsOptions, TriangleMesh,
 };
 
 /// The corners of a box of 1, 2, 3, and triangles between them; of these models only the extents matter.
@@ -85,6 +85,7 @@ fn every_result_of_two_models_says_it() {
         engine.statistics(&a, &b, &StatisticsOptions::default()).wait().unwrap().hint,
         engine.gaps(&a, &b, &nurbs_hausdorff::GapOptions::default()).wait().unwrap().hint,
         engine.overlap(&a, &b, &OverlapOptions::default()).wait().unwrap().hint,
+        engine.score(&a, &b, &ScoreOptions::default()).wait().unwrap().hint,
     ];
     for hint in hints {
         let hint = hint.unwrap();

@@ -3,6 +3,7 @@
 use super::{AREA, SIZE, are, cuboid, deeper, holds, models, score, speck, together, truth, with_thresholds};
 use crate::plate::Plate;
 use nurbs_hausdorff::shapes::sphere;
+use nurbs_hausdorff::trim::FaceArrays;
 use nurbs_hausdorff::{DVec3, Model, PreparedModel, Score, ScoreOptions};
 use nurbs_hausdorff_cad::from_step;
 use std::f64::consts::PI;
@@ -125,6 +126,19 @@ fn a_body_twice_is_not_valid_and_has_half_the_ratios() {
     assert_eq!(found.candidate.duplicates, 12);
 }
 
+/// The face at x = 2 is both bodies', of one surface and turned over in one of them.
+#[test]
+fn bodies_that_lie_flush_are_valid() {
+    let [left, right] = [[0.0; 3], [SIZE[0], 0.0, 0.0]].map(|corner| models::faces(&cuboid(corner, SIZE)));
+    let mut beside = right;
+    let common = left[5].clone();
+    beside[4] = FaceArrays { reversed: true, ..common };
+    let both = together(&[&models::of(left), &models::of(beside)]);
+    let found = score(&both, &both, &with_thresholds(&[0.1]));
+    assert_eq!((found.candidate.duplicates, found.candidate.bodies), (0, 2));
+    is_valid(&found, 1.0);
+}
+
 /// A pocket that is deeper than the cube is high: its floor is outside.
 #[test]
 fn a_body_that_meets_itself_is_not_valid() {
@@ -141,9 +155,7 @@ fn a_body_that_meets_itself_is_not_valid() {
 #[test]
 fn an_open_shell_is_not_valid_and_has_no_volume() {
     let mut faces = models::faces(&cuboid([0.0; 3], SIZE));
-    let is_end = |face: &nurbs_hausdorff::trim::FaceArrays| {
-        face.surface.control_points.iter().all(|point| point[2] == SIZE[2])
-    };
+    let is_end = |face: &FaceArrays| face.surface.control_points.iter().all(|point| point[2] == SIZE[2]);
     faces.retain(|face| !is_end(face));
     assert_eq!(faces.len(), 5);
     let found = score(&models::prepared(&models::of(faces)), &truth(), &with_thresholds(&[0.1]));

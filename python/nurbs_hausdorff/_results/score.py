@@ -38,7 +38,9 @@ class ScoredModel:
     oriented : bool or None
         Whether the normals of all faces point out of their bodies; None where that is not decided.
     duplicates : int
-        Number of faces with the surface and the loops of one before, or of such triangles.
+        Number of faces with the surface and the loops of one before of the same body, and of all
+        faces of bodies that stand where one before stands; of a mesh, of triangles with the corners
+        of one before.
     embedded : bool or None
         Whether all bodies are certainly embedded up to their gaps, or one certainly is not; None
         where neither is known.
@@ -176,6 +178,7 @@ class Score:
     iou: Interval | None = None
     faces: FaceCounts | None = None
     unit: float | None = None
+    hint: str | None = None
 
     def _repr_html_(self) -> str:
         named = [("chamfer", self.chamfer), ("chamfer squared", self.chamfer_squared)]

@@ -55,15 +55,11 @@ impl Counts {
     }
 
     fn count_faces(&mut self, model: &Model) {
-        let mut known: HashMap<[u64; 3], Vec<Face<'_>>> = HashMap::new();
         for face in model.faces() {
             *self.kinds.entry(face.kind().unwrap_or("nurbs").to_owned()).or_default() += 1;
-            let [x, y, z, _] = face.surface().control_points()[0];
-            let alike = known.entry([x, y, z].map(f64::to_bits)).or_default();
-            let is_same = |other: &Face<'_>| other.surface() == face.surface() && other.trim() == face.trim();
-            self.duplicate_faces += usize::from(alike.iter().any(is_same));
-            alike.push(face);
         }
+        let first = first_alike(model).into_iter().enumerate();
+        self.duplicate_faces = first.filter(|(face, first)| face != first).count();
     }
 
     fn count_facets(&mut self, prepared: &PreparedModel) {
@@ -89,4 +85,23 @@ impl Counts {
         }
         self.smallest_edge = shortest.is_finite().then_some(shortest);
     }
+}
+
+/// Returns for each face the first one with the same surface and loops. O(faces) where few begin at one point.
+pub(in crate::engine) fn first_alike(model: &Model) -> Vec<usize> {
+    let mut known: HashMap<[u64; 3], Vec<(usize, Face<'_>)>> = HashMap::new();
+    let mut all = Vec::new();
+    for (index, face) in model.faces().enumerate() {
+        let [x, y, z, _] = face.surface().control_points()[0];
+        let alike = known.entry([x, y, z].map(f64::to_bits)).or_default();
+        let is_same = |(_, other): &&(usize, Face<'_>)| {
+            other.surface() == face.surface() && other.trim() == face.trim()
+        };
+        let first = alike.iter().find(is_same).map(|(first, _)| *first);
+        if first.is_none() {
+            alike.push((index, face));
+        }
+        all.push(first.unwrap_or(index));
+    }
+    all
 }

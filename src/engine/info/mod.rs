@@ -11,6 +11,7 @@ use crate::facts::Facts;
 use crate::model::trim::TrimPiece;
 use crate::model::{Face, Model};
 pub use counts::Counts;
+pub(in crate::engine) use counts::first_alike;
 use glam::DVec3;
 use serde::Serialize;
 

@@ -1,6 +1,7 @@
 //! Facts of both models, compared.
 
 use super::result::{AtAngle, AtThreshold, Difference, EdgesAt, FaceCounts, ScoredModel, SurfaceScore};
+use crate::engine::info::first_alike;
 use crate::engine::statistics::Sums;
 use crate::engine::{Beyond, Body, BodyKind, Counts, DiffResult, FaceDifference, FaceState, PreparedModel};
 use crate::facts::Orientation;
@@ -8,6 +9,7 @@ use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::threads::parallel::map;
 use glam::DVec3;
+use std::collections::{BTreeSet, HashSet};
 
 /// The interval of a part of a whole.
 const PART: Interval = Interval { lower: 0.0, upper: 1.0 };
@@ -21,8 +23,7 @@ impl ScoredModel {
         is_late: &(dyn Fn() -> bool + Sync),
     ) -> Self {
         let (bodies, facts) = (model.bodies(), model.facts());
-        let counts = Counts::of_prepared(model);
-        let duplicates = counts.duplicate_faces + counts.duplicate_triangles;
+        let duplicates = duplicates(model, &bodies);
         let of_kind = |kind| bodies.iter().filter(|body| body.kind == kind).count();
         let closed = !bodies.is_empty() && of_kind(BodyKind::Solid) == bodies.len();
         let oriented = oriented(&bodies);
@@ -47,6 +48,21 @@ impl ScoredModel {
             extents: model.moved_extents(transform).map(Interval::not_negative),
         }
     }
+}
+
+/// Returns the number of faces with the surface and the loops of one before of the same body, and of all faces of bodies
+/// that stand where one before stands; of a mesh, of triangles with the corners of one before. Bodies that lie flush on
+/// each other have a face each there.
+fn duplicates(model: &PreparedModel, bodies: &[Body]) -> usize {
+    let Some(source) = model.source() else { return Counts::of_prepared(model).duplicate_triangles };
+    let first = first_alike(source);
+    let mut known = HashSet::new();
+    let of_body = |body: &Body| {
+        let different: BTreeSet<usize> = body.faces.iter().map(|&face| first[face]).collect();
+        let count = different.len();
+        if known.insert(different) { body.faces.len() - count } else { body.faces.len() }
+    };
+    bodies.iter().map(of_body).sum()
 }
 
 /// Returns whether the normals of all bodies point out of them.

@@ -22,6 +22,10 @@ pub struct Score {
     /// Metres per unit of every length here, if a model states its unit.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unit: Option<f64>,
+    /// What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+    /// units have. Nothing was scaled for it; A is the candidate and B the truth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hint: Option<String>,
     /// The candidate where it was laid.
     pub candidate: ScoredModel,
     /// The truth.
@@ -89,7 +93,8 @@ pub struct ScoredModel {
     pub closed: bool,
     /// Whether the normals of all faces point out of their bodies; `None` where that is not decided.
     pub oriented: Option<bool>,
-    /// The number of faces with the surface and the loops of one before, or of triangles with its corners.
+    /// The number of faces with the surface and the loops of one before of the same body, and of all faces of bodies that
+    /// stand where one before stands; of a mesh, of triangles with the corners of one before.
     pub duplicates: usize,
     /// Whether all bodies are certainly embedded up to their gaps, or one certainly is not; `None` where neither is known.
     pub embedded: Option<bool>,

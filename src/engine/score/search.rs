@@ -68,6 +68,7 @@ impl Engine {
         let prepare = opened.clock().seconds();
         let pair = Pair::new(self, [candidate, truth], placement.transform, options, opened.clock());
         let mut found = pair.begun(placement);
+        found.hint = opened.hint();
         let mut known = pair.known_of(&found);
         let steps = [Step::Surfaces, Step::Normals, Step::Edges, Step::Hausdorff, Step::Overlap, Step::Faces];
         let (required, others): (Vec<_>, Vec<_>) =
@@ -179,6 +180,7 @@ impl<'a> Pair<'a> {
             placement,
             diagonal: self.diagonal,
             unit: self.candidate.unit().or(self.truth.unit()),
+            hint: None,
             volume: compared(candidate.volume, truth.volume),
             area: compared(candidate.area, truth.area),
             centroid_distance: centroids.map(|(one, other)| parts::distance(one, other)),

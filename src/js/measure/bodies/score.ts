@@ -182,6 +182,11 @@ export interface Score {
   diagonal: number;
   /** Metres per unit of every length, if a model states its unit. */
   unit?: number;
+  /**
+   * What may be wrong with the units: that one model states none, or that the extents agree after a factor that two
+   * units have. Nothing was scaled for it; A is the candidate and B the truth.
+   */
+  hint?: string;
   candidate: ScoredModel;
   truth: ScoredModel;
   volume?: Difference;

@@ -75,6 +75,9 @@ fn first(score: &Score) -> String {
 
 /// Writes the lines below the first.
 fn lines(out: &mut String, score: &Score) -> Result {
+    if let Some(hint) = &score.hint {
+        writeln!(out, "{:<17} {hint}", "hint")?;
+    }
     placement(out, &score.placement)?;
     model(out, "candidate", &score.candidate)?;
     model(out, "truth", &score.truth)?;
