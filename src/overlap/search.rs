@@ -184,7 +184,10 @@ impl<'a> Search<'a> {
         let undecided: Vec<&Undecided<'_>> = self.queue.iter().chain(&self.stuck).collect();
         let volumes = map(undecided.len(), |index| self.looking.value(undecided[index]));
         let sum = volumes.into_iter().fold(self.decided, |sum, volume| sum + volume);
-        let [a, b] = &self.looking.pair.solids;
+        let Pair { solids: [a, b], margins, change, .. } = self.looking.pair;
+        if !a.aabb.grown(margins[0]).meets(&b.aabb) {
+            return Some(Interval { lower: 0.0, upper: *change });
+        }
         let most = if a.volume.upper < b.volume.upper { a.volume.upper } else { b.volume.upper };
         (sum.lower <= most && sum.upper >= 0.0).then(|| sum.clamped(0.0, most))
     }

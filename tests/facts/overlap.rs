@@ -99,6 +99,17 @@ fn bodies_within_and_beside_each_other_take_no_width() {
     assert_eq!(found.volumes.unwrap().intersection.lower, 0.0);
 }
 
+/// The volumes of parts of cones from a point far from both are known to few digits, and boxes tell.
+#[test]
+fn bodies_that_are_far_apart_have_nothing_in_common() {
+    let near = prepared(&box_of_faces(DVec3::ZERO, DVec3::ONE));
+    for x in [1.5, 1e3, 1e6] {
+        let far = prepared(&box_of_faces(DVec3::new(x, 0.0, 0.0), DVec3::new(x + 1.0, 1.0, 1.0)));
+        let common = overlap(&near, &far, 1e-3).volumes.unwrap().intersection;
+        assert_eq!((common.lower, common.upper), (0.0, 0.0), "{x}");
+    }
+}
+
 #[test]
 fn a_body_and_itself_have_the_ratio_1() {
     for model in
