@@ -5,6 +5,8 @@ from __future__ import annotations
 import io
 import json
 import os
+import re
+import tempfile
 from collections.abc import Iterable, Mapping
 from typing import Any, BinaryIO
 
@@ -68,7 +70,8 @@ def model(part: Any) -> Model:
     Parameters
     ----------
     part : Model, path, bytes, file object, shape, mapping, iterable of mappings, mesh or array
-        A shape of build123d, CadQuery or OCP; interchange JSON as a mapping, or its surfaces:
+        A shape of build123d, CadQuery or OCP, or an assembly of CadQuery, with the names of its
+        parts; interchange JSON as a mapping, or its surfaces:
         ``degree`` (2,), ``knots_u``, ``knots_v``, and ``ctrl`` of shape (m, n, 4) with weights
         that are not multiplied in, or (m, n, 3); the arrays may be NumPy's. A mesh or a scene of
         trimesh, a mesh of meshio, a mesh, grid or blocks of pyvista, or a pair of vertices (n, 3)
@@ -88,6 +91,8 @@ def model(part: Any) -> Model:
     if isinstance(part, Mapping):
         document = part if "surfaces" in part else {"surfaces": [part]}
         return _of_arrays(document)
+    if hasattr(part, "toCompound") and callable(getattr(part, "save", None)):
+        return Model(_step_text(part), type(part).__name__)
     shape = _ocp_shape(part)
     if shape is not None:
         return Model(_brep_text(shape), type(part).__name__)
@@ -152,6 +157,25 @@ def _ocp_shape(part: Any) -> Any:
         part = part.part
     shape = getattr(part, "wrapped", part)
     return shape if type(shape).__module__.startswith("OCP.") else None
+
+
+#: Names that CadQuery gives to what has none, new ones at each run.
+_GIVEN_NAME = re.compile(rb"[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}")
+
+
+def _step_text(assembly: Any) -> bytes:
+    """Return the STEP file of an assembly of CadQuery, whose compound has no names."""
+    export = getattr(assembly, "export", None) or assembly.save
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "assembly.step")
+        export(path)
+        content = _bytes(path)
+    numbers: dict[bytes, int] = {}
+
+    def numbered(found: re.Match[bytes]) -> bytes:
+        return b"part %d" % numbers.setdefault(found[0], len(numbers) + 1)
+
+    return _GIVEN_NAME.sub(numbered, content)
 
 
 def _compound(shapes: list[Any]) -> Any:

@@ -46,6 +46,24 @@ def test_stacks_and_assemblies_of_cadquery_are_read():
     assert model.face_count == 12 and model.bounding_box.tolist() == [[-0.5] * 3, [3.5, 0.5, 0.5]]
 
 
+def test_assemblies_of_cadquery_have_the_names_of_their_parts():
+    def pump(*names):
+        parts = cq.Assembly(name="pump")
+        for index, name in enumerate(names):
+            place = cq.Location((0.5 * index, 0, 0))
+            parts.add(cq.Workplane().box(1, 1, 1), name=name, loc=place)
+        return parts
+
+    found = nh.check(pump("housing", "shaft"))
+    assert {found.pairs[0].a, found.pairs[0].b} == {"pump / housing", "pump / shaft"}
+    rules = {"intended": [{"a": "**/housing", "b": "**/shaft"}]}
+    assert nh.check(pump("housing", "shaft"), rules=rules).clean
+    with pytest.raises(AssertionError, match="spindle"):
+        nh.testing.assert_same_assembly(pump("housing", "shaft"), pump("housing", "spindle"), limit=1e-3)
+    # What CadQuery names by itself has another name at each run, and the same number.
+    nh.testing.assert_same_assembly(pump(None, None), pump(None, None), limit=1e-3)
+
+
 def test_files_written_by_ocp_are_what_was_written(tmp_path):
     from OCP.BRepPrimAPI import BRepPrimAPI_MakeCylinder
     from OCP.IFSelect import IFSelect_ReturnStatus
