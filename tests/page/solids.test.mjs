@@ -109,4 +109,26 @@ test("a clash is shown as one", async () => {
   await page.locator("#clearance-start").click();
 });
 
+test("a report has the clearance and the faces that come near, while they are shown", async () => {
+  const { page } = opened;
+  // Cubes of ±1 about 4 and of ±1.5.
+  await opened.until("done", () => page.locator("#move-x-exact").fill("4"));
+  const report = async () => (await exported("#export-report")).toString();
+  assert.ok(!(await report()).includes("Clearance and clash"));
+  await page.locator("#below").fill("2");
+  await page.locator("#clearance-start").click();
+  await page.locator('#clearance[data-meeting="apart"]').waitFor();
+  const [, table] = (await report()).split("Clearance and clash");
+  const intervals = [...table.split("</table>")[0].matchAll(/\[([\d.e-]+), ([\d.e-]+)\]<\/td>/g)];
+  assert.ok(intervals.length > 1, table);
+  for (const [, lower, upper] of intervals) {
+    assert.ok(
+      Number(lower) <= 1.5 && 1.5 <= Number(upper) && Number(upper) < 1.51,
+      `${lower}, ${upper}`,
+    );
+  }
+  await page.locator("#clearance-start").click();
+  assert.ok(!(await report()).includes("Clearance and clash"));
+});
+
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

@@ -5,6 +5,7 @@ import { BufferAttribute, BufferGeometry } from "three";
 import { moduleOf } from "../support/module.mjs";
 
 const { FaceColors } = await moduleOf("scene/faces.ts");
+const { ModelMesh } = await moduleOf("scene/mesh.ts");
 
 test("faces that are hidden after they were coloured are no longer drawn, and drawn again", () => {
   const source = new BufferGeometry();
@@ -29,4 +30,24 @@ test("faces that are hidden after they were coloured are no longer drawn, and dr
   colors.hidden = new Set([0]);
   assert.equal(drawn(), 3);
   assert.equal(colors.mesh.visible, true);
+});
+
+test("triangles of a mesh are flat in all their colours, and surfaces are smooth", () => {
+  for (const isMesh of [true, false]) {
+    const tessellation = {
+      ...{ positions: new Float32Array(9), normals: new Float32Array(9), origin: [0, 0, 0] },
+      ...{ indices: new Uint32Array([0, 1, 2]), faces: [{ firstIndex: 0, indexCount: 3 }] },
+    };
+    const model = {
+      ...{ tessellation, isMesh, faceCount: 1, outline: { edges: new Uint32Array() } },
+      bounds: { min: [0, 0, 0], max: [1, 1, 1] },
+    };
+    const { group } = new ModelMesh(model, "a", "#2b78bd", null);
+    const shaded = [];
+    group.traverse(({ material = [] }) => {
+      shaded.push(...[material].flat().filter((one) => "flatShading" in one));
+    });
+    assert.ok(shaded.length > 7, `${shaded.length}`);
+    assert.ok(shaded.every(({ flatShading }) => flatShading === isMesh));
+  }
 });

@@ -96,7 +96,7 @@ function connectMeasurement({ client, places }: Parts, measurement: Measurement)
 }
 
 function connectFiles(parts: Parts, measurement: Measurement, opening: Opening): void {
-  const { view, views, faces, places, client, facts, overlap, check } = parts;
+  const { view, views, faces, places, client, facts, overlap, check, clearance } = parts;
   element("load-cancel").addEventListener("click", () => opening.stop());
   element("forget").addEventListener("click", () => opening.forget());
   onShownUnit(() => {
@@ -113,9 +113,9 @@ function connectFiles(parts: Parts, measurement: Measurement, opening: Opening):
       ...{ pins: view.pins.probes, result: view.result, models: view.models.drawn },
       measures: parts.measureList.exported,
       ...{ facts: facts.found, overlap: overlap.result, check: check.result },
-      tables: [parts.measureList, parts.annotationList, faces, facts, overlap, check].flatMap(
-        ({ tables }) => tables,
-      ),
+      tables: [
+        ...[parts.measureList, parts.annotationList, faces, facts, overlap, check, clearance],
+      ].flatMap(({ tables }) => tables),
       ...{ requestCsv: () => client.csv(), places: places.all },
     }),
   );

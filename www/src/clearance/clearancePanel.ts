@@ -2,6 +2,7 @@
 
 import type { ClearanceResult, FaceGap, GapsResult } from "nurbs-hausdorff";
 import { element, fillList } from "../common/elements.ts";
+import type { ReportTable } from "../common/tables.ts";
 import { placeName } from "../common/text/names.ts";
 import { certifiedText, intervalText } from "../common/text/numbers.ts";
 import { commonUnit } from "../files/units.ts";
@@ -37,6 +38,7 @@ export interface ClearanceListener {
 
 export class ClearancePanel {
   readonly #listener: ClearanceListener;
+  #shown: ShownClearance | undefined;
 
   constructor(listener: ClearanceListener) {
     this.#listener = listener;
@@ -56,6 +58,23 @@ export class ClearancePanel {
   get below(): number {
     const value = below.valueAsNumber;
     return Number.isFinite(value) && value >= 0 ? value : 0;
+  }
+
+  /** The least distance, and the pairs of faces that come near each other, while they are shown. */
+  get tables(): ReportTable[] {
+    if (this.#shown === undefined) return [];
+    const { clearance, gaps, meeting } = this.#shown;
+    const { lower, upper, diagonal } = clearance;
+    const pairs = gaps?.pairs.slice(0, MAX_PAIRS) ?? [];
+    const rows = [
+      [sentence(clearance, meeting), intervalText(lower, upper, diagonal)],
+      ...pairs.map(({ lower, upper, witness: { a, b } }) => [
+        texts.bodies.aAndB(placeName(a), placeName(b)),
+        intervalText(lower, upper, diagonal),
+      ]),
+    ];
+    const head = [texts.bodies.faces, texts.bodies.distanceIn(commonUnit())];
+    return [{ title: texts.bodies.clearanceAndClash, head, rows }];
   }
 
   /** Ends the mode. */
@@ -94,10 +113,12 @@ export class ClearancePanel {
     text.textContent = sentence(clearance, meeting);
     const pairs = gaps?.pairs ?? [];
     fillList(list, pairs, MAX_PAIRS, (pair) => this.#row(pair, clearance.diagonal));
-    return { clearance, gaps, meeting };
+    this.#shown = { clearance, gaps, meeting };
+    return this.#shown;
   }
 
   #clear(message: string): void {
+    this.#shown = undefined;
     delete section.dataset.meeting;
     text.textContent = message;
     list.replaceChildren();

@@ -112,12 +112,13 @@ export class ModelMesh {
     this.#triangles = new Mesh(geometry, new MeshBasicMaterial(TRIANGLES));
     this.#triangles.visible = false;
     this.#triangles.renderOrder = 3;
-    for (const material of [this.#satin, this.#glass, paint]) {
-      if ("flatShading" in material) material.flatShading = model.isMesh;
-    }
     this.#painted.visible = false;
     this.#painted.renderOrder = 2;
     this.#faces = new FaceColors(geometry, model.tessellation, side, color);
+    // Triangles of a mesh are flat, however they are coloured.
+    for (const material of this.#materials()) {
+      if ("flatShading" in material) material.flatShading = model.isMesh;
+    }
     this.group.add(
       ...[this.#surface, this.#painted, this.#faces.mesh],
       ...[this.#outline, this.#triangles],

@@ -57,6 +57,10 @@ export const bodies = {
   withTheGapsOfThe: (value: string) => `; with the gaps of the files in ${value}`,
   apartByIn: (size: string, unit: string, lower: string, open: string, places: string) =>
     `Apart by ${size}${unit}, in ${lower}${open}: ${places}.`,
+  clearanceAndClash: "Clearance and clash",
+  faces: "Faces",
+  distanceIn: (unit: string | undefined) =>
+    unit === undefined ? "Least distance" : `Least distance, ${unit}`,
   computing: "computing…",
   factsOfTheFilesAs: "Facts of the files as they are",
   facts: (title: string) => `Facts: ${title}`,
