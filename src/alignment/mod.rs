@@ -11,6 +11,7 @@ mod freedoms;
 mod largest;
 mod mean;
 mod moments;
+mod near_symmetries;
 mod poses;
 mod samples;
 mod search;
@@ -19,9 +20,12 @@ pub(crate) use by_hand::by_datums;
 pub use by_hand::{Datum, DatumFit, Feature, PointPair};
 pub(crate) use field::{Field, FootField, Place, Residual, direction_from_facet, foot_on_patches};
 pub(crate) use freedoms::Freedoms;
-pub(crate) use largest::{BoxSearch, Cell, Chart, Clear, Clearance, Contacts, Goal, LargestFit, contacts};
+pub(crate) use largest::{
+    BoxSearch, Cell, Chart, Clear, Clearance, Contacts, Goal, LargestFit, Reach, contacts,
+};
 pub use mean::Robust;
 pub(crate) use mean::{LocalFit, Loss, MAX_OUTLIERS, Step};
+pub(crate) use near_symmetries::near_symmetries;
 pub(crate) use poses::{Candidate, distinct};
 pub(crate) use samples::Samples;
 pub(crate) use search::{Search, principal_poses, random_residual};

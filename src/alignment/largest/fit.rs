@@ -32,6 +32,14 @@ const GOOD: f64 = 0.75;
 /// The predicted decrease that is nothing, as a part of the largest distance.
 const LEAST_GAIN: f64 = 1e-7;
 
+/// How far a fit may go from its first pose: heights on one side have no least value where A can leave B.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reach {
+    pub(crate) radians: f64,
+    /// Of A's centre.
+    pub(crate) shift: f64,
+}
+
 /// The state of a fit.
 pub(crate) struct LargestFit<F> {
     field: F,
@@ -41,6 +49,8 @@ pub(crate) struct LargestFit<F> {
     pub(crate) radius: f64,
     freedoms: Freedoms,
     pub(crate) motion: RigidTransform,
+    first: RigidTransform,
+    reach: Option<Reach>,
     residuals: Vec<Residual>,
     places: Vec<Place>,
     largest: f64,
@@ -70,6 +80,8 @@ impl<F: Field> LargestFit<F> {
             radius,
             freedoms: freedoms.clone(),
             motion,
+            first: motion,
+            reach: None,
             residuals: Vec::new(),
             places: Vec::new(),
             largest: f64::INFINITY,
@@ -79,6 +91,19 @@ impl<F: Field> LargestFit<F> {
         };
         fit.join()?;
         Some(fit)
+    }
+
+    /// Stays within a reach of the first pose.
+    pub(crate) fn within(self, reach: Reach) -> Self {
+        Self { reach: Some(reach), ..self }
+    }
+
+    fn is_reached(&self, motion: &RigidTransform) -> bool {
+        self.reach.is_none_or(|Reach { radians, shift }| {
+            let cosine = self.first.rotation().dot(motion.rotation()).abs().min(1.0);
+            let [from, to] = [&self.first, motion].map(|one| one.apply(self.center));
+            2.0 * cosine.acos() <= radians && from.distance(to) <= shift
+        })
     }
 
     /// Returns the centre of turns.
@@ -175,6 +200,10 @@ impl<F: Field> LargestFit<F> {
         }
         let step = without_idle(&rows, solution.step);
         let motion = self.freedoms.followed(&self.motion, &step, (self.center(), self.radius));
+        if !self.is_reached(&motion) {
+            self.trust *= 0.25;
+            return Step::Shorter;
+        }
         let next = residuals(&self.field, &self.counted, &self.places, &motion);
         let Some((found, places)) = next else { return Step::Converged };
         let gained = self.largest - Self::largest_of(&found).unwrap_or(f64::INFINITY);

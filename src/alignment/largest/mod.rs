@@ -12,5 +12,5 @@ mod search;
 pub(crate) use bound::{Clear, Clearance, Contacts};
 pub(crate) use chart::{Cell, Chart};
 pub(crate) use contacts::contacts;
-pub(crate) use fit::LargestFit;
+pub(crate) use fit::{LargestFit, Reach};
 pub(crate) use search::{BoxSearch, Goal};

@@ -241,9 +241,11 @@ impl<'a> Pair<'a> {
         let largest = if let Some(counted) = Counted::of(self.options.norm) {
             let signs = SignSource::new(self.b, 0.0);
             let side = self.one_side(signs.rule(), counted)?;
+            let farthest = fit.counted().map(|one| one.distance).fold(0.0, f64::max);
             let field = OneSideField { foot: self.field, rule: side.rule, counted, size: side.to.size };
             let largest = LargestFit::new(field, &self.chosen.samples, freedoms, smallest, fit.motion)
-                .ok_or(Error::EmptyModel)?;
+                .ok_or(Error::EmptyModel)?
+                .within(self.options.zone.reach(self.diagonal, farthest));
             let points = self.a.fit_samples(self.options.samples, self.options.sampling).points;
             self.zone_pair(To::One(side, points)).fit(largest, freedoms, progress).await?
         } else if self.options.norm == FitNorm::Largest {

@@ -3,10 +3,16 @@
 use super::selection::Selection;
 use super::start::Start;
 use super::{EXACT, FitPose, Pair, SEARCH_GAP, SEARCH_SHARE};
-use crate::alignment::{Candidate, FootField, LocalFit, Loss, MAX_OUTLIERS, Robust, Search, distinct};
+use crate::alignment::{
+    Candidate, FootField, LocalFit, Loss, MAX_OUTLIERS, Robust, Samples, Search, distinct, near_symmetries,
+};
 use crate::error::{Error, Result};
 use crate::model::RigidTransform;
 use crate::progress::Progress;
+use crate::sorting::sort_by_number;
+use crate::threads::MaybeSync;
+use crate::threads::parallel::map;
+use glam::DVec3;
 
 /// The factor of the best residual up to which another pose counts as a fit too.
 const AMBIGUOUS: f64 = 2.0;
@@ -19,6 +25,17 @@ const CHOSEN_STEPS: usize = 12;
 
 /// The part by which another pose has to be better than the fit near the given one.
 const NEARLY_EQUAL: f64 = 0.02;
+
+/// The distance, in residuals, from which on samples are far off beside the others, and the largest number of those that
+/// are looked at.
+const FAR: f64 = 6.0;
+const MOST_FAR: usize = 64;
+
+/// The number of poses, of those that differ by what is nearly a symmetry, that take some steps, these steps, and the number
+/// of those that are fitted: a ring of 36 bores has as many on both sides.
+const MOST_TRIED: usize = 72;
+const NEAR_SYMMETRY_STEPS: usize = 4;
+const MOST_FITTED: usize = 4;
 
 /// The poses that a search found, the best first, with the number of starts.
 pub(super) struct Found {
@@ -43,7 +60,7 @@ impl<'a> Pair<'a> {
         progress.checkpoint(search.done()).await?;
         let (poses, tried) = (search.best(), search.tried());
         if !self.options.selects() {
-            return Ok(Found { poses, tried });
+            return Ok(Found { poses: self.told_apart(poses)?, tried });
         }
         let mut of_chosen = Vec::with_capacity(poses.len());
         for pose in &poses {
@@ -55,6 +72,55 @@ impl<'a> Pair<'a> {
         Ok(Found { poses: distinct(of_chosen, &self.chosen.compared, poses.len()), tried })
     }
 
+    /// Tells poses apart that fit nearly alike: their residuals are those of all samples, as what breaks a symmetry may have
+    /// few of the thousands that they were compared by. Where the best leaves samples far off, poses that differ from it
+    /// by what is nearly a symmetry are tried by these.
+    fn told_apart(&self, poses: Vec<Candidate>) -> Result<Vec<Candidate>> {
+        let Some(best) = poses.first() else { return Ok(poses) };
+        let exact = EXACT * self.diagonal;
+        let most = AMBIGUOUS * best.rms + exact;
+        let count = poses.len();
+        let (alike, mut others): (Vec<_>, Vec<_>) = poses.into_iter().partition(|one| one.rms <= most);
+        let field = self.whole.up_to(SEARCH_GAP * self.diagonal);
+        let (all, compared, loss) = (&self.all, &self.chosen.compared, self.options.loss());
+        let fit = |samples, motion| self.local_by(loss, field, samples, 0.0, motion);
+        let by_all = |motion| Ok(Candidate { motion, rms: fit(all, motion)?.rms() });
+        let mut known = measured(motions(&alike), by_all)?;
+        sort_by_number(&mut known, |one| one.rms);
+        let Some(best) = known.first() else { return Ok(others) };
+        let far = self.far_samples(&fit(all, best.motion)?, exact);
+        if loss.outliers == 0.0 && !far.is_empty() {
+            let few = with_points(&compared.thinned(far.len()), &far);
+            let many = with_points(compared, &far);
+            let by_few = |motion| Ok(Candidate { motion, rms: fit(&few, motion)?.rms() });
+            let tried = distinct(measured(near_symmetries(&known, all), by_few)?, compared, MOST_TRIED);
+            // Which of the others the samples far off fit as well, further steps tell.
+            let mut fitted = measured(motions(&tried), |motion| {
+                let mut near = fit(&many, motion)?;
+                near.run(NEAR_SYMMETRY_STEPS);
+                Ok(Candidate { motion: near.motion, rms: near.rms() })
+            })?;
+            sort_by_number(&mut fitted, |one| one.rms);
+            fitted.truncate(MOST_FITTED);
+            let refined = measured(motions(&fitted), |motion| {
+                let mut near = fit(&many, motion)?;
+                near.run(CHOSEN_STEPS);
+                by_all(near.motion)
+            })?;
+            known.extend(refined);
+        }
+        known.append(&mut others);
+        Ok(distinct(known, compared, count))
+    }
+
+    /// Returns the farthest samples of a fit, of those that are far off beside all; none of one that is exact.
+    fn far_samples(&self, fit: &LocalFit<'_, FootField<'_>>, exact: f64) -> Vec<DVec3> {
+        let least = if fit.rms() > exact { FAR * fit.rms() } else { f64::INFINITY };
+        let mut far: Vec<_> = fit.counted().filter(|one| one.distance > least).collect();
+        sort_by_number(&mut far, |one| -one.distance);
+        far.into_iter().take(MOST_FAR).map(|one| one.point).collect()
+    }
+
     /// Returns the fit that the steps continue: that from the first pose unless a pose that was found is better by
     /// more than rounding.
     pub(super) fn best_start(&self, found: &Found, start: &Start) -> Result<LocalFit<'_, FootField<'a>>> {
@@ -64,7 +130,7 @@ impl<'a> Pair<'a> {
         let Some(best) = found.poses.first() else { return given() };
         let mut near = self.local(compared, smallest, start.motion)?;
         near.run(NEAR_STEPS);
-        if near.residual() <= self.as_good_as(best) {
+        if self.local(samples, smallest, near.motion)?.residual() <= self.as_good_as(best) {
             return given();
         }
         self.local(samples, smallest, best.motion)
@@ -116,4 +182,23 @@ impl<'a> Pair<'a> {
         let poses = others.map(|Candidate { motion, rms }| FitPose { transform: motion, rms });
         Ok((poses.collect(), is_only))
     }
+}
+
+fn motions(candidates: &[Candidate]) -> Vec<RigidTransform> {
+    candidates.iter().map(|one| one.motion).collect()
+}
+
+/// Returns what is measured of each motion, on all cores.
+fn measured(
+    motions: Vec<RigidTransform>,
+    measure: impl Fn(RigidTransform) -> Result<Candidate> + MaybeSync,
+) -> Result<Vec<Candidate>> {
+    map(motions.len(), |index| measure(motions[index])).into_iter().collect()
+}
+
+/// Returns samples with further points, each of which weighs as much as one of them.
+fn with_points(samples: &Samples, more: &[DVec3]) -> Samples {
+    let points: Vec<DVec3> = samples.points.iter().chain(more).copied().collect();
+    let weights = vec![1.0; points.len()];
+    Samples::new(points, weights)
 }

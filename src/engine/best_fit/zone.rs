@@ -3,7 +3,7 @@
 use super::clear::ToModel;
 use super::one_side::OneSide;
 use crate::alignment::{
-    BoxSearch, Cell, Chart, Clearance, Contacts, Field, Freedoms, Goal, LargestFit, Step, contacts,
+    BoxSearch, Cell, Chart, Clearance, Contacts, Field, Freedoms, Goal, LargestFit, Reach, Step, contacts,
 };
 use crate::engine::options::at_least_zero;
 use crate::engine::section::Section;
@@ -69,6 +69,17 @@ impl Default for ZoneOptions {
 }
 
 impl ZoneOptions {
+    /// Returns how far from the fit in the mean one of one side may go: as far as the box reaches from a pose, and twice as
+    /// far as samples are from B, by which a fit in the mean of points within a body may be off. Turns are those of the
+    /// largest box, as points within a body may be turned to its boundary.
+    pub(super) fn reach(&self, diagonal: f64, farthest: f64) -> Reach {
+        Reach { radians: MAX_DEGREES.to_radians(), shift: self.shift(diagonal) + 2.0 * farthest }
+    }
+
+    fn shift(&self, diagonal: f64) -> f64 {
+        self.translation.unwrap_or(DEFAULT_TRANSLATION * diagonal)
+    }
+
     /// `signed` distances may have a limit below 0.
     pub(super) fn validate(&self, signed: bool) -> Result<()> {
         match self.limit {
@@ -234,8 +245,8 @@ impl ZonePair<'_> {
         upper: f64,
         progress: &mut Progress<'_>,
     ) -> Result<Zone> {
-        let ZoneOptions { translation, degrees, limit, max_boxes } = *self.options;
-        let translation = translation.unwrap_or(DEFAULT_TRANSLATION * self.diagonal);
+        let ZoneOptions { degrees, limit, max_boxes, .. } = *self.options;
+        let translation = self.options.shift(self.diagonal);
         let cell = chart.cell(degrees.to_radians() * (1.0 + f64::EPSILON), translation);
         let chosen = contacts(&fit.rows(), &cell.half);
         let mut points = fit.points_of(&chosen);

@@ -22,10 +22,14 @@ pub(crate) fn bounded(value: f64, ends: [f64; 2]) -> String {
 
 /// Returns the same, of ends that are rounded to no other side of a limit.
 pub(crate) fn bounded_beside(limit: Option<f64>, value: f64, ends: [f64; 2]) -> String {
-    let [lower, upper] = ends;
+    format!("{} ({})", within(value, ends), interval_beside(limit, ends))
+}
+
+/// Returns the interval with its ends rounded outwards, to no other side of a limit.
+pub(crate) fn interval_beside(limit: Option<f64>, [lower, upper]: [f64; 2]) -> String {
     let room = |beside: f64| if beside > 0.0 { beside } else { f64::INFINITY };
     let rooms = limit.map_or([f64::INFINITY; 2], |limit| [room(lower - limit), room(limit - upper)]);
-    format!("{} ({})", within(value, ends), rounded_ends(ends, rooms))
+    rounded_ends([lower, upper], rooms)
 }
 
 /// Returns the number with the fewest digits that lies in the interval and rounds `value`: `0.2`.

@@ -1,5 +1,6 @@
 //! Fits from poses over all rotations, of parts whose pose is known.
 
+mod near_symmetries;
 mod one_side;
 mod selection;
 mod zone;

@@ -1,7 +1,7 @@
 //! Zones on one side whose least largest distance is known.
 
 use super::super::*;
-use super::cloud;
+use super::{cloud, fit, prepared};
 use crate::facets::{Facets, TriangleMesh};
 use crate::shapes::shape;
 use glam::{DQuat, DVec3};
@@ -107,4 +107,27 @@ fn one_side_needs_a_scan_and_a_body() {
     with_limit.zone.limit = Some(f64::NAN);
     with_limit.norm = FitNorm::Inside;
     assert!(Engine::cpu().best_fit(&scan, &ball, &with_limit).wait().is_err());
+}
+
+/// Half a unit above the top of a ball, and nothing beside it: the points could leave the ball for ever.
+#[test]
+fn a_fit_on_one_side_stays_in_reach() {
+    let ball = prepared("sphere");
+    let size = ball.bounding_box();
+    let radius = 0.5 * (size.max.z - size.min.z);
+    let above = |index: usize| {
+        let angle = 2.4 * index as f64;
+        let across = 0.3 * (index as f64 / 400.0).sqrt();
+        (radius + 0.5)
+            * DVec3::new(across * angle.cos(), across * angle.sin(), (1.0 - across * across).sqrt())
+    };
+    let points = cloud((0..400).map(above).collect());
+    let zone = ZoneOptions { translation: Some(0.25), degrees: 2.0, limit: Some(-3.0), max_boxes: 500 };
+    let options =
+        BestFitOptions { norm: FitNorm::Inside, zone, start: FitStart::Given, ..BestFitOptions::default() };
+    let found = fit(&points, &ball, &options);
+    let moved = found.transform.apply(above(0)).distance(above(0));
+    // The fit in the mean lays the points on the ball.
+    assert!(moved < 2.0, "{found:?}");
+    assert_eq!(found.zone.unwrap().passes, Some(false), "{found:?}");
 }

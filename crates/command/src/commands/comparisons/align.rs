@@ -4,7 +4,7 @@ use super::asked::answered;
 use crate::arguments::comparisons::align::AlignArguments;
 use crate::arguments::models::Placement;
 use crate::failure::Failure;
-use crate::output::digits::{coordinates, interval, number};
+use crate::output::digits::{coordinates, interval_beside, number};
 use crate::output::json::{Asked, OfFiles, print_json};
 use crate::output::print;
 use crate::reports::Verdict;
@@ -31,7 +31,7 @@ pub(crate) fn run(arguments: &AlignArguments) -> Result<u8, Failure> {
         let diagonal = a.prepared.bounding_box().diagonal();
         let mut text = String::new();
         // Writing to a string does not fail.
-        let _ = lines(&mut text, &fit, (arguments.side(), diagonal));
+        let _ = lines(&mut text, &fit, (arguments.side(), arguments.limit, diagonal));
         let _ = next_command(&mut text, arguments, &fit);
         print(&text)?;
     }
@@ -98,8 +98,12 @@ fn motion(transform: &RigidTransform, diagonal: f64) -> String {
     format!("turned by {}° about {}, moved by {by}", estimate(degrees), coordinates(axis, 1.0))
 }
 
-/// Writes a fit of a model of this diagonal whose zone is of one side, if any is named.
-fn lines(out: &mut String, fit: &BestFit, (side, diagonal): (&str, f64)) -> std::fmt::Result {
+/// Writes a fit of a model of this diagonal whose zone is of one side, if any is named, beside a limit.
+fn lines(
+    out: &mut String,
+    fit: &BestFit,
+    (side, limit, diagonal): (&str, Option<f64>, f64),
+) -> std::fmt::Result {
     let word = if fit.converged { "FITTED" } else { "NOT FITTED" };
     let [rms, before, random] = [fit.rms, fit.rms_before, fit.rms_random].map(estimate);
     let counted = if fit.counted < fit.samples {
@@ -115,7 +119,7 @@ fn lines(out: &mut String, fit: &BestFit, (side, diagonal): (&str, f64)) -> std:
         )?;
     }
     writeln!(out, "motion     {}", motion(&fit.transform, diagonal))?;
-    zone_lines(out, fit, side)?;
+    zone_lines(out, fit, (side, limit))?;
     if !fit.taken.is_empty() {
         let taken: Vec<String> = fit.taken.iter().map(usize::to_string).collect();
         writeln!(out, "datums     take {} of six freedoms", taken.join(", "))?;
@@ -139,11 +143,11 @@ fn lines(out: &mut String, fit: &BestFit, (side, diagonal): (&str, f64)) -> std:
 }
 
 /// Writes the interval of the least largest distance.
-fn zone_lines(out: &mut String, fit: &BestFit, side: &str) -> std::fmt::Result {
+fn zone_lines(out: &mut String, fit: &BestFit, (side, limit): (&str, Option<f64>)) -> std::fmt::Result {
     writeln!(out, "largest    {} of the samples", estimate(fit.largest))?;
     let Some(zone) = &fit.zone else { return Ok(()) };
     let proof = if fit.zone_proven == Some(true) { "" } else { ", which is not proven to be the least" };
-    writeln!(out, "zone       {}{side}{proof}", interval([zone.lower, zone.upper]))?;
+    writeln!(out, "zone       {}{side}{proof}", interval_beside(limit, [zone.lower, zone.upper]))?;
     let words = match zone.passes {
         Some(true) => "the pose found is within the limit",
         Some(false) => "no motion of the box is within the limit",
