@@ -148,9 +148,7 @@ def _plain(value: Any) -> Any:
 
 def _ocp_shape(part: Any) -> Any:
     """Return the shape of OCP that a part has, or None."""
-    if hasattr(part, "toCompound"):
-        part = part.toCompound()
-    elif callable(getattr(part, "vals", None)):
+    if callable(getattr(part, "vals", None)):
         return _compound([_ocp_shape(value) for value in part.vals()])
     elif hasattr(part, "part") and hasattr(part, "_obj"):
         # A builder of build123d.
@@ -159,7 +157,7 @@ def _ocp_shape(part: Any) -> Any:
     return shape if type(shape).__module__.startswith("OCP.") else None
 
 
-#: Names that CadQuery gives to what has none, new ones at each run.
+#: Names that CadQuery gives to parts without one. They differ at each run.
 _GIVEN_NAME = re.compile(rb"[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}")
 
 

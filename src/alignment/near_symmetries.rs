@@ -1,4 +1,4 @@
-//! Poses that differ from found ones by what is nearly a symmetry of A: a cube with a small notch, a disc with a pin.
+//! Candidate poses by near symmetries of A, such as the rotations of a cube with a small notch and of a disc with a pin.
 
 use super::moments::Principal;
 use super::poses::Candidate;
@@ -7,19 +7,22 @@ use crate::model::RigidTransform;
 use glam::{DQuat, DVec3};
 use std::f64::consts::TAU;
 
-/// The number of turns about each principal axis: at a distance r from it they are r / 19 apart, about what a fit from there
-/// closes.
+/// The number of rotations about each principal axis. A point at the distance r from the axis moves by r / 19 between two of
+/// them, which is about as far as a local fit converges from.
 const TURNS: usize = 120;
 
-/// The number of poses that are turned: those on both sides of a flat part.
+/// The number of poses that are rotated about the principal axes: a flat part has two, one on each side.
 const MOST_TURNED: usize = 2;
 
-/// Returns poses that fit nearly as well as those found, the best of which is the first: after the motion from it to each
-/// other one, and after turns about A's principal axes. O(found²).
+/// Returns candidate poses by near symmetries of A, for poses that were found, the best first.
+///
+/// The motions between the best pose and each pose found are near symmetries of A if these poses fit nearly alike. The
+/// candidates are all poses found after each of these motions, and the first poses after rotations about the principal axes
+/// of A's samples. O(found²).
 pub(crate) fn near_symmetries(found: &[Candidate], samples: &Samples) -> Vec<RigidTransform> {
     let Some(best) = found.first() else { return Vec::new() };
     let back = best.motion.inverse();
-    let between: Vec<RigidTransform> = found.iter().map(|one| after(&back, &one.motion)).collect();
+    let between: Vec<RigidTransform> = found.iter().map(|one| composed(&one.motion, &back)).collect();
     let axes = Principal::of(samples).axes;
     let turn = |axis: DVec3, step: usize| {
         let rotation = DQuat::from_axis_angle(axes * axis, TAU * step as f64 / TURNS as f64);
@@ -28,14 +31,14 @@ pub(crate) fn near_symmetries(found: &[Candidate], samples: &Samples) -> Vec<Rig
     let turns: Vec<RigidTransform> =
         DVec3::AXES.into_iter().flat_map(|axis| (1..TURNS).map(move |step| turn(axis, step))).collect();
     let moved = |one: &Candidate, motions: &[RigidTransform]| -> Vec<RigidTransform> {
-        motions.iter().map(|motion| after(&one.motion, motion)).collect()
+        motions.iter().map(|motion| composed(motion, &one.motion)).collect()
     };
     let among = found.iter().flat_map(|one| moved(one, &between));
     among.chain(found.iter().take(MOST_TURNED).flat_map(|one| moved(one, &turns))).collect()
 }
 
-/// Returns the motion that is the second one followed by the first.
-fn after(second: &RigidTransform, first: &RigidTransform) -> RigidTransform {
+/// Returns the first motion followed by the second one.
+fn composed(first: &RigidTransform, second: &RigidTransform) -> RigidTransform {
     let rotation = (second.rotation() * first.rotation()).normalize();
     RigidTransform::about(rotation, DVec3::ZERO, second.apply(first.offset()))
 }
@@ -44,7 +47,8 @@ fn after(second: &RigidTransform, first: &RigidTransform) -> RigidTransform {
 mod tests {
     use super::*;
 
-    /// Of a quarter turn the other three, and the turns by 3° about each axis of points at unlike distances.
+    /// Two poses that differ by a quarter turn give the other two quarter turns. The points have three unequal principal
+    /// moments, so that the axes are known: rotations by multiples of 3° are candidates too, and no others.
     #[test]
     fn found_turns_are_repeated() {
         let points = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().zip([3.0, 2.0, 1.0]);

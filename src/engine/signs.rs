@@ -149,13 +149,13 @@ impl SignRule<'_> {
         let normal = match *foot {
             SignFoot::Patch(foot, surface) => {
                 let is_turned = |surface: usize| self.pieces.is_turned(surface);
-                let sign = if is_turned(surface) { -1.0 } else { 1.0 };
+                let of_face = |normal: DVec3| if is_turned(surface) { -normal } else { normal };
                 let is_along = |normal: &DVec3| offset.cross(*normal).length() <= MAX_SINE * distance;
                 let of_all = || {
                     let (shells, target) = self.source?;
                     pseudonormal(target, foot.point, shells.boundary.reach(), is_turned)
                 };
-                foot.normal().filter(is_along).map(|normal| sign * normal).or_else(of_all)
+                foot.normal().filter(is_along).map(of_face).or_else(of_all)
             }
             SignFoot::Facet(facets, place, nearest) => facets.normal(place, nearest),
         };

@@ -181,13 +181,14 @@ impl<'a> Search<'a> {
     /// Returns an interval that contains the volume; none where the sum is certainly negative, or larger than the volume
     /// of one of both: then a boundary is not as it is taken to be.
     pub(crate) fn volume(&self) -> Option<Interval> {
-        let undecided: Vec<&Undecided<'_>> = self.queue.iter().chain(&self.stuck).collect();
-        let volumes = map(undecided.len(), |index| self.looking.value(undecided[index]));
-        let sum = volumes.into_iter().fold(self.decided, |sum, volume| sum + volume);
         let Pair { solids: [a, b], margins, change, .. } = self.looking.pair;
+        // The boxes contain the boundaries but for the margin.
         if !a.aabb.grown(margins[0]).meets(&b.aabb) {
             return Some(Interval { lower: 0.0, upper: *change });
         }
+        let undecided: Vec<&Undecided<'_>> = self.queue.iter().chain(&self.stuck).collect();
+        let volumes = map(undecided.len(), |index| self.looking.value(undecided[index]));
+        let sum = volumes.into_iter().fold(self.decided, |sum, volume| sum + volume);
         let most = if a.volume.upper < b.volume.upper { a.volume.upper } else { b.volume.upper };
         (sum.lower <= most && sum.upper >= 0.0).then(|| sum.clamped(0.0, most))
     }

@@ -18,7 +18,7 @@ const MIN_SUM: f64 = 1e-6;
 
 /// Returns the angle-weighted normal at `point` over all patches within `reach` of it (Bærentzen and
 /// Aanæs 2005, equation 2), of unit length; `None` where no patch has a normal, or where their sum
-/// vanishes. The normals of surfaces that are turned count the other way round.
+/// vanishes. The normal of a patch is reversed if `is_turned` holds for its surface.
 ///
 /// Inside a face it is the face's normal, on the rim of a sheet that of its one face, on an edge the
 /// mean of two. O(p q) a patch near the point.

@@ -57,8 +57,8 @@ fn boxes_that_stand_flush_touch_and_do_not_clash() {
     assert_eq!(states(&result), [PairState::Touching]);
 }
 
-/// A box on a larger one, whose bottom of 40 by 40 patches lies on that but for one corner of them, which is pulled into
-/// it by 0.5: of a thousand patches there, four tell.
+/// A box stands on a larger one. Its bottom consists of 40 by 40 patches, and one of their common corners lies 0.5 deep in
+/// the larger box, so that four of 1,600 patches reach into it.
 #[test]
 fn a_spike_among_a_thousand_flush_patches_is_a_clash() {
     const COUNT: usize = 40;
@@ -69,7 +69,7 @@ fn a_spike_among_a_thousand_flush_patches_is_a_clash() {
         // The bottom of the box is the first of its sides.
         quads.remove(0);
         let mut all = faces(&of_quads(&quads));
-        // Uneven, as knots at even steps change nothing and are removed.
+        // Uneven steps, because knots at even steps would be removed.
         let at = |index: usize| index as f64 + if index % 2 == 1 { 0.25 } else { 0.0 };
         let point = |index: usize| {
             let place = [index / (COUNT + 1), index % (COUNT + 1)];
@@ -99,7 +99,7 @@ fn a_spike_among_a_thousand_flush_patches_is_a_clash() {
     }
 }
 
-/// What is proven of single bodies heeds the time, also where each body takes little.
+/// The proofs of single bodies end with the time, also if each of them is short.
 #[test]
 fn no_time_leaves_all_bodies_undecided() {
     let ball = shapes::sphere(DVec3::ZERO, 1.0).unwrap();

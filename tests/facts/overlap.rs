@@ -99,7 +99,7 @@ fn bodies_within_and_beside_each_other_take_no_width() {
     assert_eq!(found.volumes.unwrap().intersection.lower, 0.0);
 }
 
-/// The volumes of parts of cones from a point far from both are known to few digits, and boxes tell.
+/// The origin of the cones is far from both bodies, so that their volumes cancel to few digits. The boxes decide.
 #[test]
 fn bodies_that_are_far_apart_have_nothing_in_common() {
     let near = prepared(&box_of_faces(DVec3::ZERO, DVec3::ONE));

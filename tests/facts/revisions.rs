@@ -197,7 +197,7 @@ fn names_count_only_where_one_is_new() {
     assert_eq!(parts[1].name_of_b.as_deref(), Some("starboard"));
 }
 
-/// What is named by the other part's name is no copy of it.
+/// Two parts of different shapes exchange their names.
 #[test]
 fn exchanged_names_of_different_parts_are_named() {
     let (cylinder, ball) = (shapes::cylinder(0.5, 2.0).unwrap(), shapes::sphere(DVec3::ZERO, 1.0).unwrap());
@@ -209,8 +209,8 @@ fn exchanged_names_of_different_parts_are_named() {
     assert_eq!(parts[0].name_of_b.as_deref(), Some("right"));
 }
 
-/// A ball of radius 1 fills a void of a ball of radius 2: each of its points is one of the void's, so that no face
-/// tells whether it is there.
+/// A ball of radius 1 fills the void of a ball of radius 2. Its boundary is that of the void, so that no face changes if the
+/// ball is removed.
 #[test]
 fn a_part_without_a_face_of_its_own_is_missed() {
     let ball = |radius| shapes::sphere(DVec3::ZERO, radius).unwrap();

@@ -126,7 +126,7 @@ fn a_body_twice_is_not_valid_and_has_half_the_ratios() {
     assert_eq!(found.candidate.duplicates, 12);
 }
 
-/// The face at x = 2 is both bodies', of one surface and turned over in one of them.
+/// Both bodies have the face at x = 2 with the same surface, and one of them has it reversed.
 #[test]
 fn bodies_that_lie_flush_are_valid() {
     let [left, right] = [[0.0; 3], [SIZE[0], 0.0, 0.0]].map(|corner| models::faces(&cuboid(corner, SIZE)));

@@ -150,8 +150,8 @@ class DiffResult:
     parts : tuple of PartDifference
         What became of each body: what moved, changed, was added or removed.
     parts_unknown : {"budget", "too-many"} or None
-        Why there are no parts, of models that have some: the time was spent before, or a model has more
-        than 2,000 bodies.
+        Reason why the parts were not compared: the time was spent before, or a model has more than 2,000
+        bodies.
     parts_summary : str or None
         That in words, ``3 of 41 parts changed: bracket (2 faces, at most 0.350 mm), ...``; None of
         two models of one part.

@@ -38,9 +38,9 @@ class ScoredModel:
     oriented : bool or None
         Whether the normals of all faces point out of their bodies; None where that is not decided.
     duplicates : int
-        Number of faces with the surface and the loops of one before of the same body, and of all
-        faces of bodies that stand where one before stands; of a mesh, of triangles with the corners
-        of one before.
+        Number of faces with the surface and the loops of an earlier face of the same body, together
+        with all faces of bodies that repeat an earlier body. Of a mesh, number of triangles with the
+        corners of an earlier one.
     embedded : bool or None
         Whether all bodies are certainly embedded up to their gaps, or one certainly is not; None
         where neither is known.

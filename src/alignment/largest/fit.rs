@@ -32,12 +32,22 @@ const GOOD: f64 = 0.75;
 /// The predicted decrease that is nothing, as a part of the largest distance.
 const LEAST_GAIN: f64 = 1e-7;
 
-/// How far a fit may go from its first pose: heights on one side have no least value where A can leave B.
+/// Bounds on the motion of a fit. A signed distance has no minimum over all motions if A can leave B.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reach {
+    /// The pose from which angle and shift are measured.
+    pub(crate) from: RigidTransform,
+    /// The largest angle.
     pub(crate) radians: f64,
-    /// Of A's centre.
+    /// The largest shift of A's centre.
     pub(crate) shift: f64,
+}
+
+impl Reach {
+    fn contains(&self, motion: &RigidTransform, center: DVec3) -> bool {
+        self.from.rotation().angle_between(motion.rotation()) <= self.radians
+            && self.from.apply(center).distance(motion.apply(center)) <= self.shift
+    }
 }
 
 /// The state of a fit.
@@ -49,7 +59,6 @@ pub(crate) struct LargestFit<F> {
     pub(crate) radius: f64,
     freedoms: Freedoms,
     pub(crate) motion: RigidTransform,
-    first: RigidTransform,
     reach: Option<Reach>,
     residuals: Vec<Residual>,
     places: Vec<Place>,
@@ -80,7 +89,6 @@ impl<F: Field> LargestFit<F> {
             radius,
             freedoms: freedoms.clone(),
             motion,
-            first: motion,
             reach: None,
             residuals: Vec::new(),
             places: Vec::new(),
@@ -93,17 +101,9 @@ impl<F: Field> LargestFit<F> {
         Some(fit)
     }
 
-    /// Stays within a reach of the first pose.
+    /// Takes no step out of these bounds.
     pub(crate) fn within(self, reach: Reach) -> Self {
         Self { reach: Some(reach), ..self }
-    }
-
-    fn is_reached(&self, motion: &RigidTransform) -> bool {
-        self.reach.is_none_or(|Reach { radians, shift }| {
-            let cosine = self.first.rotation().dot(motion.rotation()).abs().min(1.0);
-            let [from, to] = [&self.first, motion].map(|one| one.apply(self.center));
-            2.0 * cosine.acos() <= radians && from.distance(to) <= shift
-        })
     }
 
     /// Returns the centre of turns.
@@ -200,7 +200,7 @@ impl<F: Field> LargestFit<F> {
         }
         let step = without_idle(&rows, solution.step);
         let motion = self.freedoms.followed(&self.motion, &step, (self.center(), self.radius));
-        if !self.is_reached(&motion) {
+        if self.reach.is_some_and(|reach| !reach.contains(&motion, self.center)) {
             self.trust *= 0.25;
             return Step::Shorter;
         }

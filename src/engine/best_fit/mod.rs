@@ -242,10 +242,11 @@ impl<'a> Pair<'a> {
             let signs = SignSource::new(self.b, 0.0);
             let side = self.one_side(signs.rule(), counted)?;
             let farthest = fit.counted().map(|one| one.distance).fold(0.0, f64::max);
+            let reach = self.options.zone.reach(fit.motion, farthest, self.diagonal);
             let field = OneSideField { foot: self.field, rule: side.rule, counted, size: side.to.size };
             let largest = LargestFit::new(field, &self.chosen.samples, freedoms, smallest, fit.motion)
                 .ok_or(Error::EmptyModel)?
-                .within(self.options.zone.reach(self.diagonal, farthest));
+                .within(reach);
             let points = self.a.fit_samples(self.options.samples, self.options.sampling).points;
             self.zone_pair(To::One(side, points)).fit(largest, freedoms, progress).await?
         } else if self.options.norm == FitNorm::Largest {

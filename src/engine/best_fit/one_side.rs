@@ -42,9 +42,9 @@ impl Counted {
 
 /// The distances of points from a closed model, positive on the side that counts.
 ///
-/// The faces of the model and the strips between its joined edges bound a body. The signed distance from this boundary is
-/// 1-Lipschitz. Its absolute value is at most the distance from the faces. It is smaller by no more than the largest distance
-/// of a point of a strip from the faces.
+/// The faces of the model and the strips between its joined edges form the boundary of a body. The signed distance from this
+/// boundary is a function with the Lipschitz constant 1. Its absolute value d is a lower bound on the distance from the
+/// faces, and d plus the largest distance of a point of a strip from the faces is an upper bound on that distance.
 pub(super) struct OneSide<'a> {
     pub(super) to: ToModel<'a>,
     pub(super) rule: SignRule<'a>,

@@ -26,15 +26,20 @@ const CHOSEN_STEPS: usize = 12;
 /// The part by which another pose has to be better than the fit near the given one.
 const NEARLY_EQUAL: f64 = 0.02;
 
-/// The distance, in residuals, from which on samples are far off beside the others, and the largest number of those that
-/// are looked at.
+/// The distance above which a sample is far from B, as a multiple of the residual. Normal noise
+/// puts no sample of 20,000 there.
 const FAR: f64 = 6.0;
+
+/// The largest number of far samples that decide between near symmetries.
 const MOST_FAR: usize = 64;
 
-/// The number of poses, of those that differ by what is nearly a symmetry, that take some steps, these steps, and the number
-/// of those that are fitted: a ring of 36 bores has as many on both sides.
+/// The largest number of near symmetries that take steps: a ring of 36 bores has 36 on each side.
 const MOST_TRIED: usize = 72;
+
+/// The number of these steps.
 const NEAR_SYMMETRY_STEPS: usize = 4;
+
+/// The largest number of near symmetries that are fitted.
 const MOST_FITTED: usize = 4;
 
 /// The poses that a search found, the best first, with the number of starts.
@@ -60,7 +65,7 @@ impl<'a> Pair<'a> {
         progress.checkpoint(search.done()).await?;
         let (poses, tried) = (search.best(), search.tried());
         if !self.options.selects() {
-            return Ok(Found { poses: self.told_apart(poses)?, tried });
+            return Ok(Found { poses: self.ranked(poses, progress).await?, tried });
         }
         let mut of_chosen = Vec::with_capacity(poses.len());
         for pose in &poses {
@@ -72,53 +77,50 @@ impl<'a> Pair<'a> {
         Ok(Found { poses: distinct(of_chosen, &self.chosen.compared, poses.len()), tried })
     }
 
-    /// Tells poses apart that fit nearly alike: their residuals are those of all samples, as what breaks a symmetry may have
-    /// few of the thousands that they were compared by. Where the best leaves samples far off, poses that differ from it
-    /// by what is nearly a symmetry are tried by these.
-    fn told_apart(&self, poses: Vec<Candidate>) -> Result<Vec<Candidate>> {
+    /// Ranks poses with nearly equal residuals by the residual of all samples, and adds the fits from near symmetries.
+    ///
+    /// The search compares poses by 2,000 samples. A feature that breaks a symmetry may have few of them. If samples are far
+    /// from B in the best pose, they decide between the candidates of [`near_symmetries`].
+    async fn ranked(&self, poses: Vec<Candidate>, progress: &mut Progress<'_>) -> Result<Vec<Candidate>> {
         let Some(best) = poses.first() else { return Ok(poses) };
         let exact = EXACT * self.diagonal;
         let most = AMBIGUOUS * best.rms + exact;
         let count = poses.len();
-        let (alike, mut others): (Vec<_>, Vec<_>) = poses.into_iter().partition(|one| one.rms <= most);
+        let (alike, others): (Vec<_>, Vec<_>) = poses.into_iter().partition(|one| one.rms <= most);
         let field = self.whole.up_to(SEARCH_GAP * self.diagonal);
         let (all, compared, loss) = (&self.all, &self.chosen.compared, self.options.loss());
         let fit = |samples, motion| self.local_by(loss, field, samples, 0.0, motion);
         let by_all = |motion| Ok(Candidate { motion, rms: fit(all, motion)?.rms() });
-        let mut known = measured(motions(&alike), by_all)?;
+        let mut known = measured(&motions(&alike), by_all)?;
+        progress.checkpoint(1.0).await?;
         sort_by_number(&mut known, |one| one.rms);
-        let Some(best) = known.first() else { return Ok(others) };
-        let far = self.far_samples(&fit(all, best.motion)?, exact);
-        if loss.outliers == 0.0 && !far.is_empty() {
+        let far = match known.first() {
+            Some(best) if loss.outliers == 0.0 && best.rms > exact => far_samples(&fit(all, best.motion)?),
+            _ => Vec::new(),
+        };
+        if !far.is_empty() {
             let few = with_points(&compared.thinned(far.len()), &far);
             let many = with_points(compared, &far);
             let by_few = |motion| Ok(Candidate { motion, rms: fit(&few, motion)?.rms() });
-            let tried = distinct(measured(near_symmetries(&known, all), by_few)?, compared, MOST_TRIED);
-            // Which of the others the samples far off fit as well, further steps tell.
-            let mut fitted = measured(motions(&tried), |motion| {
+            let after_steps = |motion, steps| {
                 let mut near = fit(&many, motion)?;
-                near.run(NEAR_SYMMETRY_STEPS);
+                near.run(steps);
                 Ok(Candidate { motion: near.motion, rms: near.rms() })
-            })?;
+            };
+            let tried = measured(&near_symmetries(&known, all), by_few)?;
+            let tried = distinct(tried, compared, MOST_TRIED);
+            progress.checkpoint(1.0).await?;
+            // The far samples lie on B in several poses. Steps with more samples distinguish these.
+            let mut fitted = measured(&motions(&tried), |motion| after_steps(motion, NEAR_SYMMETRY_STEPS))?;
+            progress.checkpoint(1.0).await?;
             sort_by_number(&mut fitted, |one| one.rms);
             fitted.truncate(MOST_FITTED);
-            let refined = measured(motions(&fitted), |motion| {
-                let mut near = fit(&many, motion)?;
-                near.run(CHOSEN_STEPS);
-                by_all(near.motion)
-            })?;
-            known.extend(refined);
+            known.extend(measured(&motions(&fitted), |motion| {
+                by_all(after_steps(motion, CHOSEN_STEPS)?.motion)
+            })?);
         }
-        known.append(&mut others);
+        known.extend(others);
         Ok(distinct(known, compared, count))
-    }
-
-    /// Returns the farthest samples of a fit, of those that are far off beside all; none of one that is exact.
-    fn far_samples(&self, fit: &LocalFit<'_, FootField<'_>>, exact: f64) -> Vec<DVec3> {
-        let least = if fit.rms() > exact { FAR * fit.rms() } else { f64::INFINITY };
-        let mut far: Vec<_> = fit.counted().filter(|one| one.distance > least).collect();
-        sort_by_number(&mut far, |one| -one.distance);
-        far.into_iter().take(MOST_FAR).map(|one| one.point).collect()
     }
 
     /// Returns the fit that the steps continue: that from the first pose unless a pose that was found is better by
@@ -161,10 +163,12 @@ impl<'a> Pair<'a> {
         fit: &LocalFit<'_, FootField<'_>>,
         loss: Loss,
     ) -> Result<(Vec<FitPose>, bool)> {
-        let compared = &self.chosen.compared;
+        let Selection { samples, compared, .. } = self.chosen;
+        // The samples by which the poses are ranked.
+        let ranking = if self.options.selects() { compared } else { samples };
         let field = self.field.up_to(SEARCH_GAP * self.diagonal);
         let of = |motion: RigidTransform| {
-            let fit = self.local_by(loss, field, compared, 0.0, motion)?;
+            let fit = self.local_by(loss, field, ranking, 0.0, motion)?;
             Ok(Candidate { motion, rms: fit.rms() })
         };
         let best = of(fit.motion)?;
@@ -184,21 +188,30 @@ impl<'a> Pair<'a> {
     }
 }
 
+/// Returns the farthest samples of a fit among those whose distance is large compared with the residual.
+fn far_samples(fit: &LocalFit<'_, FootField<'_>>) -> Vec<DVec3> {
+    let least = FAR * fit.rms();
+    let mut far: Vec<_> = fit.counted().filter(|one| one.distance > least).collect();
+    sort_by_number(&mut far, |one| -one.distance);
+    far.into_iter().take(MOST_FAR).map(|one| one.point).collect()
+}
+
 fn motions(candidates: &[Candidate]) -> Vec<RigidTransform> {
     candidates.iter().map(|one| one.motion).collect()
 }
 
-/// Returns what is measured of each motion, on all cores.
+/// Applies a function to motions, on all cores.
 fn measured(
-    motions: Vec<RigidTransform>,
+    motions: &[RigidTransform],
     measure: impl Fn(RigidTransform) -> Result<Candidate> + MaybeSync,
 ) -> Result<Vec<Candidate>> {
     map(motions.len(), |index| measure(motions[index])).into_iter().collect()
 }
 
-/// Returns samples with further points, each of which weighs as much as one of them.
+/// Returns samples together with further points, each with the mean weight of the samples.
 fn with_points(samples: &Samples, more: &[DVec3]) -> Samples {
-    let points: Vec<DVec3> = samples.points.iter().chain(more).copied().collect();
-    let weights = vec![1.0; points.len()];
+    let weight = 1.0 / samples.points.len().max(1) as f64;
+    let points = samples.points.iter().chain(more).copied().collect();
+    let weights = samples.weights.iter().copied().chain(more.iter().map(|_| weight)).collect();
     Samples::new(points, weights)
 }

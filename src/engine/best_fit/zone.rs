@@ -69,13 +69,17 @@ impl Default for ZoneOptions {
 }
 
 impl ZoneOptions {
-    /// Returns how far from the fit in the mean one of one side may go: as far as the box reaches from a pose, and twice as
-    /// far as samples are from B, by which a fit in the mean of points within a body may be off. Turns are those of the
-    /// largest box, as points within a body may be turned to its boundary.
-    pub(super) fn reach(&self, diagonal: f64, farthest: f64) -> Reach {
-        Reach { radians: MAX_DEGREES.to_radians(), shift: self.shift(diagonal) + 2.0 * farthest }
+    /// Returns the bounds on a fit on one side that starts from a fit in the mean with this largest distance.
+    ///
+    /// The shift is that of the box and twice the largest distance, because the fit in the mean of points within a body may
+    /// be off by that. The angle is the largest one that a box may have, because the fit in the mean may turn such points
+    /// to the boundary.
+    pub(super) fn reach(&self, from: RigidTransform, largest: f64, diagonal: f64) -> Reach {
+        let shift = self.shift(diagonal) + 2.0 * largest;
+        Reach { from, radians: MAX_DEGREES.to_radians(), shift }
     }
 
+    /// Returns the largest shift of the box.
     fn shift(&self, diagonal: f64) -> f64 {
         self.translation.unwrap_or(DEFAULT_TRANSLATION * diagonal)
     }

@@ -24,8 +24,8 @@ pub enum PairState {
     Undecided,
     /// They are certainly within the tolerance of each other, and either a motion by at most the tolerance certainly
     /// leaves them without a common inside, or no point inside both was found: about the place where they are
-    /// nearest, in the box that both reach into, behind some hundred patches of each, and behind all others whose middle
-    /// is inside the other one.
+    /// nearest, in the box that both reach into, behind some hundred patches of each, and behind each other patch whose
+    /// middle is inside the other body.
     Touching,
     /// They are certainly nearer than `below`, and certainly have no common inside.
     Near,
@@ -89,9 +89,12 @@ pub(super) fn judged(
         found = searched(models, goal(None), limits.cells())?;
         let Interval { lower, upper } = found.interval;
         if lower <= limits.tolerance && limits.tolerance < upper {
-            // Whether they touch is asked of the tolerance itself.
-            let about = searched(models, goal(Some(limits.tolerance)), limits.cells())?;
-            found.interval = found.interval.within(about.interval);
+            // A search with the tolerance as its limit decides whether the bodies touch.
+            let decided = searched(models, goal(Some(limits.tolerance)), limits.cells())?;
+            found.interval = found.interval.within(decided.interval);
+            if decided.interval.upper < upper {
+                found.nearest = decided.nearest;
+            }
         }
     }
     let Found { interval, nearest, .. } = found;

@@ -59,9 +59,10 @@ pub(super) enum CommonPoint {
 
 impl Solids<'_> {
     /// Looks for a point inside both solids: about the place where they are nearest, in the box that
-    /// both reach into, behind some hundred patches of both, down to half the tolerance behind them, and behind all others
-    /// whose middle is inside the other solid: a layer between two faces as thick as the tolerance has points there. There
-    /// may be such points where none is found. Ends before a point once `is_late`. O(points √patches).
+    /// both reach into, behind some hundred patches of both, and behind each other patch whose middle is inside the other
+    /// solid. The least depth is half the tolerance, so that a layer as thick as the tolerance between two faces has a
+    /// point. There may be a point inside both where none is found. Ends before a point once `is_late`.
+    /// O(points √patches).
     pub(super) fn common_point(
         &self,
         nearest: &Nearest,
@@ -72,10 +73,10 @@ impl Solids<'_> {
         let depths = DEPTHS.map(|depth| depth * common.diagonal());
         let mut steps: Vec<f64> = depths.into_iter().chain([0.5 * tolerance]).collect();
         sort_by_number(&mut steps, |step| -step);
-        let behind = |points: Vec<BoundaryPoint>| {
-            self.behind(points.into_iter().take_while(|_| !is_late()), &steps, &common)
+        let behind = |points: &mut dyn Iterator<Item = BoundaryPoint>| {
+            self.behind(points.take_while(|_| !is_late()), &steps, &common)
         };
-        if let Some(found) = behind(self.about(nearest)) {
+        if let Some(found) = behind(&mut self.about(nearest).into_iter()) {
             return CommonPoint::Found(found);
         }
         let mut is_decided = true;
@@ -87,7 +88,8 @@ impl Solids<'_> {
             }
         }
         let near = [0, 1].map(|side| self.near(side, &common));
-        let found = behind(self.spread(&near)).or_else(|| behind(self.middles_within(&near, is_late)));
+        let found = behind(&mut self.spread(&near).into_iter())
+            .or_else(|| behind(&mut self.middles_within(&near, is_late)));
         match found {
             Some(found) => CommonPoint::Found(found),
             None if is_late() => CommonPoint::Late,
@@ -194,21 +196,26 @@ impl Solids<'_> {
         near.iter().enumerate().flat_map(of_side).collect()
     }
 
-    /// Returns the middles of patches that are certainly inside the other solid, of the boundary that has more of them
-    /// than are [spread](Self::spread).
-    fn middles_within(&self, near: &[Vec<usize>; 2], is_late: &dyn Fn() -> bool) -> Vec<BoundaryPoint> {
-        let of_side = |(side, near): (usize, &Vec<usize>)| {
+    /// Returns the middles of patches that are certainly inside the other solid, of each boundary with more patches than
+    /// [`Self::spread`] takes.
+    fn middles_within<'a>(
+        &'a self,
+        near: &'a [Vec<usize>; 2],
+        is_late: &'a dyn Fn() -> bool,
+    ) -> impl Iterator<Item = BoundaryPoint> + 'a {
+        let many = near.iter().enumerate().filter(|(_, near)| near.len() > MAX_PATCHES);
+        let of_side = move |(side, near): (usize, &'a Vec<usize>)| {
             let patches = &self.model(side).bezier().patches;
-            let all = near.iter().filter(|_| near.len() > MAX_PATCHES).take_while(|_| !is_late());
-            let middles = all.map(|&index| self.boundary_point(&patches.patch(index), [0.5; 2], side == 0));
-            middles.filter(|middle| self.side_of_other(middle) == Side::Inside).collect::<Vec<_>>()
+            let middle =
+                move |&index: &usize| self.boundary_point(&patches.patch(index), [0.5; 2], side == 0);
+            near.iter().take_while(|_| !is_late()).map(middle)
         };
-        near.iter().enumerate().flat_map(of_side).collect()
+        many.flat_map(of_side).filter(|middle| self.side_of_other(middle) == Side::Inside)
     }
 
-    /// Returns on which side of the other solid a point of the one is.
-    fn side_of_other(&self, of: &BoundaryPoint) -> Side {
-        if of.is_of_a { self.b.side_within(of.point, 0.0) } else { self.side_of_a(of.point) }
+    /// Returns the side of the other solid on which a point of one boundary lies.
+    fn side_of_other(&self, &BoundaryPoint { point, is_of_a, .. }: &BoundaryPoint) -> Side {
+        if is_of_a { self.b.side_within(point, 0.0) } else { self.side_of_a(point) }
     }
 
     fn boundary_point(&self, patch: &Patch<'_>, at: [f64; 2], is_of_a: bool) -> BoundaryPoint {
@@ -245,12 +252,12 @@ mod tests {
     use super::*;
     use crate::model::{Model, RigidTransform, SurfaceArrays};
 
-    /// The places of knots, at uneven steps: else the knots are removed as they change nothing.
+    /// The coordinates of knots. Even steps would make the knots removable.
     fn uneven(index: usize) -> f64 {
         index as f64 + if index % 2 == 1 { 0.25 } else { 0.0 }
     }
 
-    /// A box of side `SIDE`, standing at a height; its bottom has 900 patches, of which one corner is pulled down.
+    /// A cube of side `SIDE` above a height. Its bottom consists of 900 patches, and one of their common corners lies lower.
     fn spiked(height: f64) -> PreparedModel {
         const SIDE: usize = 30;
         let side = SIDE as f64;
@@ -281,7 +288,7 @@ mod tests {
         PreparedModel::new(&Model::from_arrays(None, surfaces).unwrap()).unwrap()
     }
 
-    /// Of 900 patches that lie on the other box, those about the corner that is pulled into it.
+    /// The bottom lies on another cube. Only the four patches about the lower corner reach into it.
     #[test]
     fn patches_whose_middles_are_inside_are_found_among_many() {
         let (above, below) = (spiked(0.0), spiked(-30.0));
@@ -290,12 +297,12 @@ mod tests {
         let near = [0, 1].map(|side| solids.near(side, &common));
         assert!(near[0].len() > MAX_PATCHES, "{near:?}");
         let mut found: Vec<_> =
-            solids.middles_within(&near, &|| false).into_iter().map(|of| of.point.to_array()).collect();
+            solids.middles_within(&near, &|| false).map(|middle| middle.point.to_array()).collect();
         found.sort_by(|a, b| a.partial_cmp(b).unwrap());
         // The corner is at (11.25, 7.25).
         let at = |x: f64, y: f64| [x, y, -0.125];
         assert_eq!(found, [at(10.625, 6.625), at(10.625, 7.625), at(11.625, 6.625), at(11.625, 7.625)]);
-        assert!(solids.middles_within(&near, &|| true).is_empty(), "it ends in time");
+        assert!(solids.middles_within(&near, &|| true).next().is_none(), "it ends in time");
     }
 
     /// Every eighth of a box has some of its points, and no point is outside.

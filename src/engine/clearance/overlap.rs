@@ -17,8 +17,8 @@ pub enum Overlap {
     /// The boundaries are certainly apart, and each solid is outside the other.
     None,
     /// The boundaries are nearer than the tolerance, and no point inside both was found: about the
-    /// place where they are nearest, in the box that both reach into, and behind some hundred patches
-    /// of each.
+    /// place where they are nearest, in the box that both reach into, behind some hundred patches of
+    /// each, and behind each other patch whose middle is inside the other solid.
     Touching,
     /// The solids have common points inside both, and their boundaries may meet.
     Intersecting {

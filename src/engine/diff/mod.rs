@@ -120,8 +120,8 @@ pub struct FaceDifference {
 #[serde(rename_all = "camelCase")]
 #[non_exhaustive]
 pub struct DiffResult {
-    /// The state of both models together: the worst of their faces, and `Changed` where the files name more parts of the
-    /// one than of the other.
+    /// The state of both models together: the worst state of a face, and `Changed` if the files name different numbers of
+    /// parts.
     pub state: FaceState,
     /// The limit that the states refer to, in model units.
     pub limit: f64,
@@ -147,7 +147,7 @@ pub struct DiffResult {
     /// The parts of both: what moved, changed, was added or removed. None of clouds, and of models of more than
     /// 2,000 bodies.
     pub parts: Vec<PartDifference>,
-    /// Why there are no parts, of models that have some.
+    /// The reason why the parts were not compared.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub parts_unknown: Option<PartsUnknown>,
     /// Where the time went.

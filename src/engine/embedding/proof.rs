@@ -90,7 +90,7 @@ impl PreparedModel {
     }
 
     fn embedded_verdict(&self, is_late: &dyn Fn() -> bool) -> Result<Verdict, EmbeddedDoubt> {
-        // A small body has fewer pairs of parts than are looked at between two looks at the clock.
+        // The search reads the clock once in many pairs. A small body has fewer pairs.
         if is_late() {
             return Err(EmbeddedDoubt::Budget);
         }

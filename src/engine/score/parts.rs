@@ -50,9 +50,11 @@ impl ScoredModel {
     }
 }
 
-/// Returns the number of faces with the surface and the loops of one before of the same body, and of all faces of bodies
-/// that stand where one before stands; of a mesh, of triangles with the corners of one before. Bodies that lie flush on
-/// each other have a face each there.
+/// Returns the number of duplicate faces or triangles.
+///
+/// A face is a duplicate if an earlier face of its body has the same surface and loops. All faces of a body are duplicates
+/// if an earlier body has the same faces. Two bodies that lie flush on each other each have a face there, which is no
+/// duplicate. A triangle is a duplicate if an earlier one has the same corners.
 fn duplicates(model: &PreparedModel, bodies: &[Body]) -> usize {
     let Some(source) = model.source() else { return Counts::of_prepared(model).duplicate_triangles };
     let first = first_alike(source);

@@ -93,8 +93,8 @@ pub struct ScoredModel {
     pub closed: bool,
     /// Whether the normals of all faces point out of their bodies; `None` where that is not decided.
     pub oriented: Option<bool>,
-    /// The number of faces with the surface and the loops of one before of the same body, and of all faces of bodies that
-    /// stand where one before stands; of a mesh, of triangles with the corners of one before.
+    /// The number of faces with the surface and the loops of an earlier face of the same body, together with all faces of
+    /// bodies that repeat an earlier body. Of a mesh it is the number of triangles with the corners of an earlier one.
     pub duplicates: usize,
     /// Whether all bodies are certainly embedded up to their gaps, or one certainly is not; `None` where neither is known.
     pub embedded: Option<bool>,

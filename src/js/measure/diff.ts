@@ -128,9 +128,9 @@ export interface DiffResult {
   facesOfA: FaceDifference[];
   /** Every face of B, in order, compared with A. */
   facesOfB: FaceDifference[];
-  /** What became of each body; none of clouds of points, and of models of more than 2,000 bodies. */
+  /** What became of each body; empty for clouds of points, and if `partsUnknown` is present. */
   parts: PartDifference[];
-  /** Why there are no parts, of models that have some: the time was spent before, or there are too many. */
+  /** The reason why the parts were not compared: the time was spent before, or a model has more than 2,000 bodies. */
   partsUnknown?: "budget" | "too-many";
   /** Where the time went. */
   seconds: { prepare: number; compile: number; solve: number };

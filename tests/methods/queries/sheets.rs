@@ -76,8 +76,8 @@ fn where_normals_cancel_there_is_no_sign() {
     assert_signed(&[left, flipped], &[(point, f64::NAN)]);
 }
 
-/// A reversed face has its normal the other way round, inside and beside its rim; where two faces meet whose surfaces
-/// are oriented against each other, one of them reversed, the normals agree.
+/// The normal of a reversed face is opposite to that of its surface, in the face and beside its rim. Two surfaces with
+/// opposite normals meet, and one of the faces is reversed, so that the normals of the faces agree.
 #[test]
 fn signs_are_those_of_reversed_faces() {
     let signed = |faces: Vec<FaceArrays>, points: &[[f64; 3]]| {

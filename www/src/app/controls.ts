@@ -96,7 +96,11 @@ function connectMeasurement({ client, places }: Parts, measurement: Measurement)
 }
 
 function connectFiles(parts: Parts, measurement: Measurement, opening: Opening): void {
-  const { view, views, faces, places, client, facts, overlap, check, clearance } = parts;
+  const { view, views, faces, places, client, facts, overlap, check } = parts;
+  const panels = [
+    ...[parts.measureList, parts.annotationList, faces, facts],
+    ...[overlap, check, parts.clearance],
+  ];
   element("load-cancel").addEventListener("click", () => opening.stop());
   element("forget").addEventListener("click", () => opening.forget());
   onShownUnit(() => {
@@ -113,9 +117,7 @@ function connectFiles(parts: Parts, measurement: Measurement, opening: Opening):
       ...{ pins: view.pins.probes, result: view.result, models: view.models.drawn },
       measures: parts.measureList.exported,
       ...{ facts: facts.found, overlap: overlap.result, check: check.result },
-      tables: [
-        ...[parts.measureList, parts.annotationList, faces, facts, overlap, check, clearance],
-      ].flatMap(({ tables }) => tables),
+      tables: panels.flatMap(({ tables }) => tables),
       ...{ requestCsv: () => client.csv(), places: places.all },
     }),
   );

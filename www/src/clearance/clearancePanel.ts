@@ -73,7 +73,7 @@ export class ClearancePanel {
         intervalText(lower, upper, diagonal),
       ]),
     ];
-    const head = [texts.bodies.faces, texts.bodies.distanceIn(commonUnit())];
+    const head = [texts.report.faces, texts.bodies.distanceIn(commonUnit())];
     return [{ title: texts.bodies.clearanceAndClash, head, rows }];
   }
 

@@ -1,14 +1,14 @@
 // The round surface that a face of a model lies on: that of its exact surface, with what is certain of it, or one that
 // fits the points that are drawn of it.
+
 import type { FaceForm } from "nurbs-hausdorff";
+import { FLOAT32_STEP } from "../common/float32.ts";
 import type { DisplayModel } from "../worker/protocol.ts";
 import { minus, type Vector } from "./fit/linear.ts";
 import { type Fit, fitOf, type Oriented } from "./fit/surfaces.ts";
 
 /** Points of a face to which a surface is fitted, at most: of more, evenly chosen ones. */
 const MAX_POINTS = 20_000;
-/** The relative rounding of the coordinates of drawn points, which are in float32. */
-const FLOAT32 = 2 ** -23;
 
 /** A round surface, in coordinates relative to the tessellation's origin. */
 export interface RoundFace {
@@ -57,7 +57,7 @@ function exact(form: FaceForm, origin: Vector): RoundFace | undefined {
 function fitted({ tessellation, box }: DisplayModel, face: number): RoundFace | undefined {
   const points = pointsOf(tessellation, face);
   const size = Math.max(...box.max.map((end, axis) => end - (box.min[axis] ?? 0)));
-  const fit = fitOf(points, FLOAT32 * size);
+  const fit = fitOf(points, FLOAT32_STEP * size);
   return fit && { fit, points: points.length };
 }
 

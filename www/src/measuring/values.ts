@@ -1,3 +1,4 @@
+import { FLOAT32_STEP } from "../common/float32.ts";
 import { distanceText, grouped, signedText } from "../common/text/numbers.ts";
 import type { Models } from "../scene/models.ts";
 import { texts } from "../texts/index.ts";
@@ -9,9 +10,6 @@ import { fittedText, radiusOf } from "./radius.ts";
 import { localOf, nameOf, SEPARATOR, unitText, type Value } from "./said.ts";
 
 const own = texts.measuring;
-
-/** The largest part along an axis that may be the rounding of what is drawn, which is float32, in diagonals. */
-const DRAWN_ROUNDING = 2 ** -23;
 
 /** What was measured; undefined where the models have no such place. */
 export function measured(measure: Measure, models: Models): Value | undefined {
@@ -34,10 +32,9 @@ function distanceOf([first, second]: readonly [Place, Place], models: Models): V
   const way = to.at.clone().sub(from.at);
   const { diagonal } = models;
   const size = distanceText(way.length(), diagonal);
-  const parts = way.toArray().map((part, axis) => {
-    const drawn = Math.abs(part) > DRAWN_ROUNDING * diagonal ? part : 0;
-    return `${"xyz"[axis]} ${signedText(drawn, diagonal)}`;
-  });
+  // A component as small as the rounding of drawn points is 0.
+  const components = way.toArray().map((at) => (Math.abs(at) > FLOAT32_STEP * diagonal ? at : 0));
+  const parts = components.map((at, axis) => `${"xyz"[axis]} ${signedText(at, diagonal)}`);
   const isFacing = [first, second].every(({ normal }) => normal.some((at) => at !== 0));
   const angle = models
     .turn(first.side, first.normal)

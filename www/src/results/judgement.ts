@@ -1,5 +1,6 @@
 // What follows for a verdict from the interval of the distance and from measured faces.
 
+import { FLOAT32_STEP } from "../common/float32.ts";
 import type { Allowed } from "../scene/colors/scale.ts";
 import { texts } from "../texts/index.ts";
 import type { MeasuredFace } from "../worker/map/places.ts";
@@ -34,9 +35,6 @@ const WORDS: Readonly<Record<Verdict, string>> = {
   undecided: texts.results.theIntervalContainsIt,
 };
 
-/** A float32 differs from what was measured by at most half of this part of it. */
-const FLOAT32 = 2 ** -23;
-
 /** Whether a distance in this interval is allowed: certainly by all limits, or by none. */
 export function verdictOn([lower, upper]: Interval, limits: readonly Allowed[]): Verdict {
   const all = limits.flatMap(({ above, below }) => [above, below]);
@@ -49,7 +47,7 @@ export function exceeds(
   { lowest, highest, distance }: MeasuredFace,
   { above, below }: Allowed,
 ): boolean {
-  const least = 1 - FLOAT32;
+  const least = 1 - FLOAT32_STEP;
   return (
     highest * least > above || -lowest * least > below || distance * least > Math.max(above, below)
   );

@@ -115,7 +115,7 @@ export class ModelMesh {
     this.#painted.visible = false;
     this.#painted.renderOrder = 2;
     this.#faces = new FaceColors(geometry, model.tessellation, side, color);
-    // Triangles of a mesh are flat, however they are coloured.
+    // The triangles of a mesh are shaded flat in every material.
     for (const material of this.#materials()) {
       if ("flatShading" in material) material.flatShading = model.isMesh;
     }

@@ -92,7 +92,7 @@ export class View {
     };
   }
 
-  /** Whether clicks on the view are a tool's, between which the models do not move. */
+  /** Whether a tool takes the clicks on the view: the models do not move between two of them. */
   set isPicked(isPicked: boolean) {
     if (this.#viewport !== undefined) this.#viewport.isPicked = isPicked;
   }

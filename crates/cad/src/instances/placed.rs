@@ -21,7 +21,8 @@ pub(crate) struct Placed {
     pub(crate) owner: Owner,
 }
 
-/// The shape of a face, that of its solid, and whether its normal is turned over: a prism may have its base as its top.
+/// Key of a face in its model: the shape of the face, the shape of its solid, and whether its normal is reversed. A prism
+/// may use one shape as its base and, reversed, as its top.
 pub(crate) type FaceKey = (usize, Option<usize>, bool);
 
 /// What a face belongs to.
@@ -34,7 +35,7 @@ pub(crate) struct Owner {
 }
 
 impl Placed {
-    /// Returns what tells the face from others. Placements with the same key are one face of the model.
+    /// Returns the key of the face. Placements with equal keys are one face of the model.
     pub(crate) fn key(&self) -> FaceKey {
         (self.shape, self.owner.solid, self.reversed)
     }

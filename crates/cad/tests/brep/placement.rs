@@ -57,7 +57,7 @@ fn at(shape: usize, location: usize) -> Child {
     Child { shape, sign: '+', location }
 }
 
-/// The base of a prism is its top, too, moved and turned over, as OpenCASCADE makes prisms: the normals of both are out.
+/// OpenCASCADE uses the base of a prism, moved and reversed, as its top, so that both normals point outward.
 #[test]
 fn a_face_that_is_used_reversed_elsewhere_is_turned_over_there() {
     let (mut text, [square, ..]) = squares();

@@ -36,8 +36,8 @@ pub(crate) enum Command {
     /// Computes the Hausdorff distance from A to B.
     ///
     /// Exit status: 0 if the distance was computed or is within --limit, 1 if it
-    /// is beyond --limit, 2 for bad input, 3 if --limit was not decided, as where faces
-    /// were left out.
+    /// is beyond --limit, 2 for bad input, 3 if --limit was not decided or, with --limit,
+    /// faces were left out.
     Distance(Box<DistanceArguments>),
     /// Compares two models face by face.
     ///
@@ -48,8 +48,8 @@ pub(crate) enum Command {
     /// Computes the least distance of A from B, and whether solids overlap.
     ///
     /// Exit status: 0 if the clearance was computed or is at least --limit, 1 if it
-    /// is less or solids overlap, 2 for bad input, 3 if --limit was not decided, as
-    /// where faces were left out.
+    /// is less or solids overlap, 2 for bad input, 3 if --limit was not decided or, with
+    /// --limit, faces were left out.
     Clearance(ClearanceArguments),
     /// Lists the pairs of faces of two models that come nearer than --below, each with its least distance.
     ///
@@ -76,12 +76,12 @@ pub(crate) enum Command {
     ///
     /// Mean distances both ways, precision, recall and F1 by area, the Hausdorff distance, volume, area,
     /// centroid, extents and validity. A number may be required by --at-least f1=0.99 or --at-most
-    /// hausdorff=0.1; names are valid, volume-ratio, area-ratio, centroid-distance, extent-difference,
-    /// precision, recall, f1, these three with normal- and edge- before them, chamfer, chamfer-squared,
-    /// hausdorff and iou. Work ends where one is missed.
+    /// hausdorff=0.1. The names are valid, volume-ratio, area-ratio, centroid-distance, extent-difference,
+    /// chamfer, chamfer-squared, hausdorff, iou, and precision, recall and f1, which may have the prefix
+    /// normal- or edge-. The work ends if a requirement is missed.
     ///
     /// Exit status: 0 if the score was computed or all requirements are met, 1 if one is missed, 2 for bad
-    /// input, 3 if one is undecided, as where faces were left out.
+    /// input, 3 if one is undecided or, with a requirement, faces were left out.
     Score(Box<ScoreArguments>),
     /// Prints means, medians and the invalid ratio of the scores of a data set, as intervals that hold them.
     ///

@@ -115,7 +115,7 @@ fn rules_of(path: &Path) -> Result<CheckRules, Failure> {
     })?;
     let invalid =
         |why: &dyn Display| Error::OptionInvalid { found: format!("the rules in {}: {why}", path.display()) };
-    // Some editors begin a file with a mark of its byte order.
+    // Some editors write a byte order mark at the start of a file.
     let rules: Value =
         serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|error| invalid(&error))?;
     if !is_by_names(&rules) {
@@ -124,7 +124,7 @@ fn rules_of(path: &Path) -> Result<CheckRules, Failure> {
     Ok(serde_json::from_value(rules).map_err(|error| invalid(&error))?)
 }
 
-/// Returns whether rules are lists of objects by name: arrays would be read as the values of one.
+/// Returns whether rules are an object of lists of objects. Serde would also accept an array as the values of an object.
 fn is_by_names(rules: &Value) -> bool {
     let are_objects = |list: &Value| list.as_array().is_none_or(|list| list.iter().all(Value::is_object));
     rules.as_object().is_some_and(|rules| rules.values().all(are_objects))

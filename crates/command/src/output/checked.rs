@@ -41,7 +41,7 @@ pub(crate) fn text(result: &CheckResult, verdict: Verdict) -> String {
         of(PairState::Touching),
         of(PairState::Near)
     );
-    // Two digits: it follows from the diagonal where none is stated.
+    // The tolerance is a part of the diagonal unless the user states one: two digits suffice.
     let tolerance = format!("{:.1e}", result.tolerance).parse().unwrap_or(result.tolerance);
     let _ = writeln!(out, "tolerance  {}, up to which bodies touch", number(tolerance));
     let embedded = |known| result.bodies.iter().filter(|body| body.embedded == known).count();

@@ -1,4 +1,4 @@
-//! Parts whose symmetry is broken by little: few of the samples see which pose is the right one.
+//! Parts with a near symmetry: few samples lie on the feature that breaks it.
 
 use super::*;
 use crate::model::{Model, SurfaceArrays};
@@ -41,7 +41,7 @@ fn moved(surfaces: &[SurfaceArrays], motion: &RigidTransform) -> PreparedModel {
     of(surfaces.iter().map(of_surface).collect())
 }
 
-/// A cube of side 10 with a block of 0.4 by 0.6 by 0.8 on its top, beside the middle: 24 poses differ by that alone.
+/// A cube of side 10 has a block of 0.4 by 0.6 by 0.8 on its top, off the middle. Without the block 24 poses would be equal.
 #[test]
 fn a_small_block_on_a_cube_tells_its_poses_apart() {
     let mut surfaces = block(DVec3::ZERO, DVec3::splat(5.0));
@@ -60,7 +60,7 @@ fn a_small_block_on_a_cube_tells_its_poses_apart() {
     }
 }
 
-/// A round plate, in 48 flat sides, with one small block: the turn about its axis is told by that alone.
+/// A prism with 48 sides approximates a round plate. Only a small block on its top determines the rotation about its axis.
 #[test]
 fn a_small_block_on_a_round_plate_tells_its_turn() {
     let at = |k: usize, radius: f64, z: f64| {

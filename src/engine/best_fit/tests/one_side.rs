@@ -109,7 +109,7 @@ fn one_side_needs_a_scan_and_a_body() {
     assert!(Engine::cpu().best_fit(&scan, &ball, &with_limit).wait().is_err());
 }
 
-/// Half a unit above the top of a ball, and nothing beside it: the points could leave the ball for ever.
+/// All points lie half a unit above the top of a ball. No other point keeps them from moving away without end.
 #[test]
 fn a_fit_on_one_side_stays_in_reach() {
     let ball = prepared("sphere");

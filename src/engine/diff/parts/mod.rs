@@ -64,8 +64,8 @@ pub struct PartMotion {
 }
 
 impl PartMotion {
-    /// Makes a motion of a part whose middle was at the first point, and is at the second one before the motion: that of
-    /// its mirror image is elsewhere.
+    /// Makes a motion from `before`, the middle of what it moves. The shift is measured from `middle`, that of the part. The
+    /// two differ if the motion moves the mirror image of the part.
     fn new(motion: &RigidTransform, [middle, before]: [DVec3; 2]) -> Self {
         let (axis, angle) = motion.rotation().to_axis_angle();
         let is_long = angle > std::f64::consts::PI;

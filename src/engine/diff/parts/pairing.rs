@@ -50,8 +50,9 @@ struct Pairing<'a> {
 impl Engine {
     /// Returns what became of each part of A, in their order, and then the parts of B alone.
     ///
-    /// Clouds have none. The reason is returned in place of the parts where a model has more than 2,000 bodies, and where
-    /// the budget of seconds is spent before; parts that it leaves no time for are undecided.
+    /// Clouds have no parts. If a model has more than 2,000 bodies, or the budget of seconds is spent before the comparison
+    /// begins, the result has the reason and no parts. If the budget ends during the comparison, the remaining parts are
+    /// undecided.
     ///
     /// # Errors
     /// Those of [`Engine::distance`] and [`Engine::diff`].
@@ -328,18 +329,18 @@ impl Pairing<'_> {
         self.found.push((a, PartDifference { name_of_a, name_of_b, state, motion, lower, upper, faces }));
     }
 
-    /// Returns the word for a part that is in its place: another name is one that the other model has not, or has for a
-    /// part that is no copy. Copies are often numbered anew.
+    /// Returns the state of a part that is in its place. The part is renamed if its name is new in the other model, or is
+    /// there the name of a part of another shape. Exporters number copies anew, so that other names of copies do not count.
     fn name_state(&self, pair: [usize; 2]) -> PartState {
         let [a, b] = self.pair(pair);
         let has_name = |index: usize, of: &Part| self.parts[index].iter().any(|part| part.given == of.given);
         let is_new = || !has_name(1, a) || !has_name(0, b);
-        let is_anothers = || {
+        let is_of_another_shape = || {
             let mut named = self.parts[0].iter().filter(|part| part.given == b.given);
             named.any(|part| !part.is_like(a, self.options.limit))
         };
         let has_another = a.given.is_some() && b.given.is_some() && a.given != b.given;
-        if has_another && (is_new() || is_anothers()) { PartState::Renamed } else { PartState::Same }
+        if has_another && (is_new() || is_of_another_shape()) { PartState::Renamed } else { PartState::Same }
     }
 
     /// Returns all parts: those of A in their order, then those of B alone.
@@ -354,12 +355,8 @@ impl Pairing<'_> {
             faces: PartFaces::default(),
         };
         let is_late = self.is_late();
-        let are_named = [0, 1].into_iter().all(|index: usize| {
-            self.parts[index]
-                .iter()
-                .zip(&self.open[index])
-                .all(|(part, is_open)| !is_open || part.given.is_some())
-        });
+        let of_models = self.parts.iter().flatten().zip(self.open.iter().flatten());
+        let are_named = of_models.filter(|(_, is_open)| **is_open).all(|(part, _)| part.given.is_some());
         let differ_in_number = self.parts[0].len() != self.parts[1].len() && are_named && !is_late;
         let or_undecided = |state| if is_late { PartState::Undecided } else { state };
         let [of_a, of_b] = &self.parts;

@@ -16,7 +16,7 @@ export function partOf({ offsetLeft, offsetTop, offsetWidth, offsetHeight }: HTM
   return { left: offsetLeft, right, top: offsetTop, bottom };
 }
 
-/** The least rectangle around two; what is nowhere has none. */
+/** The smallest rectangle that contains two others, of which either may be nowhere. */
 export function around(one: Part, other: Part): Part {
   if (isSame(one, NOWHERE)) return other;
   if (isSame(other, NOWHERE)) return one;

@@ -52,7 +52,7 @@ interface Fitted {
 export class Viewport {
   readonly scene = new Scene();
   readonly controls: OrbitControls;
-  /** Whether clicks are a tool's: what lies over the view is then heeded where it grows, and keeps its place else. */
+  /** Whether a tool takes the clicks. The view then makes room for elements that grow, and not for those that shrink. */
   isPicked = false;
   /** Called before every drawing, after the camera was updated. */
   onDraw: () => void = () => {};

@@ -58,7 +58,6 @@ export const bodies = {
   apartByIn: (size: string, unit: string, lower: string, open: string, places: string) =>
     `Apart by ${size}${unit}, in ${lower}${open}: ${places}.`,
   clearanceAndClash: "Clearance and clash",
-  faces: "Faces",
   distanceIn: (unit: string | undefined) =>
     unit === undefined ? "Least distance" : `Least distance, ${unit}`,
   computing: "computing…",

@@ -140,7 +140,7 @@ fn summary(result: &DiffResult, a: &Input, b: &Input) -> String {
     let [a, b] = [&result.faces_of_a, &result.faces_of_b].map(|faces| counts(faces));
     let parts = result.parts_summary().map_or(String::new(), |parts| format!("{parts}; "));
     let has_changed_faces = result.faces_in(FaceState::Changed).iter().any(|faces| !faces.is_empty());
-    // What decides comes first.
+    // The text begins with the reason of the verdict.
     let first = match result.state {
         FaceState::Changed if !has_changed_faces => format!("{parts}{largest}"),
         _ => format!("{largest}{parts}"),

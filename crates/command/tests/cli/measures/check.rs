@@ -73,7 +73,7 @@ fn a_clash_is_the_first_line_and_exit_status_1() {
     assert_eq!(found["bodies"].as_array().unwrap().len(), 3);
 }
 
-/// Arrays would be read as the values of an object in their order, and no rules as kept ones.
+/// Serde would accept an array as the values of an object, and an empty array as no rules.
 #[test]
 fn rules_are_lists_of_objects_by_name() {
     let path = boxes("rules", &[("shaft", [0.0; 3], [1.0; 3]), ("housing", [0.5, 0.25, 0.25], [2.0; 3])]);
@@ -98,7 +98,7 @@ fn rules_are_lists_of_objects_by_name() {
 fn the_tolerance_is_said() {
     let path =
         boxes("tolerance", &[("one", [0.0; 3], [1.0; 3]), ("far", [1e6, 0.0, 0.0], [1e6 + 1.0, 1.0, 1.0])]);
-    // A millionth of the diagonal, which a stray body makes long.
+    // The tolerance is a millionth of the diagonal, which the far body makes long.
     assert!(text(&run(&["check", &path])).contains("\ntolerance  1, up to which bodies touch\n"));
     let stated = text(&run(&["check", &path, "--tolerance", "0.015"]));
     assert!(stated.contains("\ntolerance  0.015, "), "{stated}");
