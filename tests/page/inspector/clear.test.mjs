@@ -39,8 +39,11 @@ async function keepsClear(screen, ...selectors) {
 for (const [screen, size] of Object.entries(SCREENS)) {
   test(`on a ${screen} nothing lies over the models`, async () => {
     await page.setViewportSize(size);
-    await page.selectOption("#direction", "oblique");
-    await keepsClear(screen, "#legend");
+    // A section leaves the half that is seen from where the camera is then.
+    for (const view of ["top", "bottom", "oblique"]) {
+      await page.selectOption("#direction", view);
+      await keepsClear(`${screen}, ${view}`, "#legend");
+    }
     await page.selectOption("#section-axis", "1");
     await page.locator("#cut svg").waitFor();
     for (const view of ["back", "isometric"]) {

@@ -71,14 +71,29 @@ test("files are kept over a reload with their options, until they are forgotten"
   assert.equal(await page.locator("#shape-a option:checked").textContent(), "Bracket");
 });
 
-test("a camera in the address is where the view opens, and a wrong one changes nothing", async () => {
+test("what an address has that the page does not take changes nothing, and is named", async () => {
   const url = new URL(page.url());
-  for (const camera of ["1,2,3", "a,b,c,d,e,f", "0,0,0,0,0,0", "5,-5,5,0,0,0"]) {
-    url.hash = `symmetric=&deviation=&camera=${camera}&limit=abc&steps=4`;
+  const note = page.locator("#files-note");
+  const own = "own-limits=a3:0.1/0.2,a4:0.";
+  for (const [parameters, names] of [
+    ["camera=5,-5,5,0,0,0&below=0.5", ""],
+    ["camera=1,2,3", "camera"],
+    ["camera=a,b,c,d,e,f&limit=abc&steps=4", "camera, limit, steps"],
+    ["camera=0,0,0,0,0,0&a=nothing", "camera, a"],
+    [
+      `annotations=${encodeURIComponent('[["')}&measures=1&${own}`,
+      "annotations, measures, own-limits",
+    ],
+    ["colors=3", "colors"],
+  ]) {
+    url.hash = `symmetric=&deviation=&${parameters}`;
     await page.goto("about:blank");
     await page.goto(url.href);
     await page.locator('#result[data-state="done"]').waitFor();
     assert.equal(await page.locator("#scale-steps").inputValue(), "0");
+    assert.equal(await note.isVisible(), names !== "");
+    if (names === "") continue;
+    assert.ok((await note.textContent()).includes(`not all of ${names} is shown`), parameters);
   }
 });
 

@@ -11,6 +11,7 @@ import { IN_PLACE, presets } from "../controls/presets.ts";
 import {
   asideSide,
   leaveAside,
+  note,
   type Opened,
   openShapes,
   setLoading,
@@ -20,14 +21,20 @@ import {
 } from "../controls/sources.ts";
 import { AskedFiles } from "../files/asked.ts";
 import { showFileNotes } from "../files/fileNotes.ts";
-import { type FileName, filesNamedBy, nameOf, parametersOf } from "../files/identity.ts";
+import {
+  FILE_PARAMETERS,
+  type FileName,
+  filesNamedBy,
+  nameOf,
+  parametersOf,
+} from "../files/identity.ts";
 import { forgetFiles, keepFiles, keepLast, keptFiles, lastFiles } from "../files/kept.ts";
 import { showUnits, unitScale } from "../files/units.ts";
 import { clearMeasures } from "../measuring/measures.ts";
 import { clearOwnLimits } from "../results/ownLimits.ts";
 import * as resultPanel from "../results/resultPanel.ts";
-import { applyFormState, formState } from "../state/formState.ts";
-import { History } from "../state/history.ts";
+import { applyFormState, formState, notUnderstood } from "../state/formState.ts";
+import { CAMERA, History } from "../state/history.ts";
 import { texts } from "../texts/index.ts";
 import {
   type Placement,
@@ -220,6 +227,11 @@ export class Opening {
   /** Opens what the page begins with: the address's shapes, the files that are kept, or the example. */
   async openFirst(): Promise<void> {
     const { linked } = History;
+    await this.#openLinked(linked);
+    if (linked !== undefined) noteLink(linked);
+  }
+
+  async #openLinked(linked: string | undefined): Promise<void> {
     const wanted = filesNamedBy(linked);
     if (linked !== undefined && Object.keys(wanted).length > 0) {
       await this.#openNamed(wanted, linked);
@@ -262,4 +274,11 @@ export class Opening {
     this.#asked.ask(wanted, sources);
     resultPanel.clearResult("asked");
   }
+}
+
+/** Says which parameters of a link are damaged or unknown, as their values are not shown. */
+function noteLink(linked: string): void {
+  const isCamera = History.cameraOf(linked) !== undefined;
+  const names = notUnderstood(linked, [...FILE_PARAMETERS, ...(isCamera ? [CAMERA] : [])]);
+  if (names.length > 0) note(texts.files.theLinkIsDamaged(names.join(", ")));
 }

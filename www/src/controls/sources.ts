@@ -127,8 +127,8 @@ function openAll(opened: Opened, proposal: NonNullable<typeof awaited> = {}): vo
 
 const other = (side: Side): Side => (side === "a" ? "b" : "a");
 
-/** Says something of the files that were given. */
-function note(text: string): void {
+/** Says something of the files or the link that were given. */
+export function note(text: string): void {
   element("files-note").textContent = text;
   element("files-note").hidden = text === "";
 }

@@ -57,6 +57,12 @@ export const isNamed = (file: FileName, wanted: FileName): boolean =>
 /** The first digits of a hash, for people. */
 export const shortHash = (hash: string): string => hash.slice(0, SHORT);
 
+const nameKey = (side: Side): string => `file-${side}`;
+const hashKey = (side: Side): string => `sha256-${side}`;
+
+/** The names of all parameters of a link that name files. */
+export const FILE_PARAMETERS = SIDES.flatMap((side) => [nameKey(side), hashKey(side)]);
+
 /** The parameters of a link that name files. */
 export function parametersOf(files: Sides<FileName>): string {
   const parameters = new URLSearchParams();
@@ -79,6 +85,3 @@ export function filesNamedBy(link: string | undefined): Sides<FileName> {
   }
   return files;
 }
-
-const nameKey = (side: Side): string => `file-${side}`;
-const hashKey = (side: Side): string => `sha256-${side}`;

@@ -2,7 +2,7 @@
 // that links, undoing and kept files hold it.
 import { computed } from "@preact/signals-core";
 import type { Allowed } from "../scene/colors/scale.ts";
-import { field, onChange } from "../state/store.ts";
+import { field, onChange, understands } from "../state/store.ts";
 import type { Side } from "../worker/protocol.ts";
 
 const control = field("own-limits");
@@ -18,13 +18,19 @@ const ENTRY = /^([ab])(\d{1,9}):([\d.e+-]+)\/([\d.e+-]+)$/i;
 /** `0.1`, `±0.1` or `+0.2/-0.1`, with any minus. */
 const TYPED = /^[+±]?([\d.]+(?:e[+-]?\d+)?)(?:\s*\/\s*[-−]?([\d.]+(?:e[+-]?\d+)?))?$/i;
 
-const all = computed((): readonly OwnLimit[] =>
-  control.value.split(",").flatMap((entry) => {
+const all = computed((): readonly OwnLimit[] => limitsIn(control.value));
+understands(
+  "own-limits",
+  (text) => text === "" || limitsIn(text).length === text.split(",").length,
+);
+
+function limitsIn(text: string): OwnLimit[] {
+  return text.split(",").flatMap((entry) => {
     const [, side, face, above, below] = ENTRY.exec(entry) ?? [];
     const allowed = allowedBy(above, below);
     return allowed === undefined ? [] : [{ side: side as Side, face: Number(face), ...allowed }];
-  }),
-);
+  });
+}
 
 /** All faces that have limits of their own. */
 export const ownLimits = (): readonly OwnLimit[] => all.value;

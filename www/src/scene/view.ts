@@ -314,8 +314,11 @@ export class View {
     this.#explode(display.exploded);
     this.models.setDisplay(display.visibility, overlays.triangles);
     this.models.fileColors = display.fileColors;
+    const wasCut = this.models.cut !== undefined;
     this.models.cutOpen(display.section);
     if (this.#viewport !== undefined) {
+      // What is clipped has shaders of its own.
+      if (!wasCut && this.models.cut !== undefined) void this.#viewport.compile();
       this.#viewport.orthographic = display.orthographic;
       const { wipe } = display;
       this.#viewport.wipe =

@@ -1,6 +1,6 @@
 // The values of all controls that have a name, as the text of the page's address.
 import { batch } from "@preact/signals-core";
-import { type Control, controls, currentValue, put } from "./store.ts";
+import { type Control, controls, currentValue, isUnderstood, put } from "./store.ts";
 
 /** Returns the values that differ from the page's own, as parameters of an address. */
 export function formState(): string {
@@ -21,6 +21,16 @@ export function applyFormState(text: string, excluded: readonly string[] = []): 
       const value = parameters.get(control.name) ?? defaultOf(control);
       if (value !== currentValue(control) && takes(control, value)) put(control, value);
     }
+  });
+}
+
+/** The parameters of an address, apart from `others`, of which no control has the name or takes all of the value. */
+export function notUnderstood(text: string, others: readonly string[]): string[] {
+  const all = new Map(controls().map((control) => [control.name, control]));
+  return [...new URLSearchParams(text)].flatMap(([name, value]) => {
+    const control = all.get(name);
+    const isRead = control !== undefined && takes(control, value) && isUnderstood(name, value);
+    return isRead || others.includes(name) ? [] : [name];
   });
 }
 

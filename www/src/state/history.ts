@@ -8,7 +8,7 @@ const PAUSE = 150;
 const MAX_STATES = 200;
 
 /** The camera's parameter, and significant digits of its place. */
-const CAMERA = "camera";
+export const CAMERA = "camera";
 const CAMERA_DIGITS = 5;
 
 /** Controls whose values are about one pair of models. */

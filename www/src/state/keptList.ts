@@ -1,6 +1,6 @@
 // Lists in controls of the form, so that links, undoing and kept files hold them: a row of JSON an entry.
 import { computed, type ReadonlySignal } from "@preact/signals-core";
-import { field } from "./store.ts";
+import { field, understands } from "./store.ts";
 
 /** The most entries of a list: a link holds them. */
 const MAX_COUNT = 60;
@@ -28,12 +28,16 @@ export function keptList<T>(
   entryOf: (row: readonly unknown[]) => T | undefined,
 ): KeptList<T> {
   const state = field(name);
-  const parsed = (text: string): T[] =>
-    rowsOf(text).flatMap((row) => {
+  const parsed = (rows: readonly unknown[]): T[] =>
+    rows.flatMap((row) => {
       const entry = Array.isArray(row) ? entryOf(row) : undefined;
       return entry === undefined ? [] : [entry];
     });
-  const all = computed((): readonly T[] => parsed(state.value));
+  understands(name, (text) => {
+    const rows = rowsOf(text);
+    return rows !== undefined && rows.length <= MAX_COUNT && parsed(rows).length === rows.length;
+  });
+  const all = computed((): readonly T[] => parsed((rowsOf(state.value) ?? []).slice(0, MAX_COUNT)));
   const write = (entries: readonly T[]) =>
     state.set(entries.length === 0 ? "" : JSON.stringify(entries.map(rowOf)));
   const hasRoom = () => all.peek().length < MAX_COUNT;
@@ -46,13 +50,14 @@ export function keptList<T>(
   return { all, write, hasRoom, add };
 }
 
-function rowsOf(text: string): unknown[] {
+/** The rows of a text; undefined if it is no list. */
+function rowsOf(text: string): unknown[] | undefined {
   if (text === "") return [];
   try {
     const rows: unknown = JSON.parse(text);
-    return Array.isArray(rows) ? rows.slice(0, MAX_COUNT) : [];
+    return Array.isArray(rows) ? rows : undefined;
   } catch {
-    return [];
+    return undefined;
   }
 }
 

@@ -81,6 +81,17 @@ export function field(name: string): Field {
 /** Whether a check box is checked. */
 export const isOn = (box: Pick<Field, "value">): boolean => box.value === "on";
 
+const checks = new Map<string, (value: string) => boolean>();
+
+/** States which texts a field of text understands whole. */
+export function understands(name: string, check: (value: string) => boolean): void {
+  checks.set(name, check);
+}
+
+/** Whether a field understands all of a text; one without a check understands any. */
+export const isUnderstood = (name: string, value: string): boolean =>
+  checks.get(name)?.(value) ?? true;
+
 /** Sets a control, and says so as the browser does when the user sets it. */
 export function put(control: Control, value: string): void {
   if (isCheckBox(control)) control.checked = value === "on";

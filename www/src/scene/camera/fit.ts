@@ -3,6 +3,7 @@ import { type Box3, Matrix4, type PerspectiveCamera, Vector3 } from "three";
 
 /** The fraction of the view that the box fills. */
 const FILL = 0.92;
+const UPRIGHT = new Vector3(0, 1, 0);
 
 /**
  * Returns the smallest distance from the box's centre, in `direction`, at which all its corners are in view,
@@ -15,7 +16,10 @@ export function fitDistance(
   [freeWidth, freeHeight] = [1, 1],
 ): number {
   const center = box.getCenter(new Vector3());
-  const rotation = new Matrix4().lookAt(direction, new Vector3(), camera.up).invert();
+  // Seen from above or below, the controls show the axis y upright.
+  const isVertical = new Vector3().crossVectors(direction, camera.up).lengthSq() === 0;
+  const up = isVertical ? UPRIGHT : camera.up;
+  const rotation = new Matrix4().lookAt(direction, new Vector3(), up).invert();
   const tangent = FILL * Math.tan((camera.fov * Math.PI) / 360);
   const horizontal = tangent * camera.aspect * freeWidth;
   const vertical = tangent * freeHeight;

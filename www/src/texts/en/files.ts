@@ -50,6 +50,8 @@ export const files = {
   hasAnotherContent: (name: string, hash: string) =>
     `${name} has another content than the link’s: its SHA-256 begins with ${hash}.`,
   isNoFileOfTheLink: (name: string) => `${name} is not a file of this link.`,
+  theLinkIsDamaged: (names: string) =>
+    `The link is damaged or of another version of this page: not all of ${names} is shown.`,
   theLinkIsAbout: (names: string, names2: number) =>
     `The link is about ${names}. A link holds no files: drop ${names2 > 1 ? "them" : "it"} here to see what it shows.`,
   unitUnknown: "unit unknown",
