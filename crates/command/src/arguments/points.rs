@@ -12,8 +12,8 @@ pub(crate) struct ClosestPointsArguments {
     pub(crate) model: PathBuf,
     /// The file of the points: a cloud, a scan, text with three coordinates a line, or a mesh, whose corners they are.
     pub(crate) points: PathBuf,
-    /// Writes a line for each point to a CSV file, - for standard output alone: its signed distance, the bound of that,
-    /// the foot and its face.
+    /// Writes a line for each point to a CSV file, - for standard output in place of other results: the point as it is
+    /// given, the signed distance of its image, the bound of that, the foot and its face.
     #[arg(long, short, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     /// Replaces the output if it is there already.

@@ -8,7 +8,7 @@ use crate::output::file::{is_stream, write_file};
 use crate::output::json::{OfFile, print_json};
 use crate::output::print;
 use crate::output::progress::Bar;
-use nurbs_hausdorff::{ClosestPoints, Engine, Error, Signs, Skipped};
+use nurbs_hausdorff::{ClosestPoints, Engine, Error, RigidTransform, Signs, Skipped};
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -19,6 +19,10 @@ pub(crate) fn run(arguments: &ClosestPointsArguments) -> Result<(), Failure> {
     let output = arguments.output.as_deref();
     let is_stream =
         output.map_or(Ok(false), |path| is_stream(path, "csv", "a file whose name ends with .csv, or -"))?;
+    if is_stream && arguments.json {
+        let found = "--json beside --output -: standard output has either".to_owned();
+        return Err(Error::OptionInvalid { found }.into());
+    }
     let input = read(&arguments.model)?;
     let points = read_points(&arguments.points)?;
     if let (Some(a), Some(b)) = (points.unit, input.prepared.unit())
@@ -46,7 +50,8 @@ pub(crate) fn run(arguments: &ClosestPointsArguments) -> Result<(), Failure> {
             &input.source,
         ));
     }
-    print(&text(&points.coordinates, &found))
+    let place = if options.transform == RigidTransform::IDENTITY { "at" } else { "before its motion at" };
+    print(&text(&points.coordinates, &found, place))
 }
 
 /// Writes a line for each point, with every digit of its numbers.
@@ -100,14 +105,15 @@ impl<'a> Lists<'a> {
     }
 }
 
-fn text(points: &[f64], found: &ClosestPoints) -> String {
+/// Returns what is printed; `place` stands before the coordinates of points.
+fn text(points: &[f64], found: &ClosestPoints, place: &str) -> String {
     let mut text = String::new();
     // Writing to a string does not fail.
-    let _ = lines(&mut text, points, found);
+    let _ = lines(&mut text, points, found, place);
     text
 }
 
-fn lines(out: &mut String, points: &[f64], found: &ClosestPoints) -> std::fmt::Result {
+fn lines(out: &mut String, points: &[f64], found: &ClosestPoints, place: &str) -> std::fmt::Result {
     let order = |one: &usize, other: &usize| found.distances[*one].total_cmp(&found.distances[*other]);
     let indices = 0..found.distances.len();
     let mut end = |name: &str, index: Option<usize>| {
@@ -117,7 +123,7 @@ fn lines(out: &mut String, points: &[f64], found: &ClosestPoints) -> std::fmt::R
         let distance = bounded(distance, [(distance - bound).max(0.0), distance + bound]);
         writeln!(
             out,
-            "{name} {distance} of point {index}, at {x:?} {y:?} {z:?}, to face {}",
+            "{name} {distance} of point {index}, {place} {x:?} {y:?} {z:?}, to face {}",
             found.faces[index]
         )
     };

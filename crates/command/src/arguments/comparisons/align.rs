@@ -23,9 +23,9 @@ pub(crate) struct AlignArguments {
     /// --datum lay it.
     #[arg(long, value_enum, default_value_t = NormName::Mean)]
     norm: NormName,
-    /// A file of pairs of points, three or more, from which the fit starts: lines x y z x y z of A and B, with
-    /// a weight if there is one, or JSON.
-    #[arg(long, value_name = "FILE")]
+    /// A file of pairs of points, three or more, from which the fit starts in place of --from: lines
+    /// x y z x y z of A and B, with a weight if there is one, or JSON.
+    #[arg(long, value_name = "FILE", conflicts_with = "from")]
     pairs: Option<PathBuf>,
     /// A datum of A on that of B, the primary first, each in the freedoms that those before it leave: face:3=7 by
     /// the index of faces, plane:x,y,z,nx,ny,nz=…, axis:… by a point and a direction, or point:x,y,z=x,y,z.

@@ -55,6 +55,8 @@ fn points_are_moved_and_written_with_all_digits() {
         assert!((numbers[3] - (from_the_middle - 1.0)).abs() <= numbers[5], "{line}");
     }
     assert_eq!(lines.next(), None);
+    let (_, printed) = text(&arguments[..5]);
+    assert!(printed.contains("of point 2, before its motion at 5.0 0.0 0.0"), "{printed}");
     // A file that is there is kept.
     assert_eq!(status(&run(&arguments)), 2);
     assert_eq!(status(&run(&[&arguments[..], &["--overwrite"]].concat())), 0);
@@ -75,6 +77,8 @@ fn points_in_another_unit_or_format_are_refused() {
     let inches = file("closest-points-in.csv", "x [in],y_in,z (in)\n0.2,0,0\n");
     let refused = run(&["closest-points", &ball, &inches]);
     assert!(String::from_utf8_lossy(&refused.stderr).starts_with("error[UNITS_DIFFER]"), "{refused:?}");
+    let both = run(&["closest-points", &ball, &points, "--output", "-", "--json"]);
+    assert!(String::from_utf8_lossy(&both.stderr).starts_with("error[OPTION_INVALID]"), "{both:?}");
     for name in ["closest-points.ply", "closest-points.json"] {
         let refused = run(&["closest-points", &ball, &points, "--output", name, "--overwrite"]);
         assert!(String::from_utf8_lossy(&refused.stderr).contains(".csv"), "{refused:?}");
