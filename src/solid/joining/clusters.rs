@@ -3,6 +3,10 @@
 use glam::DVec3;
 use std::collections::HashMap;
 
+/// The side of a cell of points as a multiple of the distance up to which they are joined. All points near another one are
+/// mostly in its own cell then, where cells of the distance's size would have them in 27.
+const CELL_SIDE: f64 = 4.0;
+
 /// Points in groups: those of a chain whose links are at most a given length.
 #[derive(Debug)]
 pub(crate) struct Clusters {
@@ -18,20 +22,28 @@ impl Clusters {
     /// Makes one group of those of points, each with its number, that are within a distance of each other. O(n) in general
     /// position.
     pub(super) fn join_near(&mut self, points: &[(u32, DVec3)], reach: f64) {
-        let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
+        let cell_of = |point: DVec3| {
+            (point / (CELL_SIDE * reach)).floor().to_array().map(|coordinate| coordinate as i64)
+        };
+        // The last point of each cell, and of each point the one before it in its cell.
+        let mut last: HashMap<[i64; 3], usize> = HashMap::with_capacity(points.len());
+        let mut before: Vec<Option<usize>> = Vec::with_capacity(points.len());
         for (index, &(number, point)) in points.iter().enumerate() {
-            let cell = (point / reach).floor().to_array().map(|coordinate| coordinate as i64);
-            for neighbour in 0..27_i64 {
-                let offset = [neighbour % 3, neighbour / 3 % 3, neighbour / 9];
-                let key = [0, 1, 2].map(|axis| cell[axis].saturating_add(offset[axis] - 1));
-                for &other in cells.get(&key).map_or(&[][..], Vec::as_slice) {
-                    let (other, at) = points[other];
+            let [low, high] = [-reach, reach].map(|offset| cell_of(point + offset));
+            let cells = (low[0]..=high[0]).flat_map(|x| {
+                (low[1]..=high[1]).flat_map(move |y| (low[2]..=high[2]).map(move |z| [x, y, z]))
+            });
+            for cell in cells {
+                let mut next = last.get(&cell).copied();
+                while let Some(other) = next {
+                    let (other_number, at) = points[other];
                     if at.distance_squared(point) <= reach * reach {
-                        self.join(number, other);
+                        self.join(number, other_number);
                     }
+                    next = before[other];
                 }
             }
-            cells.entry(cell).or_default().push(index);
+            before.push(last.insert(cell_of(point), index));
         }
     }
 
