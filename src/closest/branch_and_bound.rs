@@ -123,11 +123,19 @@ pub(crate) fn closest_above(
         search.critical_point(patch, parameters);
     }
     let upper = search.upper();
-    let moved = |nearby: &&NearbyPatches| nearby.center.distance(point);
-    if let Some(nearby) = nearby.filter(|nearby| upper <= nearby.radius - moved(nearby)) {
+    let moved = nearby.map_or(0.0, |nearby| nearby.center.distance(point));
+    if let Some(nearby) = nearby.filter(|nearby| upper <= nearby.radius - moved) {
         for candidate in &nearby.list {
-            let lower_bound = (candidate.lower_bound - moved(&nearby)).max(0.0);
-            search.push(lower_bound * lower_bound, Region::Patch(candidate.patch));
+            let lower_bound = (candidate.lower_bound - moved).max(0.0);
+            // The bounds rise along the list.
+            if lower_bound >= upper {
+                break;
+            }
+            let to_list = (lower_bound * lower_bound).max(candidate.aabb.min_distance_squared(point));
+            if to_list < upper * upper {
+                let to_box = target.oriented_box(candidate.patch).min_distance_squared(point);
+                search.push(to_list.max(to_box), Region::Patch(candidate.patch));
+            }
         }
     } else {
         search.push(root.aabb.min_distance_squared(point), Region::Node(0));

@@ -1,20 +1,15 @@
 //! The patches that can be nearest to points in a neighbourhood.
 
-use super::{Target, nearest_control, newton};
+use super::Target;
 use crate::bvh::Aabb;
 use crate::sorting::sort_by_number;
 use glam::DVec3;
-
-/// The largest number of Newton steps from a start; the bounds hold wherever it stops.
-const MAX_ITERATIONS: u32 = 16;
 
 /// A patch near the centre of a [`NearbyPatches`].
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NearbyPatch {
     /// The index of the patch.
     pub(crate) patch: u32,
-    /// The parameters (s, t) of a point of the patch near the centre.
-    pub(crate) parameters: [f64; 2],
     /// A lower bound on the distance from the centre to the patch.
     pub(crate) lower_bound: f64,
     /// A box around the patch.
@@ -34,9 +29,9 @@ pub(crate) struct NearbyPatches {
 }
 
 impl NearbyPatches {
-    /// Lists the patches near `center`. O(p q) for each whose boxes are within `radius`.
+    /// Lists the patches near `center`. O(nodes of the tree that are within `radius`).
     pub(crate) fn new(target: &Target, center: DVec3, radius: f64) -> Self {
-        let Target { patches, tree, .. } = target;
+        let tree = &target.tree;
         let radius_squared = radius * radius;
         let mut list = Vec::new();
         for leaf in tree.leaves_within(center, radius_squared) {
@@ -44,10 +39,7 @@ impl NearbyPatches {
             let oriented = target.oriented_box(index).min_distance_squared(center);
             let lower_squared = oriented.max(aabb.min_distance_squared(center));
             if lower_squared < radius_squared {
-                let patch = patches.patch(index as usize);
-                let foot = newton(&patch, center, nearest_control(&patch, center), MAX_ITERATIONS);
-                let (parameters, lower_bound) = (foot.parameters, lower_squared.sqrt());
-                list.push(NearbyPatch { patch: index, parameters, lower_bound, aabb });
+                list.push(NearbyPatch { patch: index, lower_bound: lower_squared.sqrt(), aabb });
             }
         }
         sort_by_number(&mut list, |patch| patch.lower_bound);

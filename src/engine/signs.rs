@@ -2,8 +2,7 @@
 
 use super::PreparedModel;
 use super::prepared::{PreparedTarget, Shells};
-use crate::bezier::Jet;
-use crate::closest::Target;
+use crate::closest::{Closest, Target};
 use crate::facets::{FacetTarget, Nearest};
 use crate::flatness::Flatness;
 use crate::pieces::FacePieces;
@@ -59,8 +58,8 @@ pub(super) struct SignRule<'a> {
 
 /// The closest point of a model.
 pub(super) enum SignFoot<'a> {
-    /// On a patch of a surface.
-    Patch(&'a Jet, usize),
+    /// On a patch of the target.
+    Patch(&'a Closest, &'a Target),
     /// On the facet at a place of its tree.
     Facet(&'a FacetTarget, u32, &'a Nearest),
 }
@@ -69,7 +68,7 @@ impl SignFoot<'_> {
     /// Returns the vector from the foot to the point.
     fn offset(&self, point: DVec3) -> DVec3 {
         match self {
-            Self::Patch(foot, _) => point - foot.point,
+            Self::Patch(closest, _) => point - closest.point,
             Self::Facet(_, _, nearest) => -nearest.offset,
         }
     }
@@ -147,15 +146,16 @@ impl SignRule<'_> {
         let offset = foot.offset(point);
         let distance = offset.length();
         let normal = match *foot {
-            SignFoot::Patch(foot, surface) => {
+            SignFoot::Patch(closest, of_foot) => {
+                let patch = of_foot.patches.patch(closest.patch);
                 let is_turned = |surface: usize| self.pieces.is_turned(surface);
-                let of_face = |normal: DVec3| if is_turned(surface) { -normal } else { normal };
+                let of_face = |normal: DVec3| if is_turned(patch.surface) { -normal } else { normal };
                 let is_along = |normal: &DVec3| offset.cross(*normal).length() <= MAX_SINE * distance;
                 let of_all = || {
                     let (shells, target) = self.source?;
-                    pseudonormal(target, foot.point, shells.boundary.reach(), is_turned)
+                    pseudonormal(target, closest.point, shells.boundary.reach(), is_turned)
                 };
-                foot.normal().filter(is_along).map(of_face).or_else(of_all)
+                patch.jet(closest.parameters).normal().filter(is_along).map(of_face).or_else(of_all)
             }
             SignFoot::Facet(facets, place, nearest) => facets.normal(place, nearest),
         };

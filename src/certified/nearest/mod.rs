@@ -12,7 +12,7 @@ pub(super) use feet::{Feet, Sample};
 use super::Operand;
 use crate::closest::{self, NearbyPatch, closest_above, nearest_control, newton_below};
 use glam::DVec3;
-use shortlist::Shortlist;
+use shortlist::{Listed, Shortlist};
 
 /// Bound on the Newton steps on one patch.
 const MAX_ITERATIONS: u32 = 16;
@@ -72,7 +72,7 @@ impl<'a> NearestPoint<'a> {
     /// within `gap`, unless the known foot is nearer.
     pub(super) fn certified(&self, target: DVec3, known: Foot, gap: f64) -> Foot {
         let start = Some((known.patch, known.parameters));
-        let nearby = self.shortlist.nearby.as_ref();
+        let nearby = self.shortlist.listed.as_ref().map(|listed| &listed.nearby);
         match closest_above(self.operand.target, target, gap, start, 0.0, nearby) {
             Some(found) if found.upper * found.upper < known.distance_squared => {
                 self.on_patch(target, found.patch as u32, found.parameters)
@@ -136,19 +136,19 @@ impl<'a> Traversal<'a> {
 
     /// Examines the listed patches; returns whether no other can be nearer.
     fn examine_shortlist(&mut self) -> bool {
-        let Some(nearby) = &self.service.shortlist.nearby else { return false };
+        let Some(Listed { nearby, starts }) = &self.service.shortlist.listed else { return false };
         let moved = nearby.center.distance(self.query.target);
         if moved >= nearby.margin() {
             return false;
         }
-        for candidate in &nearby.list {
-            let NearbyPatch { patch, parameters, lower_bound: least, .. } = *candidate;
+        for (candidate, &start) in nearby.list.iter().zip(starts) {
+            let NearbyPatch { patch, lower_bound: least, .. } = *candidate;
             let lower_bound = (least - moved).max(0.0);
             if lower_bound * lower_bound >= self.bound_squared() || self.is_done() {
                 break;
             }
             if nearby.lower_bound_squared(candidate, self.query.target) < self.bound_squared() {
-                self.examine(patch, parameters);
+                self.examine(patch, start);
             }
         }
         self.bound_squared().sqrt() <= nearby.radius - moved

@@ -1,6 +1,5 @@
 //! The model that samples are measured to.
 
-use crate::bezier::Jet;
 use crate::closest::{Target, closest_above};
 use crate::engine::PreparedModel;
 use crate::engine::direction::Direction;
@@ -83,11 +82,9 @@ impl<'a> FieldTarget<'a> {
             Self::Patches { target, signs, gap } => {
                 let closest = closest_above(target, point, *gap, known.place, 0.0, None)?;
                 known.place = Some((closest.patch as u32, closest.parameters));
-                let patch = target.patches.patch(closest.patch);
-                let foot: Jet = patch.jet(closest.parameters);
-                let of_patch = SignFoot::Patch(&foot, patch.surface);
+                let of_patch = SignFoot::Patch(&closest, target);
                 let signed = signs.signed(point, closest.lower, &of_patch, &mut known.side);
-                Some(Foot { point: foot.point, distance: point.distance(foot.point), signed })
+                Some(Foot { point: closest.point, distance: point.distance(closest.point), signed })
             }
             Self::Facets { facets: PreparedFacets { target, error, .. }, signs } => {
                 let (foot, nearest, lower) =

@@ -13,6 +13,9 @@ use glam::DVec3;
 /// a brick is small enough that most are outside a band of some spacings.
 pub(super) const SIDE: usize = 8;
 
+/// The number of points along a side of the parts of a brick whose points share a list of patches.
+const CELL_SIDE: usize = 4;
+
 /// The roundings of a brick's radius, relative to the length of the grid's points: those of two points, of their
 /// difference, its length and the half.
 const RADIUS_ROUNDINGS: f64 = 16.0;
@@ -57,6 +60,26 @@ impl Brick {
         self.indices().map(move |[i, j, k]| i + rows * j + layers * k)
     }
 
+    /// Returns the parts of the brick, with up to [`CELL_SIDE`] points along each axis.
+    fn cells(self) -> impl Iterator<Item = Self> {
+        let Self { first, counts } = self;
+        let along = counts.map(|count| count.div_ceil(CELL_SIDE));
+        (0..along.iter().product()).map(move |index: usize| {
+            let place = [index % along[0], index / along[0] % along[1], index / along[0] / along[1]];
+            let offset = place.map(|place| CELL_SIDE * place);
+            Self {
+                first: std::array::from_fn(|axis| first[axis] + offset[axis]),
+                counts: std::array::from_fn(|axis| CELL_SIDE.min(counts[axis] - offset[axis])),
+            }
+        })
+    }
+
+    /// Returns the place of a point of the whole grid among the brick's, x fastest.
+    fn place(self, index: [usize; 3]) -> usize {
+        let [i, j, k] = std::array::from_fn(|axis| index[axis] - self.first[axis]);
+        i + self.counts[0] * (j + self.counts[1] * k)
+    }
+
     /// Returns the indices of the points in the whole grid, x fastest.
     fn indices(self) -> impl Iterator<Item = [usize; 3]> {
         let Self { first, counts: [width, depth, height] } = self;
@@ -95,37 +118,39 @@ impl Brick {
                 return Some(Filled { values, undecided: Vec::new(), bound: 0.0, measured: 1 });
             }
         }
-        let mut filled = Filled {
-            values: Vec::with_capacity(count),
-            undecided: Vec::new(),
-            bound: 0.0,
-            measured: 1 + count,
-        };
-        for index in self.indices() {
-            self.measure(query, grid.point(index), (grid, band), &mut known, &mut filled)?;
+        let mut filled =
+            Filled { values: vec![0.0; count], undecided: Vec::new(), bound: 0.0, measured: 1 + count };
+        for cell in self.cells() {
+            let (middle, radius) = cell.ball(grid);
+            filled.measured += query.list_nearby(middle, radius, &mut known)?;
+            for index in cell.indices() {
+                self.measure(query, index, (grid, band), &mut known, &mut filled)?;
+            }
         }
+        filled.undecided.sort_unstable();
         Some(filled)
     }
 
-    /// Adds the signed distance of one point.
+    /// Sets the signed distance of one point.
     fn measure(
         self,
         query: &PointQuery<'_>,
-        point: DVec3,
+        index: [usize; 3],
         (grid, band): (&Grid, f64),
         known: &mut Known,
         filled: &mut Filled,
     ) -> Option<()> {
+        let (point, place) = (grid.point(index), self.place(index));
         let found = query.closest(point, grid.rounding(), known)?;
         let signed = query.signed(point, &found, known);
         // NaN, and 0 on the boundary, whose distance may be its error.
         let is_decided = signed.abs() > 0.0;
         if !is_decided {
-            filled.undecided.push(filled.values.len());
+            filled.undecided.push(place);
         }
         let is_within = found.distance < band;
         let size = if is_within { found.distance } else { band };
-        filled.values.push(if is_decided { size.copysign(signed) } else { size });
+        filled.values[place] = if is_decided { size.copysign(signed) } else { size };
         filled.bound = upper_max(filled.bound, found.bound);
         Some(())
     }

@@ -1,7 +1,8 @@
 //! The closest point of a model to one point.
 
-use crate::bezier::{Jet, Patch};
-use crate::closest::{Closest, Located, Target, closest_above, closest_beside, closest_located, newton};
+use crate::closest::{
+    Closest, Located, NearbyPatches, Target, closest_above, closest_beside, closest_located, newton,
+};
 use crate::engine::PreparedModel;
 use crate::engine::prepared::PreparedTarget;
 use crate::engine::signs::{self, SignFoot, SignRule, SignSource, Signs};
@@ -20,6 +21,10 @@ const MAX_ITERATIONS: u32 = 16;
 /// The roundings of a distance of two points, relative to it: three differences,
 /// their squares, two sums and a root.
 const DISTANCE_ROUNDINGS: f64 = 7.0;
+
+/// The reach of a list of patches beyond the distance at the middle of a ball, in radii of the ball. A point of it is at most
+/// a radius farther from the model than the middle, and its list reaches a radius less far.
+const LISTED_RADII: f64 = 2.0;
 
 /// A model to which points are measured, held while they are.
 pub(super) struct Measured<'a> {
@@ -50,10 +55,11 @@ enum Kind<'a> {
     Facets(&'a PreparedFacets, f64),
 }
 
-/// The foot and the space about the point before, near which the next one may lie.
+/// The foot and the space about the point before, near which the next one may lie, and the patches near both.
 #[derive(Default)]
 pub(super) struct Known {
     place: Option<(u32, [f64; 2])>,
+    nearby: Option<NearbyPatches>,
     side: signs::Known,
 }
 
@@ -72,9 +78,8 @@ pub(super) struct Found<'a> {
 }
 
 /// The place of a foot.
-#[allow(clippy::large_enum_variant, reason = "it lives for one point, and boxes would be made for each")]
 enum Place<'a> {
-    Patch { patch: Patch<'a>, parameters: [f64; 2], jet: Jet, pieces: &'a FacePieces },
+    Patch { closest: Closest, target: &'a Target, pieces: &'a FacePieces },
     Facet { facets: &'a PreparedFacets, facet: u32, nearest: Nearest },
 }
 
@@ -129,6 +134,16 @@ impl<'a> PointQuery<'a> {
         self.closest_from(point, error, None, known)
     }
 
+    /// Lists the patches to which points of a ball may be nearest, so that their searches need no tree, and returns the number
+    /// of closest points that were computed for it: one, and none of a mesh, which has no list. `None` of a model without
+    /// patches.
+    pub(super) fn list_nearby(&self, center: DVec3, radius: f64, known: &mut Known) -> Option<usize> {
+        let Kind::Patches { target, .. } = self.kind else { return Some(0) };
+        let reach = self.closest(center, 0.0, known)?.distance + LISTED_RADII * radius;
+        known.nearby = Some(NearbyPatches::new(target, center, reach));
+        Some(1)
+    }
+
     /// Returns whether a search finds a point of the model that is nearer than this.
     pub(super) fn is_nearer(&self, point: DVec3, error: f64, lower: f64) -> bool {
         let searched = self.closest(point, error, &mut Known::default());
@@ -148,14 +163,14 @@ impl<'a> PointQuery<'a> {
             Kind::Patches { target, pieces, point_error, gap } => {
                 let decided = located.and_then(|located| decided(target, point, gap, located));
                 let is_decided = decided.is_some();
+                let nearby = known.nearby.as_ref();
                 let searched = || {
                     let start = located.map(|located| (located.patch, located.parameters)).or(known.place);
                     let start = start.map(|start| foot_from(target, point, start));
-                    closest_above(target, point, gap, start, 0.0, None)
+                    closest_above(target, point, gap, start, 0.0, nearby)
                 };
                 let closest = decided.or_else(searched)?;
                 known.place = Some((closest.patch as u32, closest.parameters));
-                let (patch, parameters) = (target.patches.patch(closest.patch), closest.parameters);
                 let rounding =
                     point_error + error + gamma(DISTANCE_ROUNDINGS) * closest.upper + VANISHING_LENGTH;
                 Some(Found {
@@ -164,7 +179,7 @@ impl<'a> PointQuery<'a> {
                     located: is_decided,
                     is_refuting: located.is_some_and(|one| one.is_refuted_by(closest.upper + rounding)),
                     clear: closest.lower,
-                    place: Place::Patch { patch, parameters, jet: patch.jet(parameters), pieces },
+                    place: Place::Patch { closest, target, pieces },
                 })
             }
             Kind::Facets(facets, length) => {
@@ -183,7 +198,7 @@ impl<'a> PointQuery<'a> {
     /// Returns the distance of a point with its sign, as [`Signs`] states.
     pub(super) fn signed(&self, point: DVec3, found: &Found<'_>, known: &mut Known) -> f64 {
         let foot = match &found.place {
-            Place::Patch { patch, jet, .. } => SignFoot::Patch(jet, patch.surface),
+            Place::Patch { closest, target, .. } => SignFoot::Patch(closest, target),
             Place::Facet { facets, facet, nearest } => SignFoot::Facet(&facets.target, *facet, nearest),
         };
         self.rule.signed(point, found.clear, &foot, &mut known.side)
@@ -200,11 +215,15 @@ impl Found<'_> {
     /// Returns the foot.
     pub(super) fn foot(&self) -> Foot {
         match &self.place {
-            Place::Patch { patch, parameters, jet, pieces } => Foot {
-                point: jet.point,
-                face: pieces.face(patch.surface),
-                parameters: pieces.face_parameters(patch.surface, patch.surface_parameters(*parameters)),
-            },
+            Place::Patch { closest, target, pieces } => {
+                let patch = target.patches.patch(closest.patch);
+                let parameters = patch.surface_parameters(closest.parameters);
+                Foot {
+                    point: closest.point,
+                    face: pieces.face(patch.surface),
+                    parameters: pieces.face_parameters(patch.surface, parameters),
+                }
+            }
             Place::Facet { facets, facet, nearest } => Foot {
                 point: facets.target.facet(*facet).point(nearest.weights),
                 face: facets.target.index(*facet),

@@ -69,3 +69,19 @@ fn sides_differ_across_a_strip_that_is_nearer_than_the_faces() {
     }
     assert!(decided[0] > 50 && decided[1] > 50, "{decided:?}");
 }
+
+/// The cells of a brick have each of its points once.
+#[test]
+fn cells_have_each_point_once() {
+    for counts in [[8, 5, 3], [8, 8, 8], [1, 4, 6]] {
+        let brick = Brick { first: [16, 8, 24], counts };
+        let cells: Vec<Brick> = brick.cells().collect();
+        assert_eq!(cells.len(), counts.iter().map(|count| count.div_ceil(CELL_SIDE)).product::<usize>());
+        let mut places: Vec<usize> =
+            cells.iter().flat_map(|cell| cell.indices()).map(|index| brick.place(index)).collect();
+        let of_brick: Vec<usize> = brick.indices().map(|index| brick.place(index)).collect();
+        assert!(of_brick.into_iter().eq(0..counts.iter().product()), "x is fastest");
+        places.sort_unstable();
+        assert!(places.into_iter().eq(0..counts.iter().product()), "{counts:?}");
+    }
+}
