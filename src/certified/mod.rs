@@ -42,7 +42,7 @@ pub(crate) use operand::{Operand, Pair};
 pub(crate) use search::{BatchResult, BranchAndBound, Domain, Gains, SearchNode};
 
 pub(crate) use sheets::{SheetCache, Sheets};
-pub(crate) use spread::{CellSpread, Density, SpreadStart, Spreads};
+pub(crate) use spread::{CellSpread, Density, LinearBounds, SpreadStart, Spreads};
 
 pub use audit::{Audit, AuditReport, Lemma, Lemmas};
 #[cfg(feature = "internals")]

@@ -7,11 +7,17 @@
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod attained;
+mod density;
+mod shares;
 
-use super::bounds::{self, Lengths, distance_above, distance_from};
+pub(crate) use density::Density;
+pub(crate) use shares::LinearBounds;
+
+use self::density::Weight;
+use super::bounds::{self, Lengths, Linear, distance_above, distance_from};
 use super::cell_context::CellContext;
 use super::nearest::{Foot, NearestPoint, Query};
-use super::rounding::{MOVED_JET_ROUNDINGS, UNIT_ROUNDOFF, closest_point_error, gamma, point_error};
+use super::rounding::{UNIT_ROUNDOFF, closest_point_error, point_error};
 use super::{Cell, Pair};
 use crate::axis::Axis;
 use crate::closest::closest_above;
@@ -31,9 +37,6 @@ const NEARER: f64 = 0.25;
 /// B, and a chord's points are at most twice as far from its arc as those halfway.
 const HEIGHTS_RATIO: f64 = 2.0;
 
-/// The roundings of the density at a cell's centre, relative to the product of the derivatives.
-const DENSITY_ROUNDINGS: f64 = 16.0;
-
 /// The roundings of a finished mean, relative to it.
 const MEAN_ROUNDINGS: f64 = 64.0;
 
@@ -46,6 +49,8 @@ pub(crate) struct CellSpread {
     pub(crate) mean: [f64; 2],
     /// On the mean of their squares.
     pub(crate) square: [f64; 2],
+    /// On each distance, linear over the cell; `None` if none are known.
+    pub(crate) linear: Option<LinearBounds>,
     /// The side that is to be halved.
     pub(crate) axis: Axis,
     /// Where the bounds of the cell's halves start.
@@ -59,15 +64,6 @@ pub(crate) struct SpreadStart {
     pub(crate) foot: Foot,
     /// The distance of the apex from the cell's centre.
     pub(crate) apex: f64,
-}
-
-/// The area of a cell for each of its parameters.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Density {
-    /// Proportional to s, as that of a triangle whose side s = 0 is a corner.
-    OfTriangle,
-    /// That of a patch, by its derivatives.
-    OfPatch,
 }
 
 /// The bounds of cells of a pair.
@@ -140,21 +136,17 @@ impl<'a> Spreads<'a> {
         let start = SpreadStart { foot: context.foot(), ..*start };
         if upper <= self.sufficient {
             let [mean, square] = [[0.0, upper], [0.0, upper * upper]];
-            return CellSpread { all: mean, mean, square, axis: Axis::U, start };
+            return CellSpread { all: mean, mean, square, linear: None, axis: Axis::U, start };
         }
         self.of_apexes(&context, upper, start)
     }
 
     fn of_apexes(&self, context: &CellContext<'_>, upper: f64, mut start: SpreadStart) -> CellSpread {
-        let cell = &context.cell;
-        let tilt = match self.density {
-            Density::OfTriangle => cell.half[0] / cell.center[0],
-            Density::OfPatch => 0.0,
-        };
-        let ratio = self.density_ratio(context);
+        let weight = Weight::new(self.density, context);
+        let Weight { tilt, ratio } = weight;
         let above = distance_above(context, tilt);
         let upper = upper_min(upper, above.largest);
-        let mut best = Below { least: 0.0, mean: f64::NEG_INFINITY, gains: [0.0; 2] };
+        let mut best = Below { least: 0.0, mean: f64::NEG_INFINITY, linear: None, gains: [0.0; 2] };
         let center = context.jet.point;
         if let Some((lower, foot)) = self.query(center, start.foot) {
             best.take(lower, distance_from(context, center, tilt), ratio);
@@ -183,7 +175,10 @@ impl<'a> Spreads<'a> {
         let mean = upper_min(upper, least + ratio * (root - least));
         let square = upper_min(upper * upper, least * least + ratio * (root * root - least * least));
         let rounded = 1.0 + MEAN_ROUNDINGS * UNIT_ROUNDOFF;
+        let linear =
+            best.linear.zip(above.linear).and_then(|(low, high)| LinearBounds::new(low, high, weight));
         CellSpread {
+            linear,
             all: [least, upper],
             mean: [least_mean / rounded, mean * rounded],
             square: [least_mean * least_mean / rounded, square * rounded],
@@ -205,7 +200,8 @@ impl<'a> Spreads<'a> {
         let first = context.patch_bounds().first;
         let longer_along_u = context.cell.half[0] * first[0] >= context.cell.half[1] * first[1];
         let axis = if longer_along_u { Axis::U } else { Axis::V };
-        CellSpread { all, mean: all, square: all.map(|bound| bound * bound), axis, start }
+        let square = all.map(|bound| bound * bound);
+        CellSpread { all, mean: all, square, linear: None, axis, start }
     }
 
     fn gap(&self) -> f64 {
@@ -222,30 +218,14 @@ impl<'a> Spreads<'a> {
     fn nearest_point(&self, foot: &Foot) -> DVec3 {
         self.pair.b.patch(foot.patch).point(foot.parameters)
     }
-
-    /// Returns an upper bound on the ratio of the largest density of area over a cell to the smallest
-    /// that the tilt of a triangle does not account for; +∞ if none is known.
-    fn density_ratio(&self, context: &CellContext<'_>) -> f64 {
-        if self.density == Density::OfTriangle {
-            return 1.0;
-        }
-        let (jet, [h, k]) = (&context.jet, context.cell.half);
-        let local = context.local_bounds();
-        let ([s, t], [ss, st, tt]) = (local.first, local.second);
-        let error = context.jet_scale.quadratic_error([1.0; 2], MOVED_JET_ROUNDINGS);
-        let rounding = error * (s + t + error) + gamma(DENSITY_ROUNDINGS) * s * t;
-        let change = (h * ss + k * st) * t + (h * st + k * tt) * s;
-        let change = change * (1.0 + DENSITY_ROUNDINGS * UNIT_ROUNDOFF) + rounding;
-        let density = jet.s.cross(jet.t).length();
-        let least = density - change;
-        if least > 0.0 { (density + change) / least } else { f64::INFINITY }
-    }
 }
 
 /// Lower bounds over a cell.
 struct Below {
     least: f64,
     mean: f64,
+    /// Of those of the apexes the one with the largest value at the centre.
+    linear: Option<Linear>,
     gains: [f64; 2],
 }
 
@@ -261,6 +241,12 @@ impl Below {
         if mean > self.mean {
             self.mean = mean;
             self.gains = reach.gains;
+        }
+        let below =
+            |reach: Linear| Linear { value: at_apex - reach.value, slopes: reach.slopes.map(|slope| -slope) };
+        let linear = reach.linear.map(below);
+        if self.linear.is_none_or(|best| linear.is_some_and(|one| one.value > best.value)) {
+            self.linear = linear;
         }
     }
 }
@@ -332,8 +318,8 @@ mod tests {
             if is_struck {
                 spreads.strike();
             }
-            let CellSpread { all, mean, .. } = spreads.of(cell, &spreads.start());
-            assert_eq!(spreads.refutation(&cell, all, 3), None);
+            let CellSpread { all, mean, linear, .. } = spreads.of(cell, &spreads.start());
+            assert_eq!(spreads.refutation(&cell, (all, linear.as_ref()), 3), None);
             assert_eq!(spreads.refutation_of_mean(&cell, all, mean), None);
         }
         let distances: Vec<f64> = [-1.0, 0.0, 1.0]
@@ -344,7 +330,7 @@ mod tests {
         let ends = [f64::min, f64::max].map(|fold| distances.iter().copied().reduce(fold).unwrap());
         let range = ends[1] - ends[0];
         for wrong in [[ends[0] + 0.05 * range, 3.0], [0.0, ends[1] - 0.05 * range]] {
-            let found = spreads.refutation(&cell, wrong, 3).unwrap();
+            let found = spreads.refutation(&cell, (wrong, None), 3).unwrap();
             assert!(found.stated == wrong && !found.is_mean, "{found:?}");
         }
         let mean = distances.iter().sum::<f64>() / distances.len() as f64;

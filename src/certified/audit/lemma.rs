@@ -40,7 +40,7 @@ pub enum Lemma {
     DifferenceByPieces,
     /// 3.11, surfaces of revolution reduced to a generatrix.
     Generatrix,
-    /// S1 to S3 of `docs/meshes.md`, statistics of cells before surfaces.
+    /// S1 to S4 of `docs/meshes.md`, statistics of cells before surfaces.
     Spread,
     /// F8, F12 and F13 of `docs/meshes.md`, statistics of triangles before facets.
     SpreadToFacets,
@@ -89,7 +89,7 @@ impl Lemma {
             Self::OneSpline => "3.16",
             Self::DifferenceByPieces => "3.14",
             Self::Generatrix => "3.11",
-            Self::Spread => "S1 to S3",
+            Self::Spread => "S1 to S4",
             Self::SpreadToFacets => "F8, F12 and F13",
         }
     }

@@ -1,10 +1,10 @@
 //! The audit of the bounds that statistics rest on: lemmas S1 to S3 of `docs/meshes.md`.
 
-use super::super::spread::Spreads;
+use super::super::spread::{LinearBounds, Spreads};
 use super::super::{Cell, Pair};
 use super::points::{REGULAR, inner};
 use crate::closest::closest_above;
-use crate::rounding::upper_max;
+use crate::rounding::{upper_max, upper_min};
 
 /// The width of a certified distance, relative to the range that it is compared with.
 const CERTIFICATE_PART: f64 = 1e-3;
@@ -35,17 +35,21 @@ fn are_apart(one: [f64; 2], other: [f64; 2]) -> bool {
 
 impl Spreads<'_> {
     /// Looks at the corners of a cell, its middle and `further` points: the certified distance of each is in the
-    /// range stated for all. O(points) closest points.
+    /// range stated for all, and between the linear bounds there. O(points) closest points.
     pub(crate) fn refutation(
         &self,
         cell: &Cell,
-        stated: [f64; 2],
+        (all, linear): ([f64; 2], Option<&LinearBounds>),
         further: usize,
     ) -> Option<SpreadRefutation> {
         let mut known = None;
         REGULAR.into_iter().chain(inner(further)).find_map(|place| {
             let parameters = cell.at(place);
-            let found = self.certified(cell.patch, parameters, CERTIFICATE_PART * stated[1], &mut known)?;
+            let stated = linear.map_or(all, |linear| {
+                let [low, high] = linear.at(place);
+                [upper_max(all[0], low), upper_min(all[1], high)]
+            });
+            let found = self.certified(cell.patch, parameters, CERTIFICATE_PART * all[1], &mut known)?;
             let refutation =
                 SpreadRefutation { patch: cell.patch, parameters, is_mean: false, stated, found };
             are_apart(stated, found).then_some(refutation)

@@ -22,7 +22,7 @@ pub(super) use boxes::{bvh_node, whole_models};
 pub(super) use of_blocks::{BlockBound, block};
 #[cfg(feature = "internals")]
 pub use taylor::Quadratic;
-pub(super) use taylor::{Lengths, distance_above, distance_from, halved_sides};
+pub(super) use taylor::{Lengths, Linear, distance_above, distance_from, halved_sides};
 
 use super::cell_context::{CellContext, LeastBound, UpperBound};
 use super::near_copies::blocks::{BlockUpperBound, DifferenceByPieces, OneSpline};

@@ -59,16 +59,134 @@ fn a_triangle_has_its_area_at_the_side_across_its_corner() {
     assert!(found.mean[1] - found.mean[0] < 0.1, "{found:?}");
 }
 
-/// S3, attained: the density of (s², t) is 2 s, three times as large at one end of the cell as at the other.
-#[test]
-fn the_ratio_of_densities_is_that_of_the_ends() {
-    let in_s = [0.0, 0.0, 1.0];
-    let control = |i: usize, t: f64| DVec4::new(in_s[i], t, 0.25, 1.0);
-    let net: Net = ([2, 1], (0..3).flat_map(|i| [0.0, 1.0].map(|t| control(i, t))).collect());
+/// The weight of a cell of a surface over a plane.
+fn weight(net: Net, cell: Cell) -> Weight {
     let [a, b] = [net, plane([-2.0, 3.0])].map(|net| PatchModel::new(&[net]));
     let pair = pair(&a, &b);
     let spreads = Spreads::new(pair, Density::OfPatch, 1e-6);
-    let cell = Cell { half: [0.25; 2], ..WHOLE };
     let context = CellContext::new(&pair, &spreads.nearest, cell, &spreads.start().foot);
-    assert_attained(spreads.density_ratio(&context), 3.0, 1e-6);
+    Weight::new(Density::OfPatch, &context)
+}
+
+/// The surface (x(s), y(t), z(s, t)) of cubics by the powers of s and t in x and y, and of the quadratic z = turn (s − 1/2)²;
+/// with `is_turned` s and t are exchanged.
+fn surface([x, y]: [[f64; 4]; 2], turn: f64, is_turned: bool) -> Net {
+    // The Bernstein coefficients of a cubic by its powers.
+    let controls = |[a, b, c, d]: [f64; 4]| [a, a + b / 3.0, a + 2.0 * b / 3.0 + c / 3.0, a + b + c + d];
+    let ([x, y], z) = ([x, y].map(controls), controls([0.25 * turn, -turn, turn, 0.0]));
+    let control = |i: usize, j: usize| {
+        let [s, t] = if is_turned { [j, i] } else { [i, j] };
+        DVec4::new(x[s], y[t], z[s], 1.0)
+    };
+    ([3, 3], (0..4).flat_map(|i| (0..4).map(move |j| control(i, j))).collect())
+}
+
+const LINEAR: [f64; 4] = [0.0, 1.0, 0.0, 0.0];
+
+/// S3: the density of (s², t) is 2 s, which the weight of the cell is in proportion to.
+#[test]
+fn a_linear_density_has_no_ratio() {
+    let squares = [[0.0, 0.0, 1.0, 0.0], LINEAR];
+    let cell = Cell { half: [0.25; 2], ..WHOLE };
+    for is_turned in [false, true] {
+        let Weight { tilt, ratio } = weight(surface(squares, 0.0, is_turned), cell);
+        let [along, across] = if is_turned { [tilt[1], tilt[0]] } else { tilt };
+        assert!((along - 0.5).abs() < 1e-9 && across.abs() < 1e-9, "{tilt:?}");
+        assert_attained(ratio, 1.0, 1e-9);
+    }
+}
+
+/// S3, attained: the density of a cubic x with its turning point at the cell's centre, 1 + 3 (s − 1/2)², is that of its
+/// remainder.
+#[test]
+fn the_remainder_of_a_derivative_is_in_the_ratio() {
+    // s + (s − 1/2)³.
+    let cubic = [-0.125, 1.75, -1.5, 1.0];
+    let h = 0.25;
+    for is_turned in [false, true] {
+        let Weight { tilt, ratio } =
+            weight(surface([cubic, LINEAR], 0.0, is_turned), Cell { half: [h; 2], ..WHOLE });
+        assert!(tilt.iter().all(|part| part.abs() < 1e-9), "{tilt:?}");
+        // The bound takes the remainder to either side.
+        let rest = 3.0 * h * h;
+        assert_attained(ratio, (1.0 + rest) / (1.0 - rest), 1e-6);
+    }
+}
+
+/// S3, attained: (x, y) = (s + s²/2, t + t²/2) about 0 has the density (1 + s)(1 + t), whose product of changes is that of the
+/// corner.
+#[test]
+fn the_product_of_changes_is_in_the_ratio() {
+    let half = 0.125;
+    // About the centre 1/2, with derivatives 1 and second derivatives 1.
+    let square = [0.0, 0.5, 0.5, 0.0];
+    let Weight { tilt, ratio } = weight(surface([square; 2], 0.0, false), Cell { half: [half; 2], ..WHOLE });
+    assert!(tilt.iter().all(|part| (part - half).abs() < 1e-9), "{tilt:?}");
+    let least = 1.0 - 2.0 * half;
+    assert_attained(ratio, (least + half * half) / (least - half * half), 1e-6);
+}
+
+/// S3, attained up to the fourth order: the normal of a cylinder turns across itself, and its density is √(1 + 4c²(s − 1/2)²).
+#[test]
+fn a_turn_across_the_normal_is_in_the_ratio() {
+    let (turn, h) = (0.5, 0.25);
+    for is_turned in [false, true] {
+        let cell = Cell { half: [h; 2], ..WHOLE };
+        let Weight { tilt, ratio } = weight(surface([LINEAR; 2], turn, is_turned), cell);
+        assert!(tilt.iter().all(|part| part.abs() < 1e-9), "{tilt:?}");
+        let across = 2.0 * turn * h;
+        assert!(ratio >= (1.0 + across * across).sqrt(), "{ratio}");
+        assert_attained(ratio, 1.0 + 0.5 * across * across, 1e-6);
+    }
+}
+
+/// S4, attained: the distances of a plane cell above a plane are linear, so that each share is that of a formula; by the
+/// ends of the cell all of it would be open.
+#[test]
+fn the_shares_of_a_slope_are_known() {
+    let a = bilinear([[0.0, 0.0, 1.0], [0.0, 1.0, 1.25], [1.0, 0.0, 1.5], [1.0, 1.0, 1.75]]);
+    let found = spread(&a, &plane([-2.0, 3.0]), WHOLE, (Density::OfPatch, 1e-6), FAR);
+    let linear = found.linear.unwrap();
+    // An apex that is not infinitely far takes the square of the radius over twice its distance.
+    assert!(linear.thickness() <= 2.0 / FAR, "{linear:?}");
+    // z − 1 is x / 2 + y / 4: below 1/4 there is a triangle with the sides 1/2 and 1, above 1/2 the same.
+    for (limit, share) in [(1.25, 0.75), (1.375, 0.5), (1.5, 0.25)] {
+        let [less, more] = linear.beyond(limit);
+        assert!(less <= share && share <= more && more - less <= 8.0 / FAR, "{less} {share} {more}");
+    }
+}
+
+/// S4: between its bounds are the distances of all places of a cell of a sphere that another one crosses, at the slopes that
+/// they have there.
+#[test]
+fn distances_of_a_cell_are_between_its_linear_bounds() {
+    use crate::certified::testing::Surfaces;
+    use crate::model::RigidTransform;
+    use crate::shapes::sphere;
+    let center = glam::DVec3::new(0.25, -0.125, 0.5);
+    let [a, b] = [(glam::DVec3::ZERO, 1.0), (center, 1.125)]
+        .map(|(center, radius)| Surfaces::of(&sphere(center, radius).unwrap()));
+    let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
+    let spreads = Spreads::new(pair, Density::OfPatch, 1e-6);
+    let random = &mut fastrand::Rng::with_seed(21);
+    let (mut known, mut small, mut narrow) = (0, 0, 0);
+    for _ in 0..300 {
+        let half = [0; 2].map(|_| 0.5_f64.powi(random.i32(3..9)));
+        let place = [0, 1].map(|axis| half[axis] + (1.0 - 2.0 * half[axis]) * random.f64());
+        let cell = Cell { patch: random.u32(0..8), center: place, half };
+        let Some(linear) = spreads.of(cell, &spreads.start()).linear else { continue };
+        known += 1;
+        for index in 0..81 {
+            let at = [index / 9, index % 9].map(|k| f64::from(k) / 4.0 - 1.0);
+            let distance = (pair.point_of_a(cell.patch, cell.at(at)).distance(center) - 1.125).abs();
+            let [low, high] = linear.at(at);
+            assert!(low <= distance + 1e-12 && distance <= high + 1e-12, "{low} {distance} {high}");
+        }
+        if half.iter().all(|half| *half < 0.01) {
+            small += 1;
+            narrow += u32::from(linear.thickness() < 3e-3);
+        }
+    }
+    // Distances of a small cell differ by up to 0.02. Beside a pole of the other sphere a foot is no map.
+    assert!(known > 150 && narrow > 20 && 10 * narrow >= 9 * small, "{known} {narrow} {small}");
 }

@@ -3,12 +3,14 @@
 use crate::area::{Area, area_of_part};
 use crate::axis::Axis;
 use crate::bezier::Patch;
-use crate::certified::{Cell, CellSpread, Density, Lemma, Pair, SpreadRefutation, SpreadStart, Spreads};
+use crate::certified::{
+    Cell, CellSpread, Density, Lemma, LinearBounds, Pair, SpreadRefutation, SpreadStart, Spreads,
+};
 use crate::facets::{FacetTarget, PartOf, Parts, Source, Spread, Start, Weighted, WeightedPart};
 use crate::model::RigidTransform;
 use crate::normals::{NormalCone, Shape};
 use crate::param_box::ParamBox;
-use crate::rounding::gamma;
+use crate::rounding::{gamma, upper_min};
 use crate::solid::longer_axis_of_controls;
 use glam::DVec3;
 use std::ops::Range;
@@ -171,6 +173,7 @@ pub(in crate::engine) struct WeightedCell {
     cell: Cell,
     weight: Area,
     spread: Spread,
+    linear: Option<LinearBounds>,
     axis: Axis,
     start: SpreadStart,
 }
@@ -182,6 +185,18 @@ impl Weighted for WeightedCell {
 
     fn spread(&self) -> Spread {
         self.spread
+    }
+
+    fn beyond(&self, limit: f64) -> [f64; 2] {
+        match (self.spread.beyond(limit), &self.linear) {
+            ([0.0, 1.0], Some(linear)) => linear.beyond(limit),
+            (by_ends, _) => by_ends,
+        }
+    }
+
+    fn thickness(&self) -> f64 {
+        let range = self.spread.upper - self.spread.lower;
+        self.linear.map_or(range, |linear| upper_min(range, linear.thickness()))
     }
 }
 
@@ -197,9 +212,12 @@ impl<'a> Cells<'a> {
     }
 
     fn bounded(&self, cell: Cell, start: &SpreadStart) -> WeightedCell {
-        let CellSpread { all: [lower, upper], mean, square, axis, start } = self.spreads.of(cell, start);
-        let spread = Spread { lower, upper, mean, square }.widened(self.spreads.rounding());
-        WeightedCell { cell, weight: self.area(&cell), spread, axis, start }
+        let CellSpread { all: [lower, upper], mean, square, linear, axis, start } =
+            self.spreads.of(cell, start);
+        let rounding = self.spreads.rounding();
+        let spread = Spread { lower, upper, mean, square }.widened(rounding);
+        let linear = linear.map(|linear| linear.widened(rounding));
+        WeightedCell { cell, weight: self.area(&cell), spread, linear, axis, start }
     }
 
     fn area(&self, cell: &Cell) -> Area {
@@ -257,7 +275,7 @@ impl Cover for Cells<'_> {
         let cell = Cell::whole(index as u32);
         let spread = Spread::exact([0.0, self.spreads.farthest()]);
         let (weight, start) = (self.rough_area(&cell), self.spreads.start());
-        WeightedCell { cell, weight, spread, axis: Axis::U, start }
+        WeightedCell { cell, weight, spread, linear: None, axis: Axis::U, start }
     }
 
     fn halves(&self, part: &WeightedCell) -> Option<[WeightedCell; 2]> {
@@ -310,7 +328,7 @@ impl Cover for Cells<'_> {
     fn refutation(&self, part: &WeightedCell, further: usize, mean: bool) -> Option<String> {
         let Spread { lower, upper, mean: stated, .. } = part.spread;
         let all = [lower, upper];
-        let of_points = self.spreads.refutation(&part.cell, all, further);
+        let of_points = self.spreads.refutation(&part.cell, (all, part.linear.as_ref()), further);
         let of_mean = || mean.then(|| self.spreads.refutation_of_mean(&part.cell, all, stated)).flatten();
         let SpreadRefutation { patch, parameters, is_mean, stated, found } = of_points.or_else(of_mean)?;
         let what = if is_mean { "mean about" } else { "point" };

@@ -351,8 +351,12 @@ impl Search<'_> {
             let width = |part: &T| {
                 let Spread { lower, upper, .. } = part.spread();
                 // Halves of a part that is as narrow as its rounding are as open.
-                let is_open = lower <= limit && limit < upper;
-                if is_open && upper - lower > OPEN_ROUNDINGS * rounding { share(part) } else { 0.0 }
+                let [certain, possible] = part.beyond(limit);
+                if upper - lower > OPEN_ROUNDINGS * rounding {
+                    share(part) * (possible - certain)
+                } else {
+                    0.0
+                }
             };
             take_widest(parts, width, KEPT_PART * self.asked.options.part_tolerance, &mut urgency);
         }
@@ -360,7 +364,7 @@ impl Search<'_> {
             let width = |part: &T| {
                 let Spread { lower, upper, .. } = part.spread();
                 let is_near = lower < distance.upper && upper > distance.lower;
-                if is_near { upper - lower - 2.0 * rounding } else { 0.0 }
+                if is_near { part.thickness() - 2.0 * rounding } else { 0.0 }
             };
             let widest = parts.iter().map(width).fold(0.0, f64::max);
             // Where all are narrow and the percentile is not, the wider half of them goes on.

@@ -10,6 +10,10 @@ use crate::sorting::sort_pairs;
 /// The roundings of a product or a quotient of two numbers, and of a root.
 const QUOTIENT_ROUNDINGS: f64 = 4.0;
 
+/// The number of halvings by which an end of a percentile's interval is found in what the ends of parts leave: a part in
+/// 4,096 of it.
+const PERCENTILE_HALVINGS: u32 = 12;
+
 /// All intervals at one time.
 pub(in crate::engine) struct Sums {
     pub(super) total: Area,
@@ -73,10 +77,8 @@ impl Sums {
             upper: root(square.upper, 1.0),
         };
         let beyond = limits.iter().map(|&limit| {
-            let weight = |is_beyond: bool, weight: f64| if is_beyond { weight } else { 0.0 };
-            let lower = sum(&|part| weight(part.spread().lower > limit, part.weight().lower)).lower();
-            // Not "at most the limit", so that NaN counts as beyond.
-            let upper = sum(&|part| weight(!(part.spread().upper <= limit), part.weight().upper)).upper();
+            let lower = sum(&|part| part.weight().lower * part.beyond(limit)[0]).lower();
+            let upper = sum(&|part| part.weight().upper * part.beyond(limit)[1]).upper();
             let Interval { lower, upper } = quotients(lower, upper, total);
             Beyond { limit, part: Interval { lower, upper: upper_min(1.0, upper) } }
         });
@@ -133,8 +135,67 @@ fn percentiles<T: Weighted>(parts: &[T], of: &[f64], total: Area, over: Measure)
         }
         upper
     };
-    let percentile = |(&part, lower)| Percentile { part, distance: Interval { lower, upper: upper(part) } };
+    let percentile = |(&part, lower)| {
+        let by_ends = Interval { lower, upper: upper(part) };
+        let distance = within_parts(parts, by_ends, |beyond_or_within| match beyond_or_within {
+            Shares::Within(within) => !has_part(part, within * (1.0 + rounding)),
+            Shares::Beyond(beyond) => {
+                has_part(part, (total.lower - beyond * (1.0 + rounding)) * (1.0 - rounding))
+            }
+        });
+        Percentile { part, distance }
+    };
     of.iter().zip(lower_bounds).map(percentile).collect()
+}
+
+/// The largest weight that may be within a distance, or beyond it.
+enum Shares {
+    Within(f64),
+    Beyond(f64),
+}
+
+/// Returns the interval of a percentile that is known by the ends of parts, narrowed by the shares of parts. `shows` returns
+/// whether the percentile is above a distance by what may be within it, or at most a distance by what may be beyond it.
+///
+/// Both weights are monotone in the distance, so that each end is found by halving.
+fn within_parts<T: Weighted>(parts: &[T], known: Interval, shows: impl Fn(Shares) -> bool) -> Interval {
+    let (mut within, mut beyond, mut near) = (0.0, 0.0, Vec::new());
+    for part in parts {
+        let (Spread { lower, upper, .. }, weight) = (part.spread(), part.weight().upper);
+        if upper < known.lower {
+            within += weight;
+        } else if lower > known.upper {
+            beyond += weight;
+        } else {
+            near.push(part);
+        }
+    }
+    let has_shares = |part: &&T| part.thickness() < part.spread().upper - part.spread().lower;
+    if !near.iter().any(has_shares) {
+        return known;
+    }
+    let sum =
+        |share: &dyn Fn(&T) -> f64| near.iter().map(|part| part.weight().upper * share(part)).sum::<f64>();
+    let mut interval = known;
+    let mut high = known.upper;
+    for _ in 0..PERCENTILE_HALVINGS {
+        let middle = 0.5 * (interval.lower + high);
+        if shows(Shares::Within(within + sum(&|part| 1.0 - part.beyond(middle)[0]))) {
+            interval.lower = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let mut low = interval.lower;
+    for _ in 0..PERCENTILE_HALVINGS {
+        let middle = 0.5 * (low + interval.upper);
+        if shows(Shares::Beyond(beyond + sum(&|part| part.beyond(middle)[1]))) {
+            interval.upper = middle;
+        } else {
+            low = middle;
+        }
+    }
+    interval
 }
 
 /// Returns a bound on the distances of each part with the part's largest weight, in their order.
@@ -168,6 +229,52 @@ mod tests {
         fn spread(&self) -> Spread {
             self.spread
         }
+    }
+
+    /// A part whose distances rise evenly from its lower end to its upper one, known up to a thickness.
+    struct Slope {
+        part: Part,
+        thickness: f64,
+    }
+
+    impl Weighted for Slope {
+        fn weight(&self) -> Area {
+            self.part.weight()
+        }
+
+        fn spread(&self) -> Spread {
+            self.part.spread
+        }
+
+        fn beyond(&self, limit: f64) -> [f64; 2] {
+            let Spread { lower, upper, .. } = self.part.spread;
+            [-0.5, 0.5]
+                .map(|by: f64| ((upper + by * self.thickness - limit) / (upper - lower)).clamp(0.0, 1.0))
+        }
+
+        fn thickness(&self) -> f64 {
+            self.thickness
+        }
+    }
+
+    /// Two slopes of the weight 1, from 0 to 4 and from 2 to 4, that are known up to 1/8: of the whole 1/4 is within 2, and
+    /// half within 8/3. A bound differs from these by half of the thickness, but for the halvings.
+    #[test]
+    fn percentiles_and_limits_take_shares_of_parts() {
+        const THICKNESS: f64 = 0.125;
+        let slope = |lower: f64, upper: f64| Slope {
+            part: part([1.0; 2], [lower, upper], [lower, upper], [lower * lower, upper * upper]),
+            thickness: THICKNESS,
+        };
+        let parts = [slope(0.0, 4.0), slope(2.0, 4.0)];
+        let found = Sums::of(&parts, (&[3.0], &[0.25, 0.5]), Measure::Area, UNKNOWN);
+        for (of, expected) in found.percentiles.iter().zip([2.0, 8.0 / 3.0]) {
+            let Interval { lower, upper } = of.distance;
+            assert!(lower <= expected && expected <= upper, "{lower} {expected} {upper}");
+            assert!(upper - lower >= 0.9 * THICKNESS && upper - lower <= 1.1 * THICKNESS, "{lower} {upper}");
+        }
+        // Beyond 3 there are 1/4 and 1/2 of the parts, by 1/64 and 1/32 more or less.
+        is_about(found.beyond[0].part, [0.375 - 0.75 / 32.0, 0.375 + 0.75 / 32.0]);
     }
 
     fn part(weight: [f64; 2], [lower, upper]: [f64; 2], mean: [f64; 2], square: [f64; 2]) -> Part {

@@ -1,8 +1,8 @@
 //! Bounds on means over a cell, by the same quadratics: lemmas S1 and S2 of `docs/meshes.md`.
 
 use super::{
-    Bounds, CellPair, MOVED_JET_ROUNDINGS, Quadratic, REMAINDER_ROUNDINGS, UNIT_ROUNDOFF, coefficient_error,
-    max_length, taylor_remainder,
+    Bounds, CellPair, Linear, MOVED_JET_ROUNDINGS, Quadratic, REMAINDER_ROUNDINGS, UNIT_ROUNDOFF,
+    coefficient_error, max_length, taylor_remainder,
 };
 use crate::certified::cell_context::CellContext;
 use glam::DVec3;
@@ -13,12 +13,14 @@ pub(in crate::certified) struct Lengths {
     pub(in crate::certified) largest: f64,
     /// On the root of the mean of its square.
     pub(in crate::certified) root_mean_square: f64,
+    /// A linear function that is at least the length; `None` if the length may vanish.
+    pub(in crate::certified) linear: Option<Linear>,
     pub(in crate::certified) gains: [f64; 2],
 }
 
 /// Returns bounds on |A − B∘φ|, no distance of the cell's points from B being longer, for the map φ of the
-/// nearest known foot. The mean has a density that is proportional to 1 + tilt·σ.
-pub(in crate::certified) fn distance_above(context: &CellContext<'_>, tilt: f64) -> Lengths {
+/// nearest known foot. The mean has a density that is proportional to 1 + aσ + bτ, `tilt` = [a, b].
+pub(in crate::certified) fn distance_above(context: &CellContext<'_>, tilt: [f64; 2]) -> Lengths {
     let foot = context.foot();
     let facing = CellPair::new(context, &foot);
     let difference = facing.difference();
@@ -27,7 +29,11 @@ pub(in crate::certified) fn distance_above(context: &CellContext<'_>, tilt: f64)
 }
 
 /// Returns bounds on the distances of the cell's points from one point.
-pub(in crate::certified) fn distance_from(context: &CellContext<'_>, point: DVec3, tilt: f64) -> Lengths {
+pub(in crate::certified) fn distance_from(
+    context: &CellContext<'_>,
+    point: DVec3,
+    tilt: [f64; 2],
+) -> Lengths {
     let (a, half) = (&context.jet, context.cell.half);
     let [h, k] = half;
     let quadratic = Quadratic {
@@ -46,11 +52,12 @@ pub(in crate::certified) fn distance_from(context: &CellContext<'_>, point: DVec
 
 impl Lengths {
     /// By Minkowski's inequality the root of a mean square grows by the remainder at most.
-    fn new(quadratic: &Quadratic, remainder: f64, tilt: f64, gains: [f64; 2]) -> Self {
+    fn new(quadratic: &Quadratic, remainder: f64, tilt: [f64; 2], gains: [f64; 2]) -> Self {
         let mean_square = quadratic.mean_length_squared(tilt) + coefficient_error(quadratic);
         Self {
             largest: max_length(quadratic) + remainder,
             root_mean_square: mean_square.sqrt() + remainder,
+            linear: Linear::above_length(quadratic, remainder),
             gains,
         }
     }

@@ -12,10 +12,12 @@
 //! B then counts by its square only.
 
 mod halving;
+mod linear;
 mod means;
 mod quadratic;
 
 pub(in crate::certified) use halving::halved_sides;
+pub(in crate::certified) use linear::Linear;
 pub(in crate::certified) use means::{Lengths, distance_above, distance_from};
 pub use quadratic::Quadratic;
 pub(super) use quadratic::max_coefficient;

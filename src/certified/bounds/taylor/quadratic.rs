@@ -47,13 +47,13 @@ impl Quadratic {
         max_coefficient(&self.length_squared())
     }
 
-    /// The mean of `|Q|²` over the square with a density that is proportional to 1 + tilt·σ, |tilt| <= 1:
+    /// The mean of `|Q|²` over the square with a density that is proportional to 1 + aσ + bτ, |a| + |b| <= 1:
     /// a Bernstein polynomial of order 4 has the mean 1/5, and σ the mean (i - 2)/3 with number i.
-    pub(in crate::certified::bounds) fn mean_length_squared(&self, tilt: f64) -> f64 {
-        let coefficients = self.length_squared();
-        let weight = |i: usize| 1.0 + tilt * (i as f64 - 2.0) / 3.0;
-        let row = |i: usize| weight(i) * coefficients[i].iter().sum::<f64>();
-        (0..coefficients.len()).map(row).sum::<f64>() / 25.0
+    pub(in crate::certified::bounds) fn mean_length_squared(&self, [a, b]: [f64; 2]) -> f64 {
+        let mean = |number: usize| (number as f64 - 2.0) / 3.0;
+        let rows = self.length_squared().into_iter().zip(0..);
+        let terms = rows.flat_map(|(row, i)| row.into_iter().zip(0..).map(move |(value, j)| (value, i, j)));
+        terms.map(|(value, i, j)| value * (1.0 + a * mean(i) + b * mean(j))).sum::<f64>() / 25.0
     }
 
     /// An upper bound on the length of Q over the square by that of its terms.
@@ -189,25 +189,26 @@ mod tests {
             assert!((sum - q.length_squared()).abs() <= 1e-12, "{sum} at ({s}, {t})");
         }
     }
-    /// ∫ |Q|² (1 + tilt σ) over the square by its area, of terms that are orthogonal or not.
+
+    /// The mean of |Q|² with the densities 1, 1 + σ/2 and 1 + τ/2, of terms that are orthogonal or not.
     #[test]
     fn the_mean_square_is_the_integral() {
         let [zero, x, y] = [DVec3::ZERO, DVec3::X, DVec3::Y];
         let nothing = Quadratic { value: zero, s: zero, t: zero, ss: zero, st: zero, tt: zero };
         // The means of σ, σ² and σ⁴ are 0, 1/3 and 1/5; with the density 1 + σ/2 that of σ is 1/6.
         let cases = [
-            (Quadratic { value: x, s: y, ..nothing }, [4.0 / 3.0, 4.0 / 3.0]),
-            (Quadratic { value: x, t: y, ..nothing }, [4.0 / 3.0, 4.0 / 3.0]),
-            (Quadratic { value: x, s: x, ..nothing }, [4.0 / 3.0, 5.0 / 3.0]),
-            (Quadratic { value: x, t: x, ..nothing }, [4.0 / 3.0, 4.0 / 3.0]),
-            (Quadratic { value: x, ss: x, ..nothing }, [1.0 + 1.0 / 3.0 + 0.05; 2]),
-            (Quadratic { value: x, st: y, ..nothing }, [1.0 + 1.0 / 9.0; 2]),
-            (Quadratic { value: x, tt: y, ..nothing }, [1.05; 2]),
+            (Quadratic { value: x, s: y, ..nothing }, [4.0 / 3.0; 3]),
+            (Quadratic { value: x, t: y, ..nothing }, [4.0 / 3.0; 3]),
+            (Quadratic { value: x, s: x, ..nothing }, [4.0 / 3.0, 5.0 / 3.0, 4.0 / 3.0]),
+            (Quadratic { value: x, t: x, ..nothing }, [4.0 / 3.0, 4.0 / 3.0, 5.0 / 3.0]),
+            (Quadratic { value: x, ss: x, ..nothing }, [1.0 + 1.0 / 3.0 + 0.05; 3]),
+            (Quadratic { value: x, st: y, ..nothing }, [1.0 + 1.0 / 9.0; 3]),
+            (Quadratic { value: x, tt: y, ..nothing }, [1.05; 3]),
         ];
         for (quadratic, expected) in cases {
-            let found = [0.0, 0.5].map(|tilt| quadratic.mean_length_squared(tilt));
+            let found = [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5]].map(|tilt| quadratic.mean_length_squared(tilt));
             let is_near = |index: usize| (found[index] - expected[index]).abs() < 1e-14;
-            assert!(is_near(0) && is_near(1), "{found:?} {expected:?} of {quadratic:?}");
+            assert!((0..3).all(is_near), "{found:?} {expected:?} of {quadratic:?}");
         }
     }
 }

@@ -25,12 +25,27 @@ pub(crate) trait Weighted {
     fn weight(&self) -> Area;
     /// Returns the bounds of its distances.
     fn spread(&self) -> Spread;
+    /// Returns bounds on the share of its weight whose distances are above a limit.
+    fn beyond(&self, limit: f64) -> [f64; 2] {
+        self.spread().beyond(limit)
+    }
+    /// Returns the largest width of the bounds on the distance of a point of it, given the place of the point.
+    fn thickness(&self) -> f64 {
+        self.spread().upper - self.spread().lower
+    }
 }
 
 impl Spread {
     pub(crate) fn exact([lower, upper]: [f64; 2]) -> Self {
         let lower = if lower > 0.0 { lower } else { 0.0 };
         Self { lower, upper, mean: [lower, upper], square: [lower * lower, upper * upper] }
+    }
+
+    /// Returns the share above a limit: all, none, or anything between.
+    pub(crate) fn beyond(&self, limit: f64) -> [f64; 2] {
+        let share = |is_beyond: bool| if is_beyond { 1.0 } else { 0.0 };
+        // Not "at most the limit", so that NaN counts as beyond.
+        [share(self.lower > limit), share(!(self.upper <= limit))]
     }
 
     /// Returns bounds that hold for all points of both.
