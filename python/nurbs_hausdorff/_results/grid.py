@@ -29,7 +29,7 @@ class SignedDistances:
         The indices of the points whose side is not decided: on the boundary, or in its gaps.
         Their values are positive. All other signs are certain.
     measured : int
-        The number of closest points that were computed.
+        The number of measured points: of each brick its middle, and its points unless they are beyond the band.
     """
 
     values: NDArray[np.float32] | NDArray[np.float64]

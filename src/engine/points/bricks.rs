@@ -37,7 +37,7 @@ pub(super) struct Filled {
     pub(super) undecided: Vec<usize>,
     /// An upper bound on the errors of the values within the band.
     pub(super) bound: f64,
-    /// The number of closest points that were computed.
+    /// The number of measured points: the middle of the brick, and its points unless they are beyond the band.
     pub(super) measured: usize,
 }
 
@@ -122,7 +122,7 @@ impl Brick {
             Filled { values: vec![0.0; count], undecided: Vec::new(), bound: 0.0, measured: 1 + count };
         for cell in self.cells() {
             let (middle, radius) = cell.ball(grid);
-            filled.measured += query.list_nearby(middle, radius, &mut known)?;
+            query.list_nearby(middle, radius, &mut known)?;
             for index in cell.indices() {
                 self.measure(query, index, (grid, band), &mut known, &mut filled)?;
             }

@@ -134,14 +134,14 @@ impl<'a> PointQuery<'a> {
         self.closest_from(point, error, None, known)
     }
 
-    /// Lists the patches to which points of a ball may be nearest, so that their searches need no tree, and returns the number
-    /// of closest points that were computed for it: one, and none of a mesh, which has no list. `None` of a model without
-    /// patches.
-    pub(super) fn list_nearby(&self, center: DVec3, radius: f64, known: &mut Known) -> Option<usize> {
-        let Kind::Patches { target, .. } = self.kind else { return Some(0) };
-        let reach = self.closest(center, 0.0, known)?.distance + LISTED_RADII * radius;
-        known.nearby = Some(NearbyPatches::new(target, center, reach));
-        Some(1)
+    /// Lists the patches to which points of a ball may be nearest, so that their searches need no tree; `None` of a model
+    /// without patches. For a mesh it does nothing.
+    pub(super) fn list_nearby(&self, center: DVec3, radius: f64, known: &mut Known) -> Option<()> {
+        if let Kind::Patches { target, .. } = self.kind {
+            let reach = self.closest(center, 0.0, known)?.distance + LISTED_RADII * radius;
+            known.nearby = Some(NearbyPatches::new(target, center, reach));
+        }
+        Some(())
     }
 
     /// Returns whether a search finds a point of the model that is nearer than this.

@@ -92,7 +92,7 @@ pub struct SignedDistances {
     /// The places in `values` of the points whose side is not decided, rising: those on the boundary, in its
     /// gaps, or in the common part of shells of unknown kinds. Their values are positive.
     pub undecided: Vec<usize>,
-    /// The number of closest points that were computed: points of bricks beyond the band have one in all.
+    /// The number of measured points: of each brick its middle, and its points unless they are beyond the band.
     pub measured: usize,
     /// The precision of the values.
     pub precision: Precision,

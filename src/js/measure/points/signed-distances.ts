@@ -51,7 +51,7 @@ export interface SignedDistances<P extends Precision = Precision> {
    * values are positive. All other signs are certain.
    */
   undecided: Uint32Array<ArrayBuffer>;
-  /** The number of closest points that were computed. */
+  /** The number of measured points: of each brick its middle, and its points unless they are beyond the band. */
   measured: number;
 }
 
