@@ -163,8 +163,8 @@ fn distances_of_a_cell_are_between_its_linear_bounds() {
     use crate::certified::testing::Surfaces;
     use crate::model::RigidTransform;
     use crate::shapes::sphere;
-    let center = glam::DVec3::new(0.25, -0.125, 0.5);
-    let [a, b] = [(glam::DVec3::ZERO, 1.0), (center, 1.125)]
+    let center = DVec3::new(0.25, -0.125, 0.5);
+    let [a, b] = [(DVec3::ZERO, 1.0), (center, 1.125)]
         .map(|(center, radius)| Surfaces::of(&sphere(center, radius).unwrap()));
     let pair = Pair { a: a.operand(), b: b.operand(), transform: RigidTransform::IDENTITY };
     let spreads = Spreads::new(pair, Density::OfPatch, 1e-6);
