@@ -137,28 +137,26 @@ fn percentiles<T: Weighted>(parts: &[T], of: &[f64], total: Area, over: Measure)
     };
     let percentile = |(&part, lower)| {
         let by_ends = Interval { lower, upper: upper(part) };
-        let distance = within_parts(parts, by_ends, |beyond_or_within| match beyond_or_within {
-            Shares::Within(within) => !has_part(part, within * (1.0 + rounding)),
-            Shares::Beyond(beyond) => {
-                has_part(part, (total.lower - beyond * (1.0 + rounding)) * (1.0 - rounding))
-            }
-        });
-        Percentile { part, distance }
+        // Of NaN nothing follows.
+        let is_above = |within: f64| part.mul_add(total.lower, -within * (1.0 + rounding)) > 0.0;
+        let is_at_most =
+            |beyond: f64| has_part(part, (total.lower - beyond * (1.0 + rounding)) * (1.0 - rounding));
+        Percentile { part, distance: narrowed_by_shares(parts, by_ends, is_above, is_at_most) }
     };
     of.iter().zip(lower_bounds).map(percentile).collect()
 }
 
-/// The largest weight that may be within a distance, or beyond it.
-enum Shares {
-    Within(f64),
-    Beyond(f64),
-}
-
-/// Returns the interval of a percentile that is known by the ends of parts, narrowed by the shares of parts. `shows` returns
-/// whether the percentile is above a distance by what may be within it, or at most a distance by what may be beyond it.
+/// Returns the interval of a percentile that is known by the ends of parts, narrowed by the shares of parts.
 ///
-/// Both weights are monotone in the distance, so that each end is found by halving.
-fn within_parts<T: Weighted>(parts: &[T], known: Interval, shows: impl Fn(Shares) -> bool) -> Interval {
+/// `is_above` returns whether the percentile is above a distance, from the largest weight that may be within it, and
+/// `is_at_most` whether it is at most a distance, from the largest weight that may be beyond it. Both weights are monotone in
+/// the distance, so that each end is found by halving.
+fn narrowed_by_shares<T: Weighted>(
+    parts: &[T],
+    known: Interval,
+    is_above: impl Fn(f64) -> bool,
+    is_at_most: impl Fn(f64) -> bool,
+) -> Interval {
     let (mut within, mut beyond, mut near) = (0.0, 0.0, Vec::new());
     for part in parts {
         let (Spread { lower, upper, .. }, weight) = (part.spread(), part.weight().upper);
@@ -176,26 +174,20 @@ fn within_parts<T: Weighted>(parts: &[T], known: Interval, shows: impl Fn(Shares
     }
     let sum =
         |share: &dyn Fn(&T) -> f64| near.iter().map(|part| part.weight().upper * share(part)).sum::<f64>();
-    let mut interval = known;
-    let mut high = known.upper;
+    let Interval { mut lower, mut upper } = known;
+    let mut high = upper;
     for _ in 0..PERCENTILE_HALVINGS {
-        let middle = 0.5 * (interval.lower + high);
-        if shows(Shares::Within(within + sum(&|part| 1.0 - part.beyond(middle)[0]))) {
-            interval.lower = middle;
-        } else {
-            high = middle;
-        }
+        let middle = 0.5 * (lower + high);
+        let is_lower = is_above(within + sum(&|part| 1.0 - part.beyond(middle)[0]));
+        *(if is_lower { &mut lower } else { &mut high }) = middle;
     }
-    let mut low = interval.lower;
+    let mut low = lower;
     for _ in 0..PERCENTILE_HALVINGS {
-        let middle = 0.5 * (low + interval.upper);
-        if shows(Shares::Beyond(beyond + sum(&|part| part.beyond(middle)[1]))) {
-            interval.upper = middle;
-        } else {
-            low = middle;
-        }
+        let middle = 0.5 * (low + upper);
+        let is_upper = is_at_most(beyond + sum(&|part| part.beyond(middle)[1]));
+        *(if is_upper { &mut upper } else { &mut low }) = middle;
     }
-    interval
+    Interval { lower, upper }
 }
 
 /// Returns a bound on the distances of each part with the part's largest weight, in their order.
