@@ -40,6 +40,6 @@ impl Linear {
         let excess = max_coefficient(&difference) + coefficient_error(quadratic) + coefficient_error(&line);
         let above = excess / (2.0 * least) * (1.0 + QUOTIENT_ROUNDINGS * UNIT_ROUNDOFF);
         // A NaN bounds nothing.
-        (least > 0.0 && above >= 0.0).then(|| Self { value: length + above + remainder, slopes })
+        (least > 0.0 && above >= 0.0).then_some(Self { value: length + above + remainder, slopes })
     }
 }
