@@ -7,8 +7,8 @@ use crate::model::RigidTransform;
 use glam::{DQuat, DVec3};
 use std::f64::consts::TAU;
 
-/// The number of rotations about each principal axis. A point at the distance r from the axis moves by r / 19 between two of
-/// them, which is about as far as a local fit converges from.
+/// The number of rotations about each principal axis. A point at the distance r from the axis moves by r / 19 from one
+/// rotation to the next, and the nearest rotation is off by half of that at most. Local fits converge from there.
 const TURNS: usize = 120;
 
 /// The number of poses that are rotated about the principal axes: a flat part has two, one on each side.

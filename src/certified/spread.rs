@@ -3,7 +3,7 @@
 //! The upper bounds are those of the search and the mean of the Taylor quadratic. The lower bounds are
 //! those of *apexes*: d(x, B) >= d(c, B) − |x − c| for every point c, which is of second order in the
 //! cell's size where c lies far behind the cell on the line from the foot. `docs/meshes.md`, section 7,
-//! has the proofs (lemmas S1 to S3).
+//! has the proofs (lemmas S1 to S4).
 
 #[cfg(all(test, not(target_arch = "wasm32")))]
 mod attained;

@@ -1,4 +1,4 @@
-//! The audit of the bounds that statistics rest on: lemmas S1 to S3 of `docs/meshes.md`.
+//! The audit of the bounds that statistics rest on: lemmas S1 to S4 of `docs/meshes.md`.
 
 use super::super::spread::{LinearBounds, Spreads};
 use super::super::{Cell, Pair};

@@ -1,4 +1,4 @@
-//! Cells in which the bounds of lemmas S1 to S3 are attained: each term that is left out falsifies one.
+//! Cells in which the bounds of lemmas S1 to S4 are attained: each term that is left out falsifies one.
 
 use super::*;
 use crate::certified::testing::{Net, PatchModel, assert_attained, bilinear, graph, pair, plane, point};

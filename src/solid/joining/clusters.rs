@@ -3,8 +3,8 @@
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// The side of a cell of points as a multiple of the distance up to which they are joined. All points near another one are
-/// mostly in its own cell then, where cells of the distance's size would have them in 27.
+/// The side of a cell of points as a multiple of the distance up to which they are joined. The neighbours of most points
+/// then lie in one cell. With a side of one distance they could lie in 27 cells.
 const CELL_SIDE: f64 = 4.0;
 
 /// Points in groups: those of a chain whose links are at most a given length.
