@@ -131,10 +131,9 @@ pub(crate) fn closest_above(
             if lower_bound >= upper {
                 break;
             }
-            let to_list = (lower_bound * lower_bound).max(candidate.aabb.min_distance_squared(point));
-            if to_list < upper * upper {
-                let to_box = target.oriented_box(candidate.patch).min_distance_squared(point);
-                search.push(to_list.max(to_box), Region::Patch(candidate.patch));
+            if candidate.aabb.min_distance_squared(point) < upper * upper {
+                let to_boxes = target.distance_squared_to_boxes(candidate.patch, &candidate.aabb, point);
+                search.push((lower_bound * lower_bound).max(to_boxes), Region::Patch(candidate.patch));
             }
         }
     } else {
@@ -247,9 +246,7 @@ impl<'a> ClosestPointSearch<'a> {
         let node = &tree.nodes()[index];
         if node.is_leaf() {
             let index = tree.primitive(node);
-            let aligned = node.aabb.min_distance_squared(self.point);
-            let oriented = self.target.oriented_box(index).min_distance_squared(self.point);
-            let lower_bound = aligned.max(oriented);
+            let lower_bound = self.target.distance_squared_to_boxes(index, &node.aabb, self.point);
             // A foot within the gap ends the search, before the patch is bounded more closely.
             if self.upper() > self.gap && lower_bound <= self.gap * self.gap {
                 let patch = self.patch(index);

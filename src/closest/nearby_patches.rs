@@ -36,8 +36,7 @@ impl NearbyPatches {
         let mut list = Vec::new();
         for leaf in tree.leaves_within(center, radius_squared) {
             let (index, aabb) = (tree.primitive(&leaf), leaf.aabb);
-            let oriented = target.oriented_box(index).min_distance_squared(center);
-            let lower_squared = oriented.max(aabb.min_distance_squared(center));
+            let lower_squared = target.distance_squared_to_boxes(index, &aabb, center);
             if lower_squared < radius_squared {
                 list.push(NearbyPatch { patch: index, lower_bound: lower_squared.sqrt(), aabb });
             }

@@ -6,6 +6,7 @@ use crate::bvh::{Aabb, Bvh};
 use crate::param_box::ParamBox;
 use crate::threads::LazyTable;
 use crate::threads::parallel::map;
+use glam::DVec3;
 
 /// Flat patches with their bounding volume hierarchy.
 #[derive(Debug, Clone)]
@@ -51,6 +52,12 @@ impl Target {
     pub(crate) fn oriented_box(&self, patch: u32) -> &OrientedBox {
         let index = patch as usize;
         self.boxes.get(self.patches.len(), index, || OrientedBox::new(&self.patches.patch(index)))
+    }
+
+    /// Returns a lower bound on the squared distance from a point to a patch, by the patch's axis-aligned box and by its
+    /// oriented one.
+    pub(crate) fn distance_squared_to_boxes(&self, patch: u32, aabb: &Aabb, point: DVec3) -> f64 {
+        aabb.min_distance_squared(point).max(self.oriented_box(patch).min_distance_squared(point))
     }
 
     /// Returns the area of a patch, as [`area_of_part`] has it of all of its parameters: statistics of both directions and

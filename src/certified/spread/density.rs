@@ -65,17 +65,17 @@ impl Weight {
         let rounding = of_product(s, t)
             + h * (of_product(ss, t) + of_product(s, st))
             + k * (of_product(st, t) + of_product(s, tt));
-        let beyond = (change[0] * change[1] + rest[0] * t + (s + rest[0]) * rest[1])
+        let remainder = (change[0] * change[1] + rest[0] * t + (s + rest[0]) * rest[1])
             * (1.0 + DENSITY_ROUNDINGS * UNIT_ROUNDOFF)
             + rounding;
 
         let least = density - along[0].abs() - along[1].abs();
         let across = across + rounding;
-        let above = beyond + across * across / (2.0 * least);
+        let above = remainder + across * across / (2.0 * least);
         // A NaN is no bound.
-        (least > beyond).then(|| Self {
+        (least > remainder).then(|| Self {
             tilt: along.map(|along| along / density),
-            ratio: (least + above) / (least - beyond) * (1.0 + DENSITY_ROUNDINGS * UNIT_ROUNDOFF),
+            ratio: (least + above) / (least - remainder) * (1.0 + DENSITY_ROUNDINGS * UNIT_ROUNDOFF),
         })
     }
 }

@@ -43,33 +43,26 @@ pub(super) struct Filled {
 
 /// Returns the bricks of a grid, x fastest.
 pub(super) fn bricks(grid: &Grid) -> Vec<Brick> {
-    let along = grid.counts.map(|count| count.div_ceil(SIDE));
-    let brick = |index: usize| {
-        let place = [index % along[0], index / along[0] % along[1], index / along[0] / along[1]];
-        let first = place.map(|place| SIDE * place);
-        let counts = std::array::from_fn(|axis| SIDE.min(grid.counts[axis] - first[axis]));
-        Brick { first, counts }
-    };
-    (0..along.iter().product()).map(brick).collect()
+    Brick { first: [0; 3], counts: grid.counts }.divided(SIDE).collect()
 }
 
 impl Brick {
     /// Returns the places of the brick's points in the whole grid, x fastest.
     pub(super) fn places(self, grid: &Grid) -> impl Iterator<Item = usize> {
-        let [rows, layers] = [grid.counts[0], grid.counts[0] * grid.counts[1]];
-        self.indices().map(move |[i, j, k]| i + rows * j + layers * k)
+        let whole = Self { first: [0; 3], counts: grid.counts };
+        self.indices().map(move |index| whole.place(index))
     }
 
-    /// Returns the parts of the brick, with up to [`CELL_SIDE`] points along each axis.
-    fn cells(self) -> impl Iterator<Item = Self> {
+    /// Returns parts with up to `side` points along each axis, x fastest.
+    fn divided(self, side: usize) -> impl Iterator<Item = Self> {
         let Self { first, counts } = self;
-        let along = counts.map(|count| count.div_ceil(CELL_SIDE));
+        let along = counts.map(|count| count.div_ceil(side));
         (0..along.iter().product()).map(move |index: usize| {
             let place = [index % along[0], index / along[0] % along[1], index / along[0] / along[1]];
-            let offset = place.map(|place| CELL_SIDE * place);
+            let offset = place.map(|place| side * place);
             Self {
                 first: std::array::from_fn(|axis| first[axis] + offset[axis]),
-                counts: std::array::from_fn(|axis| CELL_SIDE.min(counts[axis] - offset[axis])),
+                counts: std::array::from_fn(|axis| side.min(counts[axis] - offset[axis])),
             }
         })
     }
@@ -120,7 +113,7 @@ impl Brick {
         }
         let mut filled =
             Filled { values: vec![0.0; count], undecided: Vec::new(), bound: 0.0, measured: 1 + count };
-        for cell in self.cells() {
+        for cell in self.divided(CELL_SIDE) {
             let (middle, radius) = cell.ball(grid);
             query.list_nearby(middle, radius, &mut known)?;
             for index in cell.indices() {

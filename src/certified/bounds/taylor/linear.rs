@@ -19,11 +19,16 @@ impl Linear {
         self.value + s * self.slopes[0] + t * self.slopes[1]
     }
 
-    /// Returns a linear function that |Q| plus the remainder does not exceed; `None` if Q may vanish.
+    /// Returns a linear function that |Q| plus the remainder does not exceed, from the coefficients of |Q|²; `None` if Q may
+    /// vanish.
     ///
     /// Its slopes are those of |Q| at the centre. Lemma S4 of `docs/meshes.md`: for a positive linear λ and
     /// |Q|² - λ² <= D, |Q| is at most λ + D/(2 min λ).
-    pub(super) fn above_length(quadratic: &Quadratic, remainder: f64) -> Option<Self> {
+    pub(super) fn above_length(
+        quadratic: &Quadratic,
+        squares: &[[f64; 5]; 5],
+        remainder: f64,
+    ) -> Option<Self> {
         let length = quadratic.value.length();
         let direction = quadratic.value / length;
         let slopes = [quadratic.s, quadratic.t].map(|slope| direction.dot(slope));
@@ -31,7 +36,7 @@ impl Linear {
         let [zero, along] = [DVec3::ZERO, DVec3::X];
         let [s, t] = slopes.map(|slope| slope * along);
         let line = Quadratic { value: length * along, s, t, ss: zero, st: zero, tt: zero };
-        let mut difference = quadratic.length_squared();
+        let mut difference = *squares;
         for (row, of_line) in difference.iter_mut().zip(line.length_squared()) {
             for (value, of_line) in row.iter_mut().zip(of_line) {
                 *value -= of_line;

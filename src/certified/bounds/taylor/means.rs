@@ -2,7 +2,7 @@
 
 use super::{
     Bounds, CellPair, Linear, MOVED_JET_ROUNDINGS, Quadratic, REMAINDER_ROUNDINGS, UNIT_ROUNDOFF,
-    coefficient_error, max_length, taylor_remainder,
+    coefficient_error, max_coefficient, mean_of_biquartic, taylor_remainder,
 };
 use crate::certified::cell_context::CellContext;
 use glam::DVec3;
@@ -53,11 +53,11 @@ pub(in crate::certified) fn distance_from(
 impl Lengths {
     /// By Minkowski's inequality the root of a mean square grows by the remainder at most.
     fn new(quadratic: &Quadratic, remainder: f64, tilt: [f64; 2], gains: [f64; 2]) -> Self {
-        let mean_square = quadratic.mean_length_squared(tilt) + coefficient_error(quadratic);
+        let (squares, error) = (quadratic.length_squared(), coefficient_error(quadratic));
         Self {
-            largest: max_length(quadratic) + remainder,
-            root_mean_square: mean_square.sqrt() + remainder,
-            linear: Linear::above_length(quadratic, remainder),
+            largest: (max_coefficient(&squares) + error).sqrt() + remainder,
+            root_mean_square: (mean_of_biquartic(&squares, tilt) + error).sqrt() + remainder,
+            linear: Linear::above_length(quadratic, &squares, remainder),
             gains,
         }
     }

@@ -21,6 +21,7 @@ pub(in crate::certified) use linear::Linear;
 pub(in crate::certified) use means::{Lengths, distance_above, distance_from};
 pub use quadratic::Quadratic;
 pub(super) use quadratic::max_coefficient;
+use quadratic::mean_of_biquartic;
 
 use super::super::cell_context::{CellContext, TaylorBound, UpperBound};
 use super::super::nearest::Foot;

@@ -39,21 +39,22 @@ pub(in crate::certified::bounds) fn max_coefficient(coefficients: &[[f64; 5]; 5]
     largest
 }
 
+/// The mean over the square of a biquartic with these Bernstein coefficients and a density that is proportional to
+/// 1 + aσ + bτ, |a| + |b| <= 1: a Bernstein polynomial of order 4 has the mean 1/5, and σ the mean (i - 2)/3 with
+/// number i.
+pub(super) fn mean_of_biquartic(coefficients: &[[f64; 5]; 5], [a, b]: [f64; 2]) -> f64 {
+    let mean = |number: usize| (number as f64 - 2.0) / 3.0;
+    let rows = coefficients.iter().zip(0..);
+    let terms = rows.flat_map(|(row, i)| row.iter().zip(0..).map(move |(value, j)| (value, i, j)));
+    terms.map(|(value, i, j)| value * (1.0 + a * mean(i) + b * mean(j))).sum::<f64>() / 25.0
+}
+
 impl Quadratic {
     /// An upper bound on `|Q|²` over the square: the largest of its
     /// coefficients. Exact where `|Q|²` is constant; NaN where a coefficient is NaN.
     #[must_use]
     pub fn max_length_squared(&self) -> f64 {
         max_coefficient(&self.length_squared())
-    }
-
-    /// The mean of `|Q|²` over the square with a density that is proportional to 1 + aσ + bτ, |a| + |b| <= 1:
-    /// a Bernstein polynomial of order 4 has the mean 1/5, and σ the mean (i - 2)/3 with number i.
-    pub(in crate::certified::bounds) fn mean_length_squared(&self, [a, b]: [f64; 2]) -> f64 {
-        let mean = |number: usize| (number as f64 - 2.0) / 3.0;
-        let rows = self.length_squared().into_iter().zip(0..);
-        let terms = rows.flat_map(|(row, i)| row.into_iter().zip(0..).map(move |(value, j)| (value, i, j)));
-        terms.map(|(value, i, j)| value * (1.0 + a * mean(i) + b * mean(j))).sum::<f64>() / 25.0
     }
 
     /// An upper bound on the length of Q over the square by that of its terms.
@@ -206,7 +207,8 @@ mod tests {
             (Quadratic { value: x, tt: y, ..nothing }, [1.05; 3]),
         ];
         for (quadratic, expected) in cases {
-            let found = [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5]].map(|tilt| quadratic.mean_length_squared(tilt));
+            let found = [[0.0, 0.0], [0.5, 0.0], [0.0, 0.5]]
+                .map(|tilt| mean_of_biquartic(&quadratic.length_squared(), tilt));
             let is_near = |index: usize| (found[index] - expected[index]).abs() < 1e-14;
             assert!((0..3).all(is_near), "{found:?} {expected:?} of {quadratic:?}");
         }
