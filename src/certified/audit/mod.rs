@@ -8,7 +8,7 @@
 
 mod ledger;
 mod lemma;
-mod points;
+pub(super) mod points;
 mod spread;
 
 pub(in crate::certified) use ledger::Ledger;

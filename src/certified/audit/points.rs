@@ -11,7 +11,8 @@ use crate::closest::closest_above;
 const CERTIFICATE_PART: f64 = 1e-3;
 
 /// A cell's middle and its corners, by their places in it.
-pub(super) const REGULAR: [[f64; 2]; 5] = [[0.0, 0.0], [-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]];
+pub(in crate::certified) const REGULAR: [[f64; 2]; 5] =
+    [[0.0, 0.0], [-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [1.0, 1.0]];
 
 /// The steps of an additive sequence of low discrepancy in the square: powers of the inverse of the plastic number
 /// (Roberts 2018).
@@ -48,7 +49,7 @@ pub(in crate::certified) struct Auditor<'a> {
 }
 
 /// Places within a cell besides the regular ones.
-pub(super) fn inner(count: usize) -> impl Iterator<Item = [f64; 2]> {
+pub(in crate::certified) fn inner(count: usize) -> impl Iterator<Item = [f64; 2]> {
     (0..count).map(|index| SEQUENCE.map(|step| 2.0 * ((index + 1) as f64 * step).fract() - 1.0))
 }
 

@@ -329,6 +329,12 @@ impl Cover for Cells<'_> {
         let Spread { lower, upper, mean: stated, .. } = part.spread;
         let all = [lower, upper];
         let of_points = self.spreads.refutation(&part.cell, (all, part.linear.as_ref()), further);
+        if let Some([stated, found]) = self.spreads.density_refutation(&part.cell, further) {
+            let Cell { patch, center, .. } = part.cell;
+            return Some(format!(
+                "the ratio {stated:?} of densities about {center:?} of patch {patch}, found {found:?}"
+            ));
+        }
         let of_mean = || mean.then(|| self.spreads.refutation_of_mean(&part.cell, all, stated)).flatten();
         let SpreadRefutation { patch, parameters, is_mean, stated, found } = of_points.or_else(of_mean)?;
         let what = if is_mean { "mean about" } else { "point" };
