@@ -15,7 +15,7 @@ mod normal_cone;
 mod planar;
 
 use crate::axis::Axis;
-use crate::bezier::Patch;
+use crate::bezier::{Patch, PatchSet};
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
 use crate::sorting::ordered_by;
@@ -81,18 +81,29 @@ pub(crate) fn area<'a>(patches: impl Iterator<Item = Patch<'a>>) -> Area {
     for density in &densities {
         parts.add(density, Cell::new(density, ParamBox::UNIT));
     }
-    parts.narrowed(patches.len(), MAX_CELLS + MAX_CELLS_PER_PATCH * patches.len(), MAX_WORK)
+    parts.narrowed(patches.len(), MAX_CELLS + MAX_CELLS_PER_PATCH * patches.len(), MAX_WORK, 0.0)
 }
 
 /// Returns the area of a rectangle of a patch in its parameters in [0, 1]². As [`area`] of one patch, with the
-/// rectangle's share of the parts: the rectangles that a patch is divided into take about as many as it does.
-pub(crate) fn area_of_part(patch: &Patch<'_>, range: ParamBox) -> Area {
+/// rectangle's share of the parts and of `negligible`, a width of the whole patch's area that is narrow enough: the
+/// rectangles that a patch is divided into take about as many parts as it does.
+pub(crate) fn area_of_part(patch: &Patch<'_>, range: ParamBox, negligible: f64) -> Area {
     let density = Density::new(patch);
     let mut parts = Parts::default();
     parts.add(&density, Cell::new(&density, range));
     let share = part_size(range);
-    let max_cells = (share * MAX_CELLS_PER_PATCH as f64) as usize;
-    parts.narrowed(1, max_cells.max(MIN_CELLS_OF_PART), (share * MAX_WORK as f64) as usize)
+    let max_cells = ((share * MAX_CELLS_PER_PATCH as f64) as usize).max(MIN_CELLS_OF_PART);
+    parts.narrowed(1, max_cells, (share * MAX_WORK as f64) as usize, share * negligible)
+}
+
+/// Returns the width of a patch's area that is narrow enough beside the area of all patches: its part of
+/// [`MAX_RELATIVE_WIDTH`] of that. The area is an estimate by the middles of the patches. O(patches degree²).
+pub(crate) fn negligible_width(patches: &PatchSet) -> f64 {
+    let density = |patch: Patch<'_>| {
+        let middle = patch.jet(ParamBox::UNIT.middle());
+        middle.s.cross(middle.t).length()
+    };
+    MAX_RELATIVE_WIDTH * patches.iter().map(density).sum::<f64>() / patches.len() as f64
 }
 
 /// The parts of a face.
@@ -117,12 +128,14 @@ impl<'a> Parts<'a> {
         }
     }
 
-    /// Halves the parts whose areas have the widest bounds, until the sum is narrow or there are `max_cells`
-    /// parts or they took `max_work` products, and returns the sum. `count` is the number of parts at first.
-    fn narrowed(mut self, mut count: usize, max_cells: usize, max_work: usize) -> Area {
+    /// Halves the parts whose areas have the widest bounds, until the sum is narrow, relative to itself or to
+    /// `negligible`, or there are `max_cells` parts or they took `max_work` products, and returns the sum. `count` is
+    /// the number of parts at first.
+    fn narrowed(mut self, mut count: usize, max_cells: usize, max_work: usize, negligible: f64) -> Area {
         let mut work = 0;
         while count < max_cells
             && work < max_work
+            && self.open_width > negligible
             && self.open_width > OPEN_SHARE * MAX_RELATIVE_WIDTH * self.closed.lower
             && let Some(Open { density, cell, axis }) = self.take()
         {
@@ -155,3 +168,43 @@ struct Open<'a> {
 }
 
 ordered_by!(Open<'_>, |open| open.cell.width());
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    /// The normal of (s², t², s t) vanishes at a corner, so that the area is that of many small parts. Beside larger patches
+    /// fewer of them suffice, and rectangles take their share of the width.
+    #[test]
+    fn areas_are_as_narrow_as_the_width_that_is_negligible() {
+        let point = |i: usize, k: usize| {
+            DVec3::new(if i == 2 { 1.0 } else { 0.0 }, if k == 2 { 1.0 } else { 0.0 }, (i * k) as f64 / 4.0)
+        };
+        let controls: Vec<_> = (0..3).flat_map(|i| (0..3).map(move |k| point(i, k).extend(1.0))).collect();
+        let patch = Patch::whole([2, 2], DVec3::ZERO, &controls);
+        const STEPS: u32 = 1000;
+        let middle = |k: u32| (f64::from(k) + 0.5) / f64::from(STEPS);
+        let density = |s: f64, t: f64| {
+            let jet = patch.jet([s, t]);
+            jet.s.cross(jet.t).length()
+        };
+        let sum: f64 = (0..STEPS)
+            .flat_map(|i| (0..STEPS).map(move |k| [i, k]))
+            .map(|[i, k]| density(middle(i), middle(k)))
+            .sum();
+        let expected = sum / f64::from(STEPS * STEPS);
+        let mut before = f64::INFINITY;
+        for negligible in [1e-1, 1e-2, 1e-3] {
+            let whole = area_of_part(&patch, ParamBox::UNIT, negligible);
+            let halves = ParamBox::UNIT.halves(Axis::U).map(|half| area_of_part(&patch, half, negligible));
+            for Area { lower, upper } in [whole, halves[0] + halves[1]] {
+                assert!(lower <= expected && expected <= upper, "{lower} {expected} {upper}");
+                assert!(upper - lower <= negligible, "{lower} {upper} {negligible}");
+            }
+            let width = whole.upper - whole.lower;
+            assert!(width < before, "{width} {before}");
+            before = width;
+        }
+    }
+}

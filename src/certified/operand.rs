@@ -142,9 +142,10 @@ impl<'a> Pair<'a> {
         self.a.patch(patch)
     }
 
-    /// The area of a patch of A.
-    pub(crate) fn area_of_a(&self, patch: u32) -> Area {
-        self.a.target.area(patch)
+    /// The area of a part of a patch of A.
+    pub(crate) fn area_of_a(&self, patch: u32, range: ParamBox) -> Area {
+        let target = self.a.target;
+        if range == ParamBox::UNIT { target.area(patch) } else { target.area_of_part(patch, range) }
     }
 
     /// The moved point of a patch of A.

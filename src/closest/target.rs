@@ -1,12 +1,13 @@
 //! The patches that points are projected on.
 
-use crate::area::{Area, area_of_part};
+use crate::area::{Area, area_of_part, negligible_width};
 use crate::bezier::{OrientedBox, PatchSet};
 use crate::bvh::{Aabb, Bvh};
 use crate::param_box::ParamBox;
 use crate::threads::LazyTable;
 use crate::threads::parallel::map;
 use glam::DVec3;
+use std::sync::OnceLock;
 
 /// Flat patches with their bounding volume hierarchy.
 #[derive(Debug, Clone)]
@@ -19,6 +20,8 @@ pub struct Target {
     boxes: LazyTable<OrientedBox>,
     /// The area of each patch, computed at its first use.
     areas: LazyTable<Area>,
+    /// A width of a patch's area that is narrow enough, computed at its first use.
+    negligible_width: OnceLock<f64>,
     /// The largest degree of a patch in either direction.
     pub(crate) max_degree: usize,
 }
@@ -43,6 +46,7 @@ impl Target {
             tree: tree(&boxes),
             boxes: LazyTable::default(),
             areas: LazyTable::default(),
+            negligible_width: OnceLock::new(),
             max_degree,
             patches,
         }
@@ -60,12 +64,17 @@ impl Target {
         aabb.min_distance_squared(point).max(self.oriented_box(patch).min_distance_squared(point))
     }
 
-    /// Returns the area of a patch, as [`area_of_part`] has it of all of its parameters: statistics of both directions and
-    /// all thresholds ask for it. A patch that folds takes up to a second, at its first use.
+    /// Returns the area of a patch, as [`Self::area_of_part`] has it of all of its parameters: statistics of both
+    /// directions and all thresholds ask for it.
     pub(crate) fn area(&self, patch: u32) -> Area {
-        let index = patch as usize;
-        *self
-            .areas
-            .get(self.patches.len(), index, || area_of_part(&self.patches.patch(index), ParamBox::UNIT))
+        let new = || self.area_of_part(patch, ParamBox::UNIT);
+        *self.areas.get(self.patches.len(), patch as usize, new)
+    }
+
+    /// Returns the area of a part of a patch, narrow beside itself or beside the area of all patches. One that folds takes
+    /// up to a second.
+    pub(crate) fn area_of_part(&self, patch: u32, range: ParamBox) -> Area {
+        let negligible = *self.negligible_width.get_or_init(|| negligible_width(&self.patches));
+        area_of_part(&self.patches.patch(patch as usize), range, negligible)
     }
 }

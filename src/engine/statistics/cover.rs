@@ -1,6 +1,6 @@
 //! The parts that a model is made of, with bounds on their distances.
 
-use crate::area::{Area, area_of_part};
+use crate::area::Area;
 use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::certified::{
@@ -222,12 +222,10 @@ impl<'a> Cells<'a> {
 
     fn area(&self, cell: &Cell) -> Area {
         let [s, t] = cell.ranges();
-        let patch = self.pair.patch_of_a(cell.patch);
         let Some((triangles, _)) = self.triangles else {
-            let range = ParamBox::new(s, t);
-            let is_whole = range == ParamBox::UNIT;
-            return if is_whole { self.pair.area_of_a(cell.patch) } else { area_of_part(&patch, range) };
+            return self.pair.area_of_a(cell.patch, ParamBox::new(s, t));
         };
+        let patch = self.pair.patch_of_a(cell.patch);
         // At s the triangle is as wide as s.
         let part = (s[1] * s[1] - s[0] * s[0]) * (t[1] - t[0]);
         let Area { lower, upper } = triangles.area(patch.surface as u32);

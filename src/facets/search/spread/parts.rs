@@ -2,7 +2,7 @@
 
 use super::triangle::{TriangleBounds, spread_by_middle};
 use super::{Spread, Weighted};
-use crate::area::{Area, area_of_part};
+use crate::area::{Area, area_of_part, negligible_width};
 use crate::bezier::PatchSet;
 use crate::facets::Facet;
 use crate::facets::search::Goal;
@@ -66,6 +66,8 @@ pub(crate) struct Parts<'a> {
     pub(super) rounding: f64,
     /// Parts within this distance of B are not looked at more closely.
     sufficient: f64,
+    /// A width of a patch's area that is narrow enough.
+    negligible_width: f64,
     /// Whether lemma F8 or F12 was refuted: triangles have the bounds of their middle and their radius then.
     is_struck: bool,
 }
@@ -95,7 +97,11 @@ impl<'a> Parts<'a> {
     pub(crate) fn new(a: Source<'a>, b: Measured<'a>, transform: RigidTransform, sufficient: f64) -> Self {
         let goal = Goal::new(&a, &b, &transform, 0.0, None);
         let rounding = goal.bounds + goal.points + gamma(SPREAD_ROUNDINGS) * goal.length;
-        Self { a, b, transform, goal, rounding, sufficient, is_struck: false }
+        let negligible_width = match a {
+            Source::Facets { .. } => 0.0,
+            Source::Patches { patches, .. } => negligible_width(patches),
+        };
+        Self { a, b, transform, goal, rounding, sufficient, negligible_width, is_struck: false }
     }
 
     /// The number of parts at first.
@@ -229,7 +235,7 @@ impl<'a> Parts<'a> {
     }
 
     fn area(&self, patches: &PatchSet, cell: &PatchCell) -> Area {
-        area_of_part(&patches.patch(cell.patch as usize), cell.range)
+        area_of_part(&patches.patch(cell.patch as usize), cell.range, self.negligible_width)
     }
 
     fn bounded(&self, region: WeightedRegion, weight: Area, start: u32) -> Option<WeightedPart> {
