@@ -128,16 +128,19 @@ impl<'a> Density<'a> {
         if self.patch.rational { product - at.t.w * s.cross(x) - at.s.w * x.cross(t) } else { product }
     }
 
-    /// Returns the Chebyshev series over a part of [0, 1]². O(degree³).
+    /// Returns the Chebyshev series over a part of [0, 1]², which is constant along an axis where the part has no width.
+    /// O(degree³).
     pub(super) fn series(&self, part: ParamBox) -> Series {
-        let counts = counts(self.patch);
+        let is_line = part.lengths().map(|length| length == 0.0);
+        let of_line = |counts: [usize; 2]| [0, 1].map(|axis| if is_line[axis] { 1 } else { counts[axis] });
+        let counts = of_line(counts(self.patch));
         let [in_s, in_t] = [0, 1].map(|axis| {
             let [start, end] = part[axis];
             nodes(counts[axis]).map(|x| start + x * (end - start)).collect::<Vec<f64>>()
         });
         let (numerators, weights): (Vec<DVec3>, Vec<f64>) = self.values([&in_s, &in_t]).into_iter().unzip();
         let weight_counts =
-            if self.patch.rational { self.patch.degree.map(|degree| degree + 1) } else { [1, 1] };
+            if self.patch.rational { of_line(self.patch.degree.map(|degree| degree + 1)) } else { [1, 1] };
         let largest = numerators.iter().map(|value| value.length()).fold(0.0, f64::max);
         let heaviest = weights.iter().copied().fold(0.0, f64::max);
         // A coefficient is a mean of values times at most 2 for each axis.

@@ -42,6 +42,12 @@ impl NormalCone {
         Some(Self { axis, angle: tangent.atan() + ANGLE_ROUNDING })
     }
 
+    /// Returns the cone about the normal of the plane that a patch lies in, or about the normals of a part of a curved one;
+    /// `None` where there may be none. O(degree³).
+    pub(crate) fn of_patch(patch: &Patch<'_>, part: ParamBox) -> Option<Self> {
+        Self::of_plane(patch).or_else(|| Self::of_part(patch, part))
+    }
+
     /// Returns the cone about the normal of the plane that a patch lies in, up to the rounding of its control points;
     /// `None` where it lies in none, or in several. O(p q).
     pub(crate) fn of_plane(patch: &Patch<'_>) -> Option<Self> {

@@ -2,21 +2,21 @@
 
 use super::comparison::Own;
 use super::target::Node;
-use super::{DISTANCE_ROUNDINGS, Likenesses, Shape};
+use super::{DISTANCE_ROUNDINGS, Likenesses, Region};
 use crate::rounding::gamma;
 
 impl Likenesses<'_> {
     /// Returns whether all points of a part are within the threshold of a part of a patch, by the quadrilateral that the
     /// latter covers, and the audit does not refute it. O(p q), and the audit's some steps of Newton's method.
     pub(super) fn is_covered(&self, own: &Own<'_>, node: &Node) -> bool {
-        self.covers(node, own.shape) && !self.is_refuted(own, node)
+        self.covers(node, own.region) && !self.is_refuted(own, node)
     }
 
     /// Lemma N5 alone.
-    fn covers(&self, node: &Node, shape: &Shape) -> bool {
+    fn covers(&self, node: &Node, region: &Region) -> bool {
         let Some(quad) = self.target.quad(node) else { return false };
         let left = self.reach.certain() - quad.off();
-        left > 0.0 && self.are_within(shape, left, |point| quad.distance_squared(point))
+        left > 0.0 && self.are_within(region, left, |point| quad.distance_squared(point))
     }
 
     /// The audit: returns whether at a corner or in the middle of the part no point of the other one is found within the
@@ -31,21 +31,21 @@ impl Likenesses<'_> {
 
     /// Returns whether no point of a part is within the threshold of a part of a patch (lemma N6), and no point of that is
     /// found nearer to the middle of the first one than the lemma says. O(p q), and some steps of Newton's method.
-    pub(super) fn is_apart(&self, shape: &Shape, node: &Node) -> bool {
-        let Some(least) = self.least_distance(shape, node) else { return false };
+    pub(super) fn is_apart(&self, region: &Region, node: &Node) -> bool {
+        let Some(least) = self.least_distance(region, node) else { return false };
         let is_refuted = || {
-            let near = self.target.near_point(node, shape.middle);
+            let near = self.target.near_point(node, region.middle);
             // Not "is nearer", so that NaN refutes.
-            !near.is_some_and(|near| self.reach.beyond(near.distance(shape.middle)) >= least)
+            !near.is_some_and(|near| self.reach.beyond(near.distance(region.middle)) >= least)
         };
-        least - shape.radius > self.reach.beyond(self.reach.threshold()) && !is_refuted()
+        least - region.radius > self.reach.beyond(self.reach.threshold()) && !is_refuted()
     }
 
     /// Returns a lower bound on the distance of a part of a patch from the middle of another part, but for rounding of
     /// points.
-    fn least_distance(&self, shape: &Shape, node: &Node) -> Option<f64> {
+    fn least_distance(&self, region: &Region, node: &Node) -> Option<f64> {
         let quad = self.target.quad(node)?;
-        let distance = quad.distance_squared(shape.middle).sqrt();
+        let distance = quad.distance_squared(region.middle).sqrt();
         Some(distance * (1.0 - gamma(DISTANCE_ROUNDINGS)) - quad.off())
     }
 }
@@ -87,8 +87,8 @@ mod tests {
         let likenesses = Likenesses::new(&target, Reach::new(threshold, [0.0, 0.0]), 0.1);
         let points = tile(middle);
         let cone = NormalCone::of_triangle([points[0], points[1], points[2]], 0.0).unwrap();
-        let shape = Shape::of_points(points.clone(), Some(cone));
-        ask(&likenesses, &Own { shape: &shape, cone: &cone, points: &|| points.clone() }, &mut root)
+        let region = Region::of_points(points.clone());
+        ask(&likenesses, &Own { region: &region, cone: &cone, points: &|| points.clone() }, &mut root)
     }
 
     /// The rows of an arch of degree 8.
@@ -109,7 +109,7 @@ mod tests {
         let middle = DVec3::new(4.0, 2.0, -1.0);
         let asked = |threshold| {
             of_pair([8, 1], &arch, middle, threshold, |likenesses, own, root| {
-                [likenesses.covers(root, own.shape), likenesses.is_refuted(own, root)]
+                [likenesses.covers(root, own.region), likenesses.is_refuted(own, root)]
             })
         };
         assert_eq!(asked(1.99), [false, true], "the nearest point is at 1.9921");
@@ -124,8 +124,8 @@ mod tests {
         let asked = |height| {
             of_pair([8, 1], &arch(), DVec3::new(4.0, 2.0, height), 1.0, |likenesses, own, root| {
                 [
-                    likenesses.least_distance(own.shape, root).unwrap(),
-                    f64::from(likenesses.is_apart(own.shape, root)),
+                    likenesses.least_distance(own.region, root).unwrap(),
+                    f64::from(likenesses.is_apart(own.region, root)),
                 ]
             })
         };
@@ -143,7 +143,7 @@ mod tests {
         let asked = |middle: DVec3, at: DVec3| {
             of_pair([1, 1], &square(DVec3::ZERO), middle, 1.0, |likenesses, own, root| {
                 root.quad = OnceLock::from(Quad::of(&square(at), [1, 1]));
-                [likenesses.covers(root, own.shape), likenesses.is_covered(own, root)]
+                [likenesses.covers(root, own.region), likenesses.is_covered(own, root)]
             })
         };
         let above = DVec3::new(0.5, 0.5, 0.75);
@@ -154,7 +154,7 @@ mod tests {
         let is_apart = |at: DVec3| {
             of_pair([1, 1], &square(DVec3::ZERO), above, 0.5, |likenesses, own, root| {
                 root.quad = OnceLock::from(Quad::of(&square(at), [1, 1]));
-                likenesses.is_apart(own.shape, root)
+                likenesses.is_apart(own.region, root)
             })
         };
         assert_eq!([DVec3::ZERO, -DVec3::Z].map(is_apart), [true, false]);

@@ -1,4 +1,4 @@
-//! Where a part of a model is, and the cone of its normals.
+//! Where a part of a model is, and the cone about its normals.
 
 use super::NormalCone;
 use crate::bezier::Patch;
@@ -6,7 +6,7 @@ use crate::bvh::Aabb;
 use crate::model::RigidTransform;
 use crate::param_box::ParamBox;
 use crate::rounding::upper_max;
-use glam::{DVec3, Vec4Swizzles};
+use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// A box and a ball about its middle, both around the convex hull of points.
 #[derive(Debug, Clone, Copy)]
@@ -27,9 +27,9 @@ impl Hull {
     }
 }
 
-/// A part of a model: a box and a ball that contain it, up to the rounding of its control points, and its normals.
+/// Where a part of a model is: a box and a ball that contain it, up to the rounding of its control points.
 #[derive(Debug, Clone)]
-pub(crate) struct Shape {
+pub(crate) struct Region {
     /// Points whose convex hull contains the part.
     pub(crate) points: Vec<DVec3>,
     /// Contains the part.
@@ -38,24 +38,24 @@ pub(crate) struct Shape {
     pub(crate) middle: DVec3,
     /// No point of the part is farther from the middle.
     pub(crate) radius: f64,
-    /// Contains all normals; `None` where that is not shown.
-    pub(crate) cone: Option<NormalCone>,
 }
 
-impl Shape {
-    /// A part of which nothing is known.
-    pub(crate) const UNKNOWN: Self = Self {
-        points: Vec::new(),
-        aabb: Aabb::EMPTY,
-        middle: DVec3::ZERO,
-        radius: f64::INFINITY,
-        cone: None,
-    };
+impl Region {
+    /// Returns where the part of a patch is, moved by a transform if there is one. O(p q (p + q)).
+    pub(crate) fn of_part(patch: &Patch<'_>, part: ParamBox, transform: Option<&RigidTransform>) -> Self {
+        let [s, t] = part.intervals();
+        let controls = patch.restricted(s, t);
+        let moved = |control: &DVec4| {
+            let point = patch.center + control.xyz() / control.w;
+            transform.map_or(point, |transform| transform.apply(point))
+        };
+        Self::of_points(controls.iter().map(moved).collect())
+    }
 
-    /// Returns the shape of points whose convex hull contains a part.
-    pub(crate) fn of_points(points: Vec<DVec3>, cone: Option<NormalCone>) -> Self {
+    /// Returns where a part is that the convex hull of points contains.
+    pub(crate) fn of_points(points: Vec<DVec3>) -> Self {
         let Hull { aabb, middle, radius } = Hull::of(&points);
-        Self { points, aabb, middle, radius, cone }
+        Self { points, aabb, middle, radius }
     }
 
     /// Returns whether two parts are certainly farther from each other than `reach`: their boxes, or their extents along
@@ -75,30 +75,42 @@ impl Shape {
         let of_other = other.points.iter().map(|point| -level(point)).fold(f64::NEG_INFINITY, upper_max);
         -of_other - own > reach
     }
+}
 
-    /// Returns the shape of a part of a patch, moved by a transform if there is one. O(p q (p + q) + degree³).
-    pub(crate) fn of_part(patch: &Patch<'_>, part: ParamBox, transform: Option<&RigidTransform>) -> Self {
-        let cone = NormalCone::of_plane(patch).or_else(|| NormalCone::of_part(patch, part));
-        Self::with_cone(patch, part, transform, cone)
+/// A part of a model with its normals.
+#[derive(Debug, Clone)]
+pub(crate) struct Shape {
+    /// Where it is.
+    pub(crate) region: Region,
+    /// Contains all normals; `None` where that is not shown.
+    pub(crate) cone: Option<NormalCone>,
+}
+
+impl Shape {
+    /// A part of which nothing is known.
+    pub(crate) const UNKNOWN: Self = Self {
+        region: Region { points: Vec::new(), aabb: Aabb::EMPTY, middle: DVec3::ZERO, radius: f64::INFINITY },
+        cone: None,
+    };
+
+    /// Returns the shape of points whose convex hull contains a part.
+    pub(crate) fn of_points(points: Vec<DVec3>, cone: Option<NormalCone>) -> Self {
+        Self { region: Region::of_points(points), cone }
+    }
+
+    /// Returns the shape of a part of a patch, moved. O(p q (p + q) + degree³).
+    pub(crate) fn of_part(patch: &Patch<'_>, part: ParamBox, transform: &RigidTransform) -> Self {
+        Self::with_cone(patch, part, transform, NormalCone::of_patch(patch, part))
     }
 
     /// Returns the shape of a part of a patch whose normals before the transform are known.
     pub(crate) fn with_cone(
         patch: &Patch<'_>,
         part: ParamBox,
-        transform: Option<&RigidTransform>,
+        transform: &RigidTransform,
         cone: Option<NormalCone>,
     ) -> Self {
-        let [s, t] = part.intervals();
-        let controls = patch.restricted(s, t);
-        let points: Vec<DVec3> = controls
-            .iter()
-            .map(|control| {
-                let point = patch.center + control.xyz() / control.w;
-                transform.map_or(point, |transform| transform.apply(point))
-            })
-            .collect();
-        let cone = cone.map(|cone| transform.map_or(cone, |transform| cone.moved(transform)));
-        Self::of_points(points, cone)
+        let region = Region::of_part(patch, part, Some(transform));
+        Self { region, cone: cone.map(|cone| cone.moved(transform)) }
     }
 }

@@ -1,7 +1,7 @@
 //! Model B in parts with boxes and cones, halved when they are first needed.
 
 use super::quad::Quad;
-use super::{NormalCone, Shape};
+use super::{NormalCone, Region, Shape};
 use crate::axis::Axis;
 use crate::bezier::Patch;
 use crate::bvh::Aabb;
@@ -24,8 +24,9 @@ pub(crate) struct Node {
     patch: u32,
     part: ParamBox,
     depth: u32,
-    pub(super) shape: Shape,
+    pub(super) region: Region,
     pub(super) quad: OnceLock<Option<Quad>>,
+    cone: OnceLock<Option<NormalCone>>,
     halves: OnceLock<Option<Box<[Node; 2]>>>,
 }
 
@@ -120,11 +121,19 @@ impl<'a> NormalTarget<'a> {
         node.halves.get_or_init(halves).as_deref()
     }
 
+    /// Returns a cone about the normals of a part of a patch; `None` where there may be none. Most parts are out of reach,
+    /// so that it is computed at its first use.
+    pub(super) fn cone(&self, node: &Node) -> Option<NormalCone> {
+        let Self::Patches { target, .. } = self else { return None };
+        let cone = || NormalCone::of_patch(&target.patches.patch(node.patch as usize), node.part);
+        *node.cone.get_or_init(cone)
+    }
+
     /// Returns the quadrilateral that a part of a patch covers, but for a distance; `None` where there is none.
     pub(super) fn quad<'n>(&self, node: &'n Node) -> Option<&'n Quad> {
         let Self::Patches { target, .. } = self else { return None };
         let degree = || target.patches.patch(node.patch as usize).degree;
-        node.quad.get_or_init(|| Quad::of(&node.shape.points, degree())).as_ref()
+        node.quad.get_or_init(|| Quad::of(&node.region.points, degree())).as_ref()
     }
 
     /// Returns some point of a part of a patch, one near to a point.
@@ -150,8 +159,9 @@ impl<'a> NormalTarget<'a> {
 
 impl Node {
     fn new(patch: &Patch<'_>, index: u32, part: ParamBox, depth: u32) -> Self {
-        let shape = Shape::of_part(patch, part, None);
-        Self { patch: index, part, depth, shape, quad: OnceLock::new(), halves: OnceLock::new() }
+        let region = Region::of_part(patch, part, None);
+        let (quad, cone, halves) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        Self { patch: index, part, depth, region, quad, cone, halves }
     }
 
     /// Returns the axis along which the part is longer; `None` for one that is halved no further.

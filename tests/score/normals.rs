@@ -59,6 +59,30 @@ fn oblique_faces_are_told_from_what_is_in_their_boxes() {
     holds(found.normals.unwrap().normal_precision, t / turn.sin() / 3.0, WIDTH);
 }
 
+/// A sheet rises from a plane by 0.3 for each unit: a third of it is within 0.1 of the plane, and alike. Distances tell it
+/// without halving along the line at 0.1 (lemma N7). An upright fin beside the sheet's end is near to a twentieth of it, and not
+/// alike; without the plane's angle none is alike.
+#[test]
+fn distances_alone_divide_what_is_alike() {
+    let quad = |corners: [[f64; 3]; 4]| corners.map(DVec3::from_array);
+    let rising = |rise: f64| quad([[0.0, 0.0, 0.0], [1.0, 0.0, rise], [1.0, 1.0, rise], [0.0, 1.0, 0.0]]);
+    let plane = quad([[-1.0, -1.0, 0.0], [2.0, -1.0, 0.0], [2.0, 2.0, 0.0], [-1.0, 2.0, 0.0]]);
+    let fin = quad([[1.05, -1.0, 0.0], [1.05, 2.0, 0.0], [1.05, 2.0, 1.0], [1.05, -1.0, 1.0]]);
+    let prepared = |quads: &[models::Quad]| models::prepared(&models::of_quads(quads));
+    let sheet = prepared(&[rising(0.3)]);
+    let narrow = ScoreOptions { part_tolerance: 1e-6, ..options(0.1, 30.0) };
+    let found = at(&sheet, &prepared(&[plane]), &narrow);
+    for part in [found.precision, found.normals.unwrap().normal_precision] {
+        holds(part, 1.0 / 3.0, 1e-6);
+    }
+    let beside_fin = at(&sheet, &prepared(&[plane, fin]), &options(0.1, 30.0));
+    holds(beside_fin.precision, 1.0 / 3.0 + 0.05, WIDTH);
+    holds(beside_fin.normals.unwrap().normal_precision, 1.0 / 3.0, WIDTH);
+    let steeper = at(&prepared(&[rising(0.6)]), &prepared(&[plane]), &options(0.1, 30.0));
+    holds(steeper.precision, 1.0 / 6.0, WIDTH);
+    holds(steeper.normals.unwrap().normal_precision, 0.0, WIDTH);
+}
+
 /// Every point of a box is a like counterpart of itself, however narrow the angle and the threshold.
 #[test]
 fn the_truth_itself_is_alike_as_faces_and_as_triangles() {

@@ -45,8 +45,15 @@ pub(in crate::engine) trait Cover: Sync {
     /// Returns the halves of a part; `None` for a part that float64 does not halve.
     fn halves(&self, part: &Self::Part) -> Option<[Self::Part; 2]>;
 
-    /// Returns the halves of a part along its longer side; `None` for a part that float64 does not halve.
-    fn halves_of_longer(&self, part: &Self::Part) -> Option<[Self::Part; 2]>;
+    /// Returns the halves of a part along its longer side, and those along the other side where there are two; `None`
+    /// where float64 does not halve it. They have the distances of the whole part, and at most its area.
+    fn cuts(&self, part: &Self::Part) -> [Option<[Self::Part; 2]>; 2];
+
+    /// Returns a half that [`Self::cuts`] made with its own distances and area.
+    fn measured(&self, half: &Self::Part) -> Self::Part;
+
+    /// Returns a half that [`Self::cuts`] made with its own area.
+    fn weighed(&self, half: &Self::Part) -> Self::Part;
 
     /// Returns where a part is, moved, and a cone about its normals.
     fn shape(&self, part: &Self::Part) -> Shape;
@@ -101,8 +108,16 @@ impl Cover for Parts<'_> {
         Self::halves(self, part)
     }
 
-    fn halves_of_longer(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
-        Self::halves_of_longer(self, part)
+    fn cuts(&self, part: &WeightedPart) -> [Option<[WeightedPart; 2]>; 2] {
+        Self::cuts(self, part)
+    }
+
+    fn measured(&self, half: &WeightedPart) -> WeightedPart {
+        Self::measured(self, half)
+    }
+
+    fn weighed(&self, half: &WeightedPart) -> WeightedPart {
+        Self::weighed(self, half)
     }
 
     fn shape(&self, part: &WeightedPart) -> Shape {
@@ -113,7 +128,7 @@ impl Cover for Parts<'_> {
                 Shape::of_points(corners.to_vec(), cone)
             }
             (PartOf::Patch(patch, range), Source::Patches { patches, .. }) => {
-                Shape::of_part(&patches.patch(patch as usize), range, Some(transform))
+                Shape::of_part(&patches.patch(patch as usize), range, transform)
             }
             // No part is of the other kind.
             _ => Shape::UNKNOWN,
@@ -176,6 +191,22 @@ pub(in crate::engine) struct WeightedCell {
     linear: Option<LinearBounds>,
     axis: Axis,
     start: SpreadStart,
+}
+
+impl WeightedCell {
+    /// Returns the halves along an axis with the distances of the whole cell, and at most its area; `None` for a cell
+    /// that float64 does not halve.
+    fn cut(&self, axis: Axis) -> Option<[Self; 2]> {
+        if self.cell.half[axis as usize] < MIN_HALF_WIDTH {
+            return None;
+        }
+        let Spread { lower, upper, .. } = self.spread;
+        let spread = Spread::exact([lower, upper]);
+        let weight = Area { lower: 0.0, upper: self.weight.upper };
+        let cells = self.cell.halves(Axis::BOTH.map(|one| one == axis));
+        let mut halves = cells.map(|cell| Self { cell, weight, spread, linear: None, ..*self });
+        Some([halves.next()?, halves.next()?])
+    }
 }
 
 impl Weighted for WeightedCell {
@@ -277,29 +308,30 @@ impl Cover for Cells<'_> {
     }
 
     fn halves(&self, part: &WeightedCell) -> Option<[WeightedCell; 2]> {
-        let is_halved = [part.axis == Axis::U, part.axis == Axis::V];
-        if part.cell.half[part.axis as usize] < MIN_HALF_WIDTH {
-            return None;
-        }
-        let Spread { lower, upper, .. } = part.spread;
-        let mut halves = part.cell.halves(is_halved).map(|cell| {
-            let half = self.bounded(cell, &part.start);
-            WeightedCell { spread: half.spread.within([lower, upper]), ..half }
-        });
-        Some([halves.next()?, halves.next()?])
+        Some(part.cut(part.axis)?.map(|half| self.measured(&half)))
     }
 
-    fn halves_of_longer(&self, part: &WeightedCell) -> Option<[WeightedCell; 2]> {
+    fn cuts(&self, part: &WeightedCell) -> [Option<[WeightedCell; 2]>; 2] {
         let patch = self.pair.patch_of_a(part.cell.patch);
         let [s, t] = part.cell.ranges();
-        let axis = longer_axis_of_controls(patch.degree, &patch.restricted(s, t));
-        self.halves(&WeightedCell { axis, ..*part })
+        let longer = longer_axis_of_controls(patch.degree, &patch.restricted(s, t));
+        [longer, longer.other()].map(|axis| part.cut(axis))
+    }
+
+    fn measured(&self, half: &WeightedCell) -> WeightedCell {
+        let Spread { lower, upper, .. } = half.spread;
+        let found = self.bounded(half.cell, &half.start);
+        WeightedCell { spread: found.spread.within([lower, upper]), ..found }
+    }
+
+    fn weighed(&self, half: &WeightedCell) -> WeightedCell {
+        WeightedCell { weight: self.area(&half.cell), ..*half }
     }
 
     fn shape(&self, part: &WeightedCell) -> Shape {
         let patch = self.pair.patch_of_a(part.cell.patch);
         let [s, t] = part.cell.ranges();
-        let (range, transform) = (ParamBox::new(s, t), Some(&self.pair.transform));
+        let (range, transform) = (ParamBox::new(s, t), &self.pair.transform);
         match self.triangles {
             // A triangle has no normal at the side that is a corner, and one plane.
             Some((triangles, error)) => {

@@ -1,7 +1,7 @@
 //! The part of the length of a model's feature edges that has counterparts among those of another one.
 
 use super::cuts::is_cut;
-use super::shares::{Shares, largest_open};
+use super::shares::{Shares, largest_open, share, unknown};
 use crate::engine::PreparedModel;
 use crate::engine::clock::Clock;
 use crate::engine::outlook::Outlook;
@@ -115,6 +115,11 @@ pub(super) fn with_none([own, other]: [&MatchedEdges; 2], least: f64) -> Interva
     }
 }
 
+/// Returns the ends of the share of a piece that has counterparts: distances alone tell nothing of an edge.
+fn of_edge(likeness: Likeness) -> [f64; 2] {
+    share(likeness, || [0.0, 1.0])
+}
+
 struct Search<'a> {
     from: &'a FeatureEdges<'a>,
     counterparts: Counterparts<'a>,
@@ -148,7 +153,8 @@ impl<'a> Search<'a> {
         let mut outlook = Outlook::new(PATIENCE);
         let limits = [self.asked.part_tolerance, self.asked.max_pieces as f64];
         loop {
-            let part = Shares::of(pieces.iter().map(|(piece, likeness)| (piece.length(), *likeness))).part();
+            let shares = pieces.iter().map(|(piece, likeness)| (piece.length(), of_edge(*likeness)));
+            let part = Shares::of(shares).part();
             let length = length(&pieces);
             let tolerance = self.asked.part_tolerance;
             let is_known = length.upper - length.lower <= tolerance * length.upper;
@@ -174,10 +180,7 @@ impl<'a> Search<'a> {
         progress: &mut Progress<'_>,
     ) -> Result<bool> {
         // A length that is not known well widens both as an open piece does.
-        let sizes = pieces.iter().map(|(piece, likeness)| {
-            let Interval { lower, upper } = piece.length();
-            if *likeness == Likeness::Open { upper } else { upper - lower }
-        });
+        let sizes = pieces.iter().map(|(piece, likeness)| unknown(piece.length(), of_edge(*likeness)));
         let room = self.asked.max_pieces.saturating_sub(pieces.len());
         let chosen = largest_open(sizes, permitted, room);
         let (mut halved, mut smooth) = (false, Vec::new());

@@ -1,6 +1,6 @@
 //! The part of a model's area that has like counterparts in another one: near, and with a like tangent plane.
 
-use super::shares::{Shares, largest_open};
+use super::shares::{Shares, largest_open, share, unknown};
 use crate::area::Area;
 use crate::certified::{Audit, AuditReport, Pair};
 use crate::engine::PreparedModel;
@@ -110,6 +110,38 @@ impl Search<'_> {
         (part, likeness)
     }
 
+    /// Returns the area of a part, and the ends of the share of it that is alike.
+    fn area_and_share<P: Weighted>(&self, (part, likeness): &Compared<P>) -> (Interval, [f64; 2]) {
+        let Area { lower, upper } = part.weight();
+        (Interval { lower, upper }, share(*likeness, || part.beyond(self.asked.threshold)))
+    }
+
+    /// Returns the halves of a part along the side where more of them are decided, and along the longer side where it makes
+    /// no difference. An edge of what is alike mostly runs along one side of a part: halves along it have it both.
+    fn halved<C: Cover>(
+        &self,
+        cover: &C,
+        (part, likeness): &Compared<C::Part>,
+    ) -> Option<[Compared<C::Part>; 2]> {
+        if *likeness == Likeness::ByDistance {
+            return Some(cover.halves(part)?.map(|half| self.compared(cover, half)));
+        }
+        let compared = |halves: [C::Part; 2]| halves.map(|half| self.compared(cover, half));
+        let open = |halves: &[Compared<C::Part>; 2]| {
+            let is_open = |likeness| matches!(likeness, Likeness::Open | Likeness::ByDistance);
+            halves.iter().filter(|(_, likeness)| is_open(*likeness)).count()
+        };
+        let [longer, other] = cover.cuts(part);
+        let longer = longer.map(compared);
+        let other =
+            if longer.as_ref().is_some_and(|halves| open(halves) < 2) { None } else { other.map(compared) };
+        let halves = longer.into_iter().chain(other).min_by_key(open)?;
+        Some(halves.map(|(half, likeness)| match likeness {
+            Likeness::Open | Likeness::ByDistance => self.compared(cover, cover.measured(&half)),
+            decided => (cover.weighed(&half), decided),
+        }))
+    }
+
     /// Returns the part and whether it is narrow; where a bound of a distance is refuted, that without its lemma.
     async fn audited<C: Cover>(
         &self,
@@ -138,11 +170,7 @@ impl Search<'_> {
         let mut outlook = Outlook::new(PATIENCE);
         let limits = [self.asked.part_tolerance, self.asked.max_cells as f64];
         loop {
-            let areas = parts.iter().map(|(part, likeness)| {
-                let Area { lower, upper } = part.weight();
-                (Interval { lower, upper }, *likeness)
-            });
-            let part = Shares::of(areas).part();
+            let part = Shares::of(parts.iter().map(|part| self.area_and_share(part))).part();
             let width = part.upper - part.lower;
             let is_narrow = width <= self.asked.part_tolerance;
             if is_narrow
@@ -165,20 +193,17 @@ impl Search<'_> {
         let mut count = 0;
         let total: f64 = parts.iter().map(|(part, _)| part.weight().upper).sum();
         // An area that is not known well widens the part as an open one does.
-        let open = |(part, likeness): &Compared<C::Part>| {
-            let Area { lower, upper } = part.weight();
-            if *likeness == Likeness::Open { upper } else { upper - lower }
-        };
+        let open = parts.iter().map(|part| {
+            let (area, share) = self.area_and_share(part);
+            unknown(area, share)
+        });
         let room = self.asked.max_cells.saturating_sub(parts.len());
-        let chosen = largest_open(parts.iter().map(open), self.asked.part_tolerance * total, room);
+        let chosen = largest_open(open, self.asked.part_tolerance * total, room);
         for page in chosen.chunks(PARTS_AT_ONCE) {
             if self.is_late() {
                 break;
             }
-            count += halve_page(parts, page, |part| {
-                let halves = cover.halves_of_longer(&part.0)?;
-                Some(halves.map(|half| self.compared(cover, half)))
-            });
+            count += halve_page(parts, page, |part| self.halved(cover, part));
             progress.checkpoint((parts.len() as f64 / self.asked.max_cells as f64).min(1.0)).await?;
         }
         Ok(count > 0)

@@ -15,13 +15,19 @@ pub(super) struct Shares {
 }
 
 impl Shares {
-    /// Sums the sizes of pieces.
-    pub(super) fn of(pieces: impl Iterator<Item = (Interval, Likeness)>) -> Self {
+    /// Sums the sizes of pieces, each with the ends of the share of it that is alike.
+    pub(super) fn of(pieces: impl Iterator<Item = (Interval, [f64; 2])>) -> Self {
         let zero = Interval::exactly(0.0);
-        pieces.fold(Self { alike: zero, unlike: zero, open: zero }, |sums, (size, likeness)| match likeness {
-            Likeness::Alike => Self { alike: sums.alike + size, ..sums },
-            Likeness::Unlike => Self { unlike: sums.unlike + size, ..sums },
-            Likeness::Open => Self { open: sums.open + size, ..sums },
+        // Most are of one kind: nothing of a size is added without a rounding.
+        let part = |sum: Interval, size: Interval, share: f64| match share {
+            0.0 => sum,
+            1.0 => sum + size,
+            _ => sum + size * share,
+        };
+        pieces.fold(Self { alike: zero, unlike: zero, open: zero }, |sums, (size, [least, most])| Self {
+            alike: part(sums.alike, size, least),
+            unlike: part(sums.unlike, size, 1.0 - most),
+            open: part(sums.open, size, most - least),
         })
     }
 
@@ -43,6 +49,24 @@ impl Shares {
     }
 }
 
+/// Returns the ends of the share of a piece that is alike; `beyond` has those of the share beyond the threshold.
+pub(super) fn share(likeness: Likeness, beyond: impl FnOnce() -> [f64; 2]) -> [f64; 2] {
+    match likeness {
+        Likeness::Alike => [1.0; 2],
+        Likeness::Unlike => [0.0; 2],
+        Likeness::Open => [0.0, 1.0],
+        Likeness::ByDistance => {
+            let [least, most] = beyond();
+            [1.0 - most, 1.0 - least]
+        }
+    }
+}
+
+/// Returns an upper bound on what is not known of a piece: the size of its open share, and the width of its size.
+pub(super) fn unknown(size: Interval, [least, most]: [f64; 2]) -> f64 {
+    (most - least) * size.upper + size.width()
+}
+
 /// Returns the pieces of the largest sizes that are not known, at most `room`: the others have less than the `permitted`
 /// size together.
 pub(super) fn largest_open(open: impl Iterator<Item = f64>, permitted: f64, room: usize) -> Vec<usize> {
@@ -62,8 +86,11 @@ pub(super) fn largest_open(open: impl Iterator<Item = f64>, permitted: f64, room
 mod tests {
     use super::*;
 
+    /// A third of a piece by distance is beyond the threshold, or half of it.
     fn part(sizes: &[([f64; 2], Likeness)]) -> [f64; 2] {
-        let sizes = sizes.iter().map(|&([lower, upper], likeness)| (Interval { lower, upper }, likeness));
+        let share = |likeness| share(likeness, || [1.0 / 3.0, 0.5]);
+        let sizes =
+            sizes.iter().map(|&([lower, upper], likeness)| (Interval { lower, upper }, share(likeness)));
         let Interval { lower, upper } = Shares::of(sizes).part();
         [lower, upper]
     }
@@ -84,6 +111,8 @@ mod tests {
         assert_eq!(part(&all[..1]), [1.0, 1.0]);
         assert_eq!(part(&all[1..2]), [0.0, 0.0]);
         assert_eq!(part(&[]), [0.0, 1.0]);
+        near(part(&[([6.0, 6.0], Likeness::ByDistance)]), [0.5, 2.0 / 3.0]);
+        near(part(&[([6.0, 6.0], Likeness::ByDistance), ([6.0, 6.0], Likeness::Alike)]), [0.75, 5.0 / 6.0]);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use super::triangle::{TriangleBounds, spread_by_middle};
 use super::{Spread, Weighted};
 use crate::area::{Area, area_of_part, negligible_width};
+use crate::axis::Axis;
 use crate::bezier::PatchSet;
 use crate::facets::Facet;
 use crate::facets::search::Goal;
@@ -92,6 +93,24 @@ impl Weighted for WeightedPart {
     }
 }
 
+impl WeightedPart {
+    /// Returns the part with what the ends of its distances tell.
+    fn of_ends(&self) -> Self {
+        let Spread { lower, upper, .. } = self.spread;
+        Self { spread: Spread::exact([lower, upper]), ..*self }
+    }
+
+    /// Returns the halves of a cell along an axis; `None` for one that float64 does not halve.
+    fn cut_cell(&self, cell: &PatchCell, axis: Axis) -> Option<[Self; 2]> {
+        if cell.range.lengths()[axis as usize] < MIN_LENGTH {
+            return None;
+        }
+        let weight = Area { lower: 0.0, upper: self.weight.upper };
+        let half = |range| WeightedRegion::Cell(PatchCell { range, ..*cell });
+        Some(cell.range.halves(axis).map(|range| Self { region: half(range), weight, ..self.of_ends() }))
+    }
+}
+
 impl<'a> Parts<'a> {
     /// Parts within `sufficient` of B have no better bounds.
     pub(crate) fn new(a: Source<'a>, b: Measured<'a>, transform: RigidTransform, sufficient: f64) -> Self {
@@ -174,46 +193,65 @@ impl<'a> Parts<'a> {
         far * (1.0 + gamma(SPREAD_ROUNDINGS)) + 2.0 * self.rounding
     }
 
-    /// Returns the halves of a part; `None` for a part that float64 does not halve.
+    /// Returns the halves of a part, of a cell where its distance from the nearest facet's plane varies most; `None` for a
+    /// part that float64 does not halve.
     pub(crate) fn halves(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
-        self.halves_along(part, true)
-    }
-
-    /// The same, of a cell of a patch along its longer side.
-    pub(crate) fn halves_of_longer(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
-        self.halves_along(part, false)
-    }
-
-    /// Halves a part; a cell where its distance from the nearest facet's plane varies most, if that is asked for.
-    fn halves_along(&self, part: &WeightedPart, by_distance: bool) -> Option<[WeightedPart; 2]> {
-        let Measured::Facets { facets: b, .. } = self.b else { return None };
-        let bounded = |region, weight| self.bounded(region, weight, part.start);
-        let [one, other] = match (part.region, self.a) {
-            (WeightedRegion::Triangle(corners, level, place), _) if level < MAX_LEVELS => {
-                let half = Area { lower: 0.5 * part.weight.lower, upper: 0.5 * part.weight.upper };
-                let halves = TrianglePart::new(corners, part.start).halves(b);
-                halves.map(|of| bounded(WeightedRegion::Triangle(of.corners, level + 1, place), half))
-            }
-            (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => {
+        let halves = match (part.region, self.a, self.b) {
+            (WeightedRegion::Triangle(..), ..) => self.cut_triangle(part)?,
+            (
+                WeightedRegion::Cell(cell),
+                Source::Patches { patches, .. },
+                Measured::Facets { facets: b, .. },
+            ) => {
                 let net = cell.net(patches, &self.transform);
                 let Spread { lower, upper, .. } = part.spread;
-                let varied = || net.varied_axis(&b.facet(part.start), VARIED_PART * (upper - lower));
-                let varied = by_distance.then(varied).flatten();
-                let axis = varied.unwrap_or_else(|| net.halved_axis(true));
-                if cell.range.lengths()[axis as usize] < MIN_LENGTH {
-                    return None;
-                }
-                cell.range.halves(axis).map(|range| {
-                    let half = PatchCell { range, ..cell };
-                    bounded(WeightedRegion::Cell(half), self.area(patches, &half))
-                })
+                let varied = net.varied_axis(&b.facet(part.start), VARIED_PART * (upper - lower));
+                part.cut_cell(&cell, varied.unwrap_or_else(|| net.halved_axis(true)))?
             }
             _ => return None,
         };
-        let Spread { lower, upper, .. } = part.spread;
-        let clipped =
-            |half: WeightedPart| WeightedPart { spread: half.spread.within([lower, upper]), ..half };
-        Some([clipped(one?), clipped(other?)])
+        Some(halves.map(|half| self.measured(&half)))
+    }
+
+    /// Returns the halves of a triangle along its longest side, or those of a cell of a patch along its longer side and
+    /// along the other one; `None` where float64 does not halve it. They have the distances of the whole part, and at most
+    /// its area.
+    pub(crate) fn cuts(&self, part: &WeightedPart) -> [Option<[WeightedPart; 2]>; 2] {
+        match (part.region, self.a) {
+            (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => {
+                let longer = cell.net(patches, &self.transform).halved_axis(true);
+                [longer, longer.other()].map(|axis| part.cut_cell(&cell, axis))
+            }
+            _ => [self.cut_triangle(part), None],
+        }
+    }
+
+    /// Returns a half with its own distances, which are within those that it has, and its own area.
+    pub(crate) fn measured(&self, half: &WeightedPart) -> WeightedPart {
+        let WeightedPart { region, weight, start, spread: Spread { lower, upper, .. } } = self.weighed(half);
+        match self.bounded(region, weight, start) {
+            Some(found) => WeightedPart { spread: found.spread.within([lower, upper]), ..found },
+            // There is no facet to measure to.
+            None => *half,
+        }
+    }
+
+    /// Returns a half with its own area.
+    pub(crate) fn weighed(&self, half: &WeightedPart) -> WeightedPart {
+        let weight = match (half.region, self.a) {
+            (WeightedRegion::Cell(cell), Source::Patches { patches, .. }) => self.area(patches, &cell),
+            _ => half.weight,
+        };
+        WeightedPart { weight, ..*half }
+    }
+
+    fn cut_triangle(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
+        let Measured::Facets { facets: b, .. } = self.b else { return None };
+        let WeightedRegion::Triangle(corners, level, place) = part.region else { return None };
+        let weight = Area { lower: 0.5 * part.weight.lower, upper: 0.5 * part.weight.upper };
+        let halves = (level < MAX_LEVELS).then(|| TrianglePart::new(corners, part.start).halves(b))?;
+        let region = |of: TrianglePart| WeightedRegion::Triangle(of.corners, level + 1, place);
+        Some(halves.map(|of| WeightedPart { region: region(of), weight, ..part.of_ends() }))
     }
 
     /// Returns what a part is a part of.
