@@ -4,6 +4,7 @@ pub(super) mod gltf;
 #[cfg(feature = "step")]
 pub(super) mod step;
 pub(super) mod three_mf;
+mod uri;
 
 use super::{MeshFormat, Soup};
 use glam::{DAffine3, DVec3};

@@ -180,9 +180,16 @@ fn three_mf() -> Vec<u8> {
 
 /// An archive of this model.
 fn zipped(xml: &str) -> Vec<u8> {
+    packed(&[("3D/3dmodel.model", xml)])
+}
+
+/// An archive of files.
+fn packed(files: &[(&str, &str)]) -> Vec<u8> {
     let mut writer = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
-    writer.start_file("3D/3dmodel.model", zip::write::SimpleFileOptions::default()).unwrap();
-    writer.write_all(xml.as_bytes()).unwrap();
+    for (name, content) in files {
+        writer.start_file(*name, zip::write::SimpleFileOptions::default()).unwrap();
+        writer.write_all(content.as_bytes()).unwrap();
+    }
     writer.finish().unwrap().into_inner()
 }
 

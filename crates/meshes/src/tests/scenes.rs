@@ -87,6 +87,49 @@ fn scenes_of_endless_places_are_refused() {
     assert!(error.contains("places"), "{error}");
 }
 
+/// Relationships of a package to models at these paths.
+fn relationships(paths: &[&str]) -> String {
+    let one = |path: &&str| {
+        format!(
+            r#"<Relationship Target="{path}" Id="r" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>"#
+        )
+    };
+    let all: String = paths.iter().map(one).collect();
+    format!(r#"<Relationships><Relationship Target="/a.png" Type="thumbnail"/>{all}</Relationships>"#)
+}
+
+/// The hash of a name decides nothing: the models are read often, in tables with other seeds.
+#[test]
+fn the_model_of_a_3mf_is_that_of_its_relationships() {
+    let (inch, metre) = (three_mf_xml(), three_mf_xml().replace("inch", "meter"));
+    let read = |paths: &[&str], names: [&str; 2]| {
+        let stated = relationships(paths);
+        let bytes = packed(&[("_rels/.rels", &stated), (names[0], &inch), (names[1], &metre)]);
+        MeshFile::read(&bytes, MeshFormat::ThreeMf)
+    };
+    for _ in 0..20 {
+        let unit_of = |paths: &[&str], names| {
+            let file = read(paths, names).unwrap();
+            (file.unit, noted(&file))
+        };
+        let others = || vec!["objects".to_owned()];
+        for path in ["/3D/main.model", "3D/main.model", "/3d/Main.model", "./3D/m%61in.model"] {
+            assert_eq!(unit_of(&[path], ["3D/main.model", "3D/other.model"]), (Some(0.0254), others()));
+            assert_eq!(unit_of(&[path], ["3D/3dmodel.model", "3D/main.model"]), (Some(1.0), others()));
+        }
+        assert_eq!(unit_of(&["/a.xml"], ["3D/3dmodel.model", "a.xml"]).0, Some(1.0));
+        assert_eq!(unit_of(&[], ["3D/a.model", "3D/3dmodel.model"]), (Some(1.0), others()));
+        let named = |name: &str| vec![name.to_owned(), "objects".to_owned()];
+        assert_eq!(unit_of(&[], ["3D/b.model", "3D/a.model"]), (Some(1.0), named("3d/b.model")));
+        let two = ["/3D/b.model", "/3D/a.model"];
+        assert_eq!(unit_of(&two, ["3D/b.model", "3D/a.model"]), (Some(0.0254), named("/3D/a.model")));
+    }
+    let error = read(&["/3D/lost.model"], ["3D/3dmodel.model", "3D/a.model"]).unwrap_err().to_string();
+    assert!(error.contains("there is no part \"/3D/lost.model\""), "{error}");
+    let error = read(&[], ["3D/a.model", "3D/A.model"]).unwrap_err().to_string();
+    assert!(error.contains("two parts of the name"), "{error}");
+}
+
 #[test]
 fn supports_of_3mf_are_no_part_of_the_model() {
     let support = r#"<object id="3" type="support" name="foot"><mesh><vertices><vertex x="0" y="0" z="-9"/><vertex x="1" y="0" z="-9"/>

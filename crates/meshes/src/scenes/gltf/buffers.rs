@@ -3,6 +3,7 @@
 use super::FORMAT;
 use super::json::Root;
 use crate::Beside;
+use crate::scenes::uri::{path, unescaped};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use nurbs_hausdorff::Result;
@@ -62,30 +63,4 @@ fn decoded(data: &str) -> Result<Vec<u8>> {
         true => STANDARD.decode(data).map_err(|error| FORMAT.syntax(error.to_string())),
         false => Ok(unescaped(data)),
     }
-}
-
-/// Returns the path that a relative URI stands for.
-fn path(uri: &str) -> String {
-    let path = String::from_utf8_lossy(&unescaped(uri)).into_owned();
-    path.trim_start_matches("./").to_owned()
-}
-
-/// Returns bytes with each `%` and two hexadecimal digits replaced by what they stand for.
-fn unescaped(text: &str) -> Vec<u8> {
-    let mut bytes = Vec::with_capacity(text.len());
-    let mut rest = text.as_bytes();
-    while let [byte, after @ ..] = rest {
-        let digits = after.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
-        match digits.and_then(|digits| u8::from_str_radix(digits, 16).ok()).filter(|_| *byte == b'%') {
-            Some(escaped) => {
-                bytes.push(escaped);
-                rest = &after[2..];
-            }
-            None => {
-                bytes.push(*byte);
-                rest = after;
-            }
-        }
-    }
-    bytes
 }

@@ -1,6 +1,7 @@
 //! 3MF: a zip archive of XML.
 
 mod extensions;
+mod package;
 
 use super::Scene;
 use crate::{MAX_BYTES, MeshFormat, Soup};
@@ -8,16 +9,14 @@ use extensions::{refuse_element, refuse_required};
 use glam::{DAffine3, DMat3, DVec3};
 use nurbs_hausdorff::Result;
 use nurbs_hausdorff::workspace::Budget;
+use package::{is_model, is_relationships, part_name, roots, stated_models};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashSet};
 use std::io::Cursor;
 use zip::ZipArchive;
 
 const FORMAT: MeshFormat = MeshFormat::ThreeMf;
-
-/// The path of the model that a package begins with, unless its relationships name another.
-const DEFAULT_MODEL: &str = "3D/3dmodel.model";
 
 /// An object of a model part: a mesh, components, or both.
 #[derive(Default)]
@@ -41,7 +40,7 @@ struct Component {
 /// One XML part of a package.
 struct PackagePart {
     unit: f64,
-    objects: HashMap<String, Object>,
+    objects: BTreeMap<String, Object>,
     items: Vec<Component>,
 }
 
@@ -58,23 +57,38 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
     let mut archive =
         ZipArchive::new(Cursor::new(bytes)).map_err(|error| FORMAT.syntax(error.to_string()))?;
     let names: Vec<String> = archive.file_names().flatten().map(std::borrow::Cow::into_owned).collect();
-    let is_model = |name: &&String| name.to_ascii_lowercase().ends_with(".model");
-    let mut parts = HashMap::new();
     let mut budget = Budget::new(MAX_BYTES);
-    for name in names.iter().filter(is_model) {
+    let mut content = |name: &str| {
         let file = archive.by_name(name).map_err(|error| FORMAT.syntax(error.to_string()))?;
-        let xml = budget.read(file, |found| FORMAT.syntax(found))?;
-        parts.insert(name.trim_start_matches('/').to_owned(), parse(&xml)?);
-    }
-    let root = match parts.contains_key(DEFAULT_MODEL) {
-        true => DEFAULT_MODEL,
-        false => parts.iter().find(|(_, part)| !part.items.is_empty()).map_or("", |(name, _)| name.as_str()),
+        budget.read(file, |found| FORMAT.syntax(found))
     };
-    let part = parts.get(root).ok_or_else(|| FORMAT.syntax("the archive has no model"))?;
+    let stated = match names.iter().find(|name| is_relationships(name)) {
+        Some(name) => stated_models(&content(name)?)?,
+        None => Vec::new(),
+    };
+    let mut parts = BTreeMap::new();
+    for entry in &names {
+        let name = part_name(entry);
+        if !is_model(&name) && stated.iter().all(|path| part_name(path) != name) {
+            continue;
+        }
+        let part = parse(&content(entry)?)?;
+        if parts.insert(name, part).is_some() {
+            return Err(FORMAT.syntax(format!("two parts of the name {entry:?}")));
+        }
+    }
+    let built = parts.iter().map(|(name, part)| (name.as_str(), !part.items.is_empty()));
+    let roots = roots(stated, built);
+    let [root, others @ ..] = roots.as_slice() else { return Err(FORMAT.syntax("the archive has no model")) };
+    let root_name = part_name(root);
+    let part = parts.get(&root_name).ok_or_else(|| FORMAT.syntax(format!("there is no part {root:?}")))?;
     let mut scene = Scene::new(FORMAT, part.unit);
+    for other in others {
+        scene.soup.note(other, format!("the model that is built is read from {root:?}, which comes first"));
+    }
     let mut met = HashSet::new();
     for item in &part.items {
-        place_object(&parts, root, item, &DAffine3::IDENTITY, 0, (&mut scene, &mut met))?;
+        place_object(&parts, &root_name, item, &DAffine3::IDENTITY, 0, (&mut scene, &mut met))?;
     }
     let objects =
         parts.iter().flat_map(|(path, part)| part.objects.iter().map(move |(id, one)| (path, id, one)));
@@ -95,7 +109,7 @@ type Met<'a> = HashSet<(&'a str, &'a str)>;
 
 /// Places an object and its components, and enters them among those met.
 fn place_object<'a>(
-    parts: &'a HashMap<String, PackagePart>,
+    parts: &'a BTreeMap<String, PackagePart>,
     path: &'a str,
     component: &'a Component,
     parent: &DAffine3,
@@ -123,7 +137,7 @@ fn place_object<'a>(
 
 fn parse(xml: &[u8]) -> Result<PackagePart> {
     let mut reader = Reader::from_reader(xml);
-    let mut part = PackagePart { unit: 1e-3, objects: HashMap::new(), items: Vec::new() };
+    let mut part = PackagePart { unit: 1e-3, objects: BTreeMap::new(), items: Vec::new() };
     let mut current: Option<(String, Object)> = None;
     loop {
         match reader.read_event().map_err(|error| FORMAT.syntax(error.to_string()))? {
@@ -172,7 +186,7 @@ impl Object {
 
 fn component(element: &BytesStart<'_>) -> Result<Component> {
     let object = attribute(element, "objectid")?.ok_or_else(|| FORMAT.syntax("an item without objectid"))?;
-    let path = attribute(element, "path")?.map(|path| path.trim_start_matches('/').to_owned());
+    let path = attribute(element, "path")?.map(|path| part_name(&path));
     let transform =
         attribute(element, "transform")?.map_or(Ok(DAffine3::IDENTITY), |text| transform(&text))?;
     Ok(Component { path, object, transform })
