@@ -30,6 +30,7 @@ enum Known {
     LinkedObject,
     Origin,
     Placement,
+    Shape,
     Tip,
     Visibility,
 }
@@ -43,6 +44,7 @@ impl Known {
             // The older name first.
             "OriginFeatures" | "Origin" => Self::Origin,
             "Placement" => Self::Placement,
+            "Shape" => Self::Shape,
             "Tip" => Self::Tip,
             "Visibility" => Self::Visibility,
             _ => return None,
@@ -79,7 +81,8 @@ impl Object {
     /// Takes over what an element within a property states.
     fn read(&mut self, property: Option<Known>, element: &BytesStart<'_>) -> Result<()> {
         match (property, element.local_name().as_ref()) {
-            (_, "Part") if self.file.is_none() => self.file = attribute(element, "file")?,
+            // Features of PartDesign and sketches have other shapes beside their own.
+            (Some(Known::Shape), "Part") => self.file = attribute(element, "file")?,
             (Some(Known::Group), "Link") => self.members.extend(attribute(element, "value")?),
             (Some(Known::Visibility), "Bool") => {
                 self.is_visible = attribute(element, "value")?.map(|value| value == "true");

@@ -104,6 +104,21 @@ fn a_document_without_views_has_the_shapes_that_its_objects_show() {
     assert!(skipped.code == "CAD_UNREADABLE" && skipped.why.contains("b.brp"), "{skipped:?}");
 }
 
+/// What a feature adds, and the faces within a sketch, are stored as shapes before the object's own one.
+#[test]
+fn the_shape_of_an_object_is_that_of_this_name() {
+    let other = |name: &str| {
+        format!(
+            r#"<Property name="{name}"><Part file="other.brp"/></Property><Property name="Shape"><Part file="a.brp"/></Property>"#
+        )
+    };
+    let [pad, sketch] = ["AddSubShape", "InternalShape"].map(other);
+    let objects = [("Pad", "", pad.as_str(), true), ("Sketch", "", sketch.as_str(), true)];
+    let bytes = document(&objects, &[("a.brp", SQUARE.as_bytes()), ("other.brp", b"CASCADE Topology V9")]);
+    let (model, report, _) = read(bytes).unwrap();
+    assert_eq!((model.faces().len(), report.skipped), (2, Vec::new()));
+}
+
 #[test]
 fn what_a_document_has_besides_is_named() {
     let moved =
