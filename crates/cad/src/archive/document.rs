@@ -15,16 +15,43 @@ pub(super) struct Object {
     pub(super) file: Option<String>,
     /// The names of its properties that decide how it is read.
     properties: HashSet<Known>,
+    /// What it has in place of a shape.
+    pub(super) kernel: Option<Kernel>,
     /// The names of its group's members.
     pub(super) members: Vec<String>,
+    /// Whether it shows other objects as its elements, as groups of links do.
+    has_elements: bool,
     placement: Option<Placement>,
     link_placement: Option<Placement>,
     is_visible: Option<bool>,
 }
 
+/// What objects other than shapes consist of.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kernel {
+    /// Triangles.
+    Mesh,
+    /// Points without a surface.
+    Points,
+    /// The elements of an analysis.
+    Elements,
+}
+
+impl Kernel {
+    fn of_element(name: &str) -> Option<Self> {
+        Some(match name {
+            "Mesh" => Self::Mesh,
+            "Points" => Self::Points,
+            "FemMesh" => Self::Elements,
+            _ => return None,
+        })
+    }
+}
+
 /// The properties that are read.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Known {
+    ElementList,
     Group,
     LinkPlacement,
     LinkedObject,
@@ -38,6 +65,7 @@ enum Known {
 impl Known {
     fn of_name(name: &str) -> Option<Self> {
         Some(match name {
+            "ElementList" => Self::ElementList,
             "Group" => Self::Group,
             "LinkPlacement" => Self::LinkPlacement,
             "LinkedObject" => Self::LinkedObject,
@@ -68,14 +96,18 @@ impl Object {
         self.is_visible == Some(false)
     }
 
-    /// Returns whether the object moves others: a link, or a part whose placement is not the identity.
+    /// Returns whether the members of the object are shown only if it is: those of parts, not of plain groups.
+    pub(super) fn is_part(&self) -> bool {
+        self.properties.contains(&Known::Origin)
+    }
+
+    /// Returns whether the object shows others at other places: a link, a group of links, or a part whose placement
+    /// is not the identity.
     pub(super) fn is_container(&self) -> bool {
-        let is_link = self.properties.contains(&Known::LinkedObject);
-        let moves = is_link || self.properties.contains(&Known::Origin);
-        match self.link_placement.as_ref().or(self.placement.as_ref()) {
-            Some(placement) if moves && !self.is_body() => is_link || !placement.is_identity,
-            _ => false,
-        }
+        let is_link = self.properties.contains(&Known::LinkedObject) || self.has_elements;
+        let placement = self.link_placement.as_ref().or(self.placement.as_ref());
+        let is_moved = || placement.is_some_and(|placement| !placement.is_identity);
+        !self.is_body() && (is_link || self.is_part() && is_moved())
     }
 
     /// Takes over what an element within a property states.
@@ -84,6 +116,7 @@ impl Object {
             // Features of PartDesign and sketches have other shapes beside their own.
             (Some(Known::Shape), "Part") => self.file = attribute(element, "file")?,
             (Some(Known::Group), "Link") => self.members.extend(attribute(element, "value")?),
+            (Some(Known::ElementList), "Link") => self.has_elements = true,
             (Some(Known::Visibility), "Bool") => {
                 self.is_visible = attribute(element, "value")?.map(|value| value == "true");
             }
@@ -91,7 +124,7 @@ impl Object {
                 self.link_placement = Some(placement(element)?);
             }
             (Some(Known::Placement), "PropertyPlacement") => self.placement = Some(placement(element)?),
-            _ => {}
+            (_, name) => self.kernel = self.kernel.or(Kernel::of_element(name)),
         }
         Ok(())
     }

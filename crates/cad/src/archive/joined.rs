@@ -1,7 +1,7 @@
 //! Several shapes as one.
 
 use nurbs_hausdorff::workspace::{Assembled, IDENTITY, level};
-use nurbs_hausdorff::{Error, FaceId, InstanceArrays, ModelArrays, Result, Skipped, one_line};
+use nurbs_hausdorff::{Error, FaceId, InstanceArrays, ModelArrays, Note, Result, Skipped, one_line};
 
 /// Metres per unit of FreeCAD's shapes.
 const FREECAD_UNIT: f64 = 1e-3;
@@ -102,6 +102,11 @@ impl Joined {
     pub(super) fn leave_out(&mut self, name: &str, reason: Option<(&'static str, String)>) {
         let skipped = |(code, why)| Skipped::new(FaceId::Name(one_line(name)), None, code, why);
         self.whole.skipped.extend(reason.map(skipped));
+    }
+
+    /// Says of an object why it is no part of the model.
+    pub(super) fn note(&mut self, name: &str, code: &'static str, why: &str) {
+        self.whole.notes.push(Note::new(FaceId::Name(one_line(name)), code, why.to_owned()));
     }
 
     /// Returns the whole.

@@ -149,6 +149,50 @@ fn what_a_document_has_besides_is_named() {
     assert_eq!(skipped, named.map(|(name, code)| (name.to_owned(), code)));
 }
 
+/// Links may have no placement, groups of links show their elements, and meshes and points have no shape.
+#[test]
+fn objects_without_a_shape_are_named() {
+    let elements = r#"<Property name="ElementList"><LinkList><Link value="Box"/></LinkList></Property>"#;
+    let kernel = |name: &str| format!(r#"<Property name="{name}"><{name} file="data"/></Property>"#);
+    let [mesh, points, elements_of_analysis] = ["Mesh", "Points", "FemMesh"].map(kernel);
+    let objects = [
+        ("Box", "a.brp", "", true),
+        ("Link", "", r#"<Property name="LinkedObject"><XLink file="" name="Box"/></Property>"#, true),
+        ("LinkGroup", "", elements, true),
+        ("Scan", "", mesh.as_str(), true),
+        ("Hidden", "", mesh.as_str(), false),
+        ("Cloud", "", points.as_str(), true),
+        ("Analysis", "", elements_of_analysis.as_str(), true),
+        ("Wire", "a.brp", r#"<Property name="Points"><VectorList file="Points"/></Property>"#, true),
+    ];
+    let (_, report, _) = read(document(&objects, &[("a.brp", SQUARE.as_bytes()), ("data", b"")])).unwrap();
+    let skipped: Vec<_> = report.skipped.iter().map(|one| one.face.to_string()).collect();
+    let noted: Vec<_> = report.notes.iter().map(|one| (one.face.to_string(), one.code)).collect();
+    assert_eq!((report.faces, skipped), (2, ["Link", "LinkGroup", "Scan"].map(str::to_owned).to_vec()));
+    assert_eq!(noted, ["Cloud", "Analysis"].map(|name| (name.to_owned(), "NOT_MEASURED")));
+}
+
+/// A part that is hidden hides all below it, and a plain group does not: the members of that say it of themselves.
+#[test]
+fn the_members_of_a_part_that_is_hidden_are_hidden() {
+    let group = |name: &str| {
+        format!(r#"<Property name="Group"><LinkList><Link value="{name}"/></LinkList></Property>"#)
+    };
+    let part = |name: &str| group(name) + r#"<Property name="Origin"/>"#;
+    let [outer, inner, plain, ring] = [part("Inner"), group("Deep"), group("Grouped"), part("Ring")];
+    let objects = [
+        ("Part", "", outer.as_str(), false),
+        ("Inner", "", inner.as_str(), true),
+        ("Deep", "a.brp", "", true),
+        ("Group", "", plain.as_str(), false),
+        ("Grouped", "a.brp", "", true),
+        ("Ring", "", ring.as_str(), false),
+    ];
+    let (model, report, _) = read(document(&objects, &[("a.brp", SQUARE.as_bytes())])).unwrap();
+    let names: Vec<_> = model.faces().filter_map(|face| face.name()).collect();
+    assert_eq!((names, report.skipped), (vec!["Grouped / face 0"], Vec::new()));
+}
+
 #[test]
 fn a_face_of_a_document_is_called_by_its_shape() {
     let mut joined = super::joined::Joined::default();
