@@ -77,7 +77,10 @@ pub fn read_step_triangles(bytes: &[u8]) -> Result<StepTriangles> {
             return Err(Error::StepUnreadable { found });
         }
         positions.extend(vertices.iter().flat_map(|&vertex| place.transform_point3(vertex).to_array()));
-        indices.extend(triangles.iter().flatten().map(|corner| corner + first as u32));
+        // Under a map that mirrors, triangles are turned: what was outside stays outside.
+        let is_mirrored = place.matrix3.determinant() < 0.0;
+        let placed = |&[a, b, c]: &[u32; 3]| if is_mirrored { [a, c, b] } else { [a, b, c] };
+        indices.extend(triangles.iter().flat_map(placed).map(|corner| corner + first as u32));
         if !triangles.is_empty() {
             names.push(name.unwrap_or_default().to_owned());
             counts.push(triangles.len() as u32);

@@ -47,7 +47,9 @@ impl Scene {
         Ok(())
     }
 
-    /// Appends a mesh that is moved by `transform`, as a group of this name.
+    /// Appends a mesh that is moved by `transform`, as a group of this name. Under a map that mirrors triangles are
+    /// turned, so that what was outside stays outside: glTF states it of a negative determinant, and solids of 3MF
+    /// and STEP have their outside by the order of corners.
     ///
     /// # Errors
     /// [`nurbs_hausdorff::Error::MeshSyntax`] if the scene has too many vertices or triangles.
@@ -72,7 +74,9 @@ impl Scene {
         soup.vertices.extend(vertices.iter().map(|&vertex| transform.transform_point3(vertex)));
         // An index beyond the mesh must not become one of the next mesh.
         let index = |vertex: u32| if (vertex as usize) < vertices.len() { first + vertex } else { u32::MAX };
-        soup.triangles.extend(triangles.iter().map(|triangle| triangle.map(index)));
+        let is_mirrored = transform.matrix3.determinant() < 0.0;
+        let placed = |&[a, b, c]: &[u32; 3]| if is_mirrored { [a, c, b] } else { [a, b, c] }.map(index);
+        soup.triangles.extend(triangles.iter().map(placed));
         Ok(())
     }
 }

@@ -75,6 +75,28 @@ fn what_no_scene_and_no_item_places_is_named() {
     assert_eq!((groups_of(&file), noted(&file)), (vec![4], vec!["objects".to_owned()]));
 }
 
+/// Six times the volume that the triangles enclose, seen from outside.
+fn volume(file: &MeshFile) -> f64 {
+    let Facets::Mesh(mesh) = &file.facets else { panic!("a mesh") };
+    let corners = (0..mesh.triangles().len()).map(|triangle| mesh.corners(triangle));
+    corners.map(|[a, b, c]| a.dot(b.cross(c))).sum()
+}
+
+#[test]
+fn mirrored_bodies_keep_their_outside() {
+    let beside = Beside::from([("b.bin".to_owned(), gltf_buffer())]);
+    let of_scale = |scale: &str| {
+        let placed = format!(r#""scale": [{scale}], "translation": [2, 0, 0]"#);
+        volume(&gltf_with("b.bin", &[(r#""translation": [2, 0, 0]"#, &placed)], &beside).unwrap())
+    };
+    let mirrors = ["-1, 1, 1", "1, -1, 1", "1, 1, -1", "-1, -1, -1"];
+    for scale in ["1, 1, 1", "-1, -1, 1"].into_iter().chain(mirrors) {
+        assert_eq!(of_scale(scale), 3.75, "{scale}");
+    }
+    let mirrored = three_mf_with(&[("1 0 0 0 1 0 0 0 1 0 0 0.5", "-1 0 0 0 1 0 0 0 1 0 0 0.5")]).unwrap();
+    assert_eq!(volume(&mirrored), 3.75);
+}
+
 /// A node of two equal children, and so on: without a mesh there is nothing that else would end it.
 #[test]
 fn scenes_of_endless_places_are_refused() {

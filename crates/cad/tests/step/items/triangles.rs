@@ -149,6 +149,34 @@ fn triangles_stand_where_they_are_mapped() {
     assert_eq!((mesh.vertices().len(), right), (16, 8));
 }
 
+/// An operator whose third axis is turned mirrors in z, and one whose first and second are in x.
+#[test]
+fn triangles_that_are_mirrored_keep_their_outside() {
+    for (axes, expected) in [([1.0, 1.0], 1.0), ([1.0, -1.0], -1.0), ([-1.0, 1.0], 1.0), ([-1.0, -1.0], -1.0)]
+    {
+        let mut text = StepText::new();
+        let context = text.context(UnitsOf::Millimetres);
+        let face = square(&mut text, SQUARES[0], 1.0);
+        let part = text.representation(&[face], context);
+        let origin = text.axis([0.0; 3], [0.0, 0.0, 1.0]);
+        let map = text.add(format!("REPRESENTATION_MAP(#{origin},#{part})"));
+        let [x, y, z, point] = [
+            format!("DIRECTION('',({:?},0.,0.))", axes[0]),
+            "DIRECTION('',(0.,1.,0.))".to_owned(),
+            format!("DIRECTION('',(0.,0.,{:?}))", axes[1]),
+            "CARTESIAN_POINT('',(0.,0.,0.))".to_owned(),
+        ]
+        .map(|entity| text.add(entity));
+        let target =
+            text.add(format!("CARTESIAN_TRANSFORMATION_OPERATOR_3D('',$,'',#{x},#{y},#{point},1.,#{z})"));
+        let item = text.add(format!("MAPPED_ITEM('',#{map},#{target})"));
+        let whole = text.representation(&[item], context);
+        text.product("", whole);
+        // The side that is seen is that of the image of the normal.
+        assert_eq!(area(&mesh(&text.text())), expected, "{axes:?}");
+    }
+}
+
 /// A repositioned item without a placement is named, and its triangles are not read where they are defined.
 #[test]
 fn repositioned_triangles_without_a_placement_are_named() {
