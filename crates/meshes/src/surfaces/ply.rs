@@ -14,6 +14,9 @@ const FORMAT: MeshFormat = MeshFormat::Ply;
 /// vertex.
 const ELEMENTS_AT_ONCE: usize = 1 << 16;
 
+/// The names of the list of a face's vertices.
+const INDICES: [&str; 2] = ["vertex_indices", "vertex_index"];
+
 /// An element of any kind: the coordinates of a vertex, or the corners of a face or a strip.
 #[derive(Default)]
 struct Element {
@@ -31,7 +34,7 @@ impl PropertyAccess for Element {
             "x" => 0,
             "y" => 1,
             "z" => 2,
-            "vertex_indices" | "vertex_index" => {
+            name if INDICES.contains(&name) => {
                 self.corners = corners(&property);
                 return PropertyAccessResult::Set;
             }
@@ -78,10 +81,11 @@ struct Corners {
     corners: Vec<u32>,
 }
 
-/// Reads vertices, faces and strips of triangles, whose parts a negative index ends.
+/// Reads vertices, faces and strips of triangles, whose parts a negative index ends. Other elements with vertex
+/// indices are named as left out.
 ///
 /// # Errors
-/// [`nurbs_hausdorff::Error::MeshSyntax`].
+/// [`nurbs_hausdorff::Error::MeshSyntax`]; also of a file whose vertex indices all are of other elements.
 pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
     let parser = Parser::<Element>::new();
     let error = |error: ply_rs_bw::parser::ParseError| FORMAT.syntax(error.to_string());
@@ -89,6 +93,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
     let header = parser.read_header(&mut reader).map_err(error)?;
     let mut soup = Soup::default();
     let [mut faces, mut strips] = [Corners::default(), Corners::default()];
+    let mut unread = Vec::new();
     for element in header.elements.values() {
         // Every element takes at least a byte: the parser would make as many as the header says.
         if element.count > bytes.len() {
@@ -109,6 +114,11 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
                 _ => {}
             }
         }
+        let is_known = ["vertex", "face", "tristrips"].contains(&element.name.as_str());
+        if !is_known && element.count > 0 && INDICES.iter().any(|name| element.properties.contains_key(*name))
+        {
+            unread.push((&element.name, element.count));
+        }
         if element.name == "edge" && element.count > 0 {
             soup.note("edge", format!("{} edges are no surface", element.count));
         }
@@ -117,6 +127,14 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
     soup.note_rest(bytes.get(end..).unwrap_or_default().trim_ascii().len());
     faces.parts().try_for_each(|face| soup.push_polygon(face, FORMAT))?;
     strips.parts().for_each(|corners| soup.triangles.extend(strip(corners)));
+    for (name, count) in unread {
+        let why = format!("{count} elements {name:?} with vertex indices, expected elements \"face\"");
+        // Points alone are no cloud where a surface was meant.
+        if soup.triangles.is_empty() {
+            return Err(FORMAT.syntax(why));
+        }
+        soup.skip(name, why);
+    }
     Ok(soup)
 }
 

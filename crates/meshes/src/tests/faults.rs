@@ -196,3 +196,20 @@ fn faces_of_ply_may_come_first() {
     let Facets::Mesh(mesh) = file.facets else { panic!("a mesh") };
     assert_eq!(mesh.triangles().len(), 2);
 }
+
+/// A reader may not know an element, but faces by another name are no cloud of their vertices.
+#[test]
+fn vertex_indices_of_other_elements_of_ply_are_named() {
+    let vertices = "0 0 0\n1 0 0\n0 1 0\n";
+    let head =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+    let list = |element: &str, name: &str| format!("element {element} 1\nproperty list uchar int {name}\n");
+    for name in ["vertex_indices", "vertex_index"] {
+        let alone = format!("{head}{}end_header\n{vertices}3 0 1 2\n", list("triangle", name));
+        assert!(refusal(alone, MeshFormat::Ply).contains("1 elements \"triangle\""));
+        let both = list("face", name) + &list("triangle", name);
+        let both = format!("{head}{both}end_header\n{vertices}3 0 1 2\n3 0 1 2\n");
+        let file = MeshFile::read(both.as_bytes(), MeshFormat::Ply).unwrap();
+        assert_eq!((groups_of(&file), file.skipped[0].face.to_string().as_str()), (vec![1], "triangle"));
+    }
+}

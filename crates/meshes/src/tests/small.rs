@@ -152,3 +152,21 @@ fn legacy_vtk_is_read_as_text_and_in_binary() {
     let cut = &text[..text.find("2 3\nTRI").unwrap()];
     assert!(refusal(cut, MeshFormat::Vtk).contains("expected a number"));
 }
+
+/// Bytes between the parts, as a damaged byte or a wrong type of numbers leaves them, do not end the surface.
+#[test]
+fn vtk_with_bytes_that_are_no_text_is_refused() {
+    let head = vtk_head("BINARY") + "POINTS 3 float\n";
+    let points: Vec<u8> = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0_f32]
+        .iter()
+        .flat_map(|number| number.to_be_bytes())
+        .collect();
+    let cells: Vec<u8> = [3, 0, 1, 2_i32].iter().flat_map(|number| number.to_be_bytes()).collect();
+    let with = |between: &[u8]| [head.as_bytes(), &points, between, b"POLYGONS 1 4\n", &cells].concat();
+    assert_eq!(groups_of(&file(with(b"\n"), MeshFormat::Vtk)), [1]);
+    let place = format!("from byte {} on", head.len() + points.len());
+    for between in [b"\xff\n".as_slice(), b"\xbf\xf0\0\0\0\0\n"] {
+        let refusal = refusal(with(between), MeshFormat::Vtk);
+        assert!(refusal.contains(&place), "{refusal}");
+    }
+}

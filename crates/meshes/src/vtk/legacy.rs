@@ -17,21 +17,21 @@ pub(super) fn read(bytes: &[u8]) -> Result<Part> {
     // The version and the title.
     file.line();
     file.line();
-    file.is_text = match file.word() {
+    file.is_text = match file.word()? {
         "ASCII" => true,
         "BINARY" => false,
         other => return Err(refused(other, "ASCII or BINARY")),
     };
-    if !file.word().eq_ignore_ascii_case("DATASET") {
+    if !file.word()?.eq_ignore_ascii_case("DATASET") {
         return Err(FORMAT.syntax("no DATASET, expected POLYDATA"));
     }
-    let dataset = file.word();
+    let dataset = file.word()?;
     if !dataset.eq_ignore_ascii_case("POLYDATA") {
         return Err(refused(dataset, "DATASET POLYDATA, the surface of others"));
     }
     let mut part = Part::default();
     loop {
-        match file.word() {
+        match file.word()? {
             "" | "POINT_DATA" | "CELL_DATA" => return Ok(part),
             "POINTS" => {
                 let count = file.count()?;
@@ -48,7 +48,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Part> {
                 while !file.line().trim_ascii().is_empty() {}
             }
             "FIELD" => file.skip_field()?,
-            other => return Err(refused(other, "POINTS, POLYGONS or another part of a surface")),
+            other => {
+                let end = file.at;
+                let place = format!("POINTS, POLYGONS or another part of a surface before byte {end}");
+                return Err(refused(other, &place));
+            }
         }
     }
 }
@@ -69,23 +73,29 @@ impl<'a> File<'a> {
         &rest[..length]
     }
 
-    /// Returns the next word; empty at the end and of bytes that are no text.
-    fn word(&mut self) -> &'a str {
+    /// Returns the next word; empty at the end of the file.
+    ///
+    /// # Errors
+    /// [`Error::MeshSyntax`] with the place of bytes that are no text, as a wrong type of numbers before them leaves.
+    fn word(&mut self) -> Result<&'a str> {
         let rest = &self.bytes[self.at..];
         let start = rest.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(rest.len());
         let rest = &rest[start..];
         let length = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
-        self.at += start + length;
-        std::str::from_utf8(&rest[..length]).unwrap_or("")
+        let begin = self.at + start;
+        self.at = begin + length;
+        std::str::from_utf8(&rest[..length]).map_err(|_| {
+            FORMAT.syntax(format!("bytes that are no text from byte {begin} on, expected a word"))
+        })
     }
 
     fn count(&mut self) -> Result<usize> {
-        let word = self.word();
+        let word = self.word()?;
         word.parse().map_err(|_| refused(word, "a number of points or cells"))
     }
 
     fn kind(&mut self) -> Result<Type> {
-        let word = self.word();
+        let word = self.word()?;
         Type::named(word).ok_or_else(|| refused(word, "a type of numbers"))
     }
 
@@ -99,7 +109,7 @@ impl<'a> File<'a> {
         }
         if self.is_text {
             let mut number = || {
-                let word = self.word();
+                let word = self.word()?;
                 word.parse::<f64>().map_err(|_| refused(word, "a number"))
             };
             return (0..count).map(|_| number()).collect();
@@ -115,7 +125,7 @@ impl<'a> File<'a> {
     fn cells(&mut self) -> Result<Cells> {
         let (count, size) = (self.count()?, self.count()?);
         let before = self.at;
-        let word = self.word();
+        let word = self.word()?;
         if word != "OFFSETS" {
             self.at = before;
             let int = Type::named("int").ok_or_else(|| refused("int", "a type"))?;
@@ -123,7 +133,7 @@ impl<'a> File<'a> {
         }
         let kind = self.kind()?;
         let offsets = self.numbers(count, kind)?;
-        let word = self.word();
+        let word = self.word()?;
         if word != "CONNECTIVITY" {
             return Err(refused(word, "CONNECTIVITY"));
         }
@@ -135,9 +145,9 @@ impl<'a> File<'a> {
 
     /// Skips arrays of the whole dataset.
     fn skip_field(&mut self) -> Result<()> {
-        self.word();
+        self.word()?;
         for _ in 0..self.count()? {
-            self.word();
+            self.word()?;
             let (width, count) = (self.count()?, self.count()?);
             let kind = self.kind()?;
             self.numbers(width.saturating_mul(count), kind)?;
