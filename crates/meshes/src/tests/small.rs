@@ -170,3 +170,21 @@ fn vtk_with_bytes_that_are_no_text_is_refused() {
         assert!(refusal.contains(&place), "{refusal}");
     }
 }
+
+#[test]
+fn cells_of_vtk_that_would_be_left_out_are_refused() {
+    let head = vtk_head("ASCII") + "POINTS 4 float\n0 0 0 1 0 0 1 1 0 0 1 0\n";
+    let newer = |counts: &str, offsets: &str| {
+        format!(
+            "{head}POLYGONS {counts}\nOFFSETS vtktypeint64\n{offsets}\nCONNECTIVITY vtktypeint64\n0 1 2 0 2 3\n"
+        )
+    };
+    assert_eq!(groups_of(&file(newer("3 6", "0 3 6"), MeshFormat::Vtk)), [2]);
+    for (text, found) in [
+        (newer("2 6", "0 3"), "cells of 3 corners, of which 6"),
+        (newer("2 6", "3 6"), "offsets from 3 on"),
+        (format!("{head}POLYGONS 1 4\n3 0 1 2\nPOLYGONS 1 4\n3 0 2 3\n"), "POLYGONS twice"),
+    ] {
+        assert!(refusal(&text, MeshFormat::Vtk).contains(found), "{text}");
+    }
+}

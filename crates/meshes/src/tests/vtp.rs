@@ -92,6 +92,18 @@ fn vtp_of_other_codings_is_refused() {
     assert!(refusal(lz4).contains("vtkLZ4DataCompressor"));
     let cut = ["AAAA", "", ""].map(str::to_owned);
     assert!(refusal(xml("", "binary", cut)).contains("ends early"));
-    let beyond = ["0 0 0", "0 1 2", "9"].map(str::to_owned);
+    let beyond = [TEXTS[0], "0 1 2", "9"].map(str::to_owned);
     assert!(refusal(xml("", "ascii", beyond)).contains("a cell of the corners 0 to 9"));
+}
+
+/// Fewer ends than cells would leave faces out without a word.
+#[test]
+fn vtp_of_other_numbers_than_stated_is_refused() {
+    let refusal = |points: &str, corners: &str, ends: &str| {
+        let text = xml("", "ascii", [points, corners, ends].map(str::to_owned));
+        read(text + "</VTKFile>").unwrap_err().to_string()
+    };
+    assert!(refusal(TEXTS[0], TEXTS[1], "").contains("0 by the arrays, expected 1 by NumberOfPolys"));
+    assert!(refusal(TEXTS[0], TEXTS[1], "3").contains("cells of 3 corners, of which 4"));
+    assert!(refusal("0 0 0 2 0 0 2 2 0", "0 1 2", "3").contains("expected 4 by NumberOfPoints"));
 }

@@ -39,9 +39,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Part> {
                 let numbers = file.numbers(count.saturating_mul(3), kind)?;
                 part.points = numbers.as_chunks().0.iter().map(|&point| DVec3::from_array(point)).collect();
             }
-            "POLYGONS" => part.polygons = file.cells()?,
-            "TRIANGLE_STRIPS" => part.strips = file.cells()?,
-            "LINES" => part.lines = file.cells()?,
+            "POLYGONS" => file.cells_once("POLYGONS", &mut part.polygons)?,
+            "TRIANGLE_STRIPS" => file.cells_once("TRIANGLE_STRIPS", &mut part.strips)?,
+            "LINES" => file.cells_once("LINES", &mut part.lines)?,
             "VERTICES" => drop(file.cells()?),
             "METADATA" => {
                 file.line();
@@ -120,6 +120,15 @@ impl<'a> File<'a> {
         Ok(kind.numbers(numbers, true))
     }
 
+    /// Takes over the cells of a section. A second one of the kind would replace the first.
+    fn cells_once(&mut self, section: &str, cells: &mut Cells) -> Result<()> {
+        if cells.len() > 0 {
+            return Err(FORMAT.syntax(format!("{section} twice, expected all in one section")));
+        }
+        *cells = self.cells()?;
+        Ok(())
+    }
+
     /// Returns cells: up to version 4 each begins with its number of corners; from 5.1 on two lists
     /// have the ends and the corners of all.
     fn cells(&mut self) -> Result<Cells> {
@@ -139,6 +148,9 @@ impl<'a> File<'a> {
         }
         let kind = self.kind()?;
         let corners = self.numbers(size, kind)?;
+        if offsets.first().is_some_and(|&first| first != 0.0) {
+            return Err(FORMAT.syntax(format!("offsets from {} on, expected 0", offsets[0])));
+        }
         let ends = offsets.iter().skip(1).map(|&end| index(end) as usize).collect();
         Ok(Cells { ends, corners: corners.into_iter().map(index).collect() })
     }

@@ -54,6 +54,18 @@ impl Cells {
         self.ends.len()
     }
 
+    /// Checks that the cells have all corners that are listed.
+    ///
+    /// # Errors
+    /// [`nurbs_hausdorff::Error::MeshSyntax`] with both numbers.
+    fn check_end(&self) -> Result<()> {
+        let (end, found) = (self.ends.last().copied().unwrap_or(0), self.corners.len());
+        match end == found {
+            true => Ok(()),
+            false => Err(FORMAT.syntax(format!("cells of {end} corners, of which {found} are listed"))),
+        }
+    }
+
     /// Returns the corners of each cell.
     ///
     /// # Errors
@@ -94,7 +106,8 @@ impl Part {
         for cell in self.strips.iter() {
             soup.triangles.extend(strip(&moved(cell?)));
         }
-        Ok(())
+        self.polygons.check_end()?;
+        self.strips.check_end()
     }
 }
 

@@ -47,7 +47,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Part>> {
     let text = String::from_utf8_lossy(&bytes[..end]);
     let mut coding = Coding::of_appended(&bytes[end..]);
     let mut reader = Reader::from_str(&text);
-    let mut parts: Vec<Part> = Vec::new();
+    let (mut parts, mut stated) = (Vec::new(), Vec::new());
     // The element that an array stands in, and the array that is read.
     let mut section = String::new();
     let mut array: Option<Array> = None;
@@ -55,7 +55,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Part>> {
         match reader.read_event().map_err(|error| FORMAT.syntax(error.to_string()))? {
             Event::Start(element) => match element.local_name().as_ref() {
                 "VTKFile" => coding.read(&element)?,
-                "Piece" => parts.push(Part::default()),
+                "Piece" => {
+                    stated.push(Stated::read(&element)?);
+                    parts.push(Part::default());
+                }
                 "DataArray" => array = Some(Array::read(&element)?),
                 name => name.clone_into(&mut section),
             },
@@ -71,9 +74,39 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Part>> {
                 ("DataArray", Some(array)) => store(&mut parts, &section, array, &mut coding)?,
                 _ => section.clear(),
             },
-            Event::Eof => return Ok(parts),
+            Event::Eof => {
+                stated.iter().zip(&parts).try_for_each(|(stated, part)| stated.check(part))?;
+                return Ok(parts);
+            }
             _ => {}
         }
+    }
+}
+
+/// The numbers that a piece states of its points and cells, each with what it is of.
+struct Stated([(&'static str, Option<usize>); 3]);
+
+impl Stated {
+    fn read(piece: &BytesStart<'_>) -> Result<Self> {
+        let mut counts = ["NumberOfPoints", "NumberOfPolys", "NumberOfStrips"].map(|name| (name, None));
+        for (name, count) in &mut counts {
+            *count = attribute(piece, name)?.and_then(|text| text.trim().parse().ok());
+        }
+        Ok(Self(counts))
+    }
+
+    /// Checks the numbers against what was read.
+    ///
+    /// # Errors
+    /// [`Error::MeshSyntax`] with both numbers.
+    fn check(&self, part: &Part) -> Result<()> {
+        let found = [part.points.len(), part.polygons.len(), part.strips.len()];
+        for (&(name, stated), found) in self.0.iter().zip(found) {
+            if let Some(stated) = stated.filter(|&stated| stated != found) {
+                return Err(FORMAT.syntax(format!("{found} by the arrays, expected {stated} by {name}")));
+            }
+        }
+        Ok(())
     }
 }
 
