@@ -153,6 +153,20 @@ fn the_model_of_a_3mf_is_that_of_its_relationships() {
 }
 
 #[test]
+fn entities_in_attributes_of_3mf_are_decoded() {
+    let name = ("name=\"part\"", "name=\"Nut &amp; Bolt &#60;M3&gt;\"");
+    let named = three_mf_with(&[name]).unwrap();
+    let Facets::Mesh(mesh) = &named.facets else { panic!("a mesh") };
+    assert_eq!(mesh.groups()[0].name.as_deref(), Some("Nut & Bolt <M3>"));
+    let other = "<component path=\"/3D/a&amp;b.model\" objectid=\"1\"";
+    let root = three_mf_xml().replace("<component objectid=\"1\"", other);
+    let bytes = packed(&[("3D/3dmodel.model", &root), ("3D/a&b.model", &three_mf_xml())]);
+    assert_eq!(groups_of(&MeshFile::read(&bytes, MeshFormat::ThreeMf).unwrap()), [4]);
+    let error = three_mf_with(&[("name=\"part\"", "name=\"&part;\"")]).unwrap_err().to_string();
+    assert!(error.contains("part"), "{error}");
+}
+
+#[test]
 fn supports_of_3mf_are_no_part_of_the_model() {
     let support = r#"<object id="3" type="support" name="foot"><mesh><vertices><vertex x="0" y="0" z="-9"/><vertex x="1" y="0" z="-9"/>
         <vertex x="0" y="1" z="-9"/></vertices><triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object></resources>"#;

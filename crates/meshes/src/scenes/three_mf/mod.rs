@@ -10,8 +10,8 @@ use glam::{DAffine3, DMat3, DVec3};
 use nurbs_hausdorff::Result;
 use nurbs_hausdorff::workspace::Budget;
 use package::{is_model, is_relationships, part_name, roots, stated_models};
-use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
+use quick_xml::{Reader, XmlVersion};
 use std::collections::{BTreeMap, HashSet};
 use std::io::Cursor;
 use zip::ZipArchive;
@@ -202,12 +202,13 @@ fn transform(text: &str) -> Result<DAffine3> {
     Ok(DAffine3::from_mat3_translation(DMat3::from_cols(a, b, c), d))
 }
 
-/// Returns an attribute by its name without its namespace.
+/// Returns an attribute by its name without its namespace, with its entities replaced by what they stand for.
 fn attribute(element: &BytesStart<'_>, name: &str) -> Result<Option<String>> {
     for found in element.attributes() {
         let found = found.map_err(|error| FORMAT.syntax(error.to_string()))?;
         if found.key.local_name().as_ref() == name {
-            return Ok(Some(found.value.clone().into_owned()));
+            let value = found.normalized_value(XmlVersion::Implicit1_0);
+            return Ok(Some(value.map_err(|error| FORMAT.syntax(error.to_string()))?.into_owned()));
         }
     }
     Ok(None)
