@@ -166,6 +166,26 @@ fn entities_in_attributes_of_3mf_are_decoded() {
     assert!(error.contains("part"), "{error}");
 }
 
+/// An object of something unknown, an empty one, and one whose id another has.
+#[test]
+fn objects_of_3mf_that_are_not_read_are_named() {
+    let item = ("<build>", "<build><item objectid=\"3\"/>");
+    for object in [
+        r#"<object id="3" name="blob"><q:blob/></object></resources>"#,
+        r#"<object id="3" name="blob"/></resources>"#,
+        r#"<object id="3" name="blob"></object></resources>"#,
+    ] {
+        let file = three_mf_with(&[("</resources>", object), item]).unwrap();
+        let [left] = file.skipped.as_slice() else { panic!("{:?}", file.skipped) };
+        assert_eq!((groups_of(&file), left.face.to_string().as_str()), (vec![4], "blob"), "{object}");
+        assert!(left.why.contains("neither triangles nor components"), "{left:?}");
+    }
+    for double in [r#"<object id="1"></object></resources>"#, r#"<object id="1"/></resources>"#] {
+        let error = three_mf_with(&[("</resources>", double)]).unwrap_err().to_string();
+        assert!(error.contains("two objects with the id \"1\""), "{error}");
+    }
+}
+
 #[test]
 fn supports_of_3mf_are_no_part_of_the_model() {
     let support = r#"<object id="3" type="support" name="foot"><mesh><vertices><vertex x="0" y="0" z="-9"/><vertex x="1" y="0" z="-9"/>

@@ -12,7 +12,8 @@ use nurbs_hausdorff::workspace::Budget;
 use package::{is_model, is_relationships, part_name, roots, stated_models};
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::HashSet;
+use std::collections::btree_map::{BTreeMap, Entry};
 use std::io::Cursor;
 use zip::ZipArchive;
 
@@ -48,7 +49,7 @@ struct PackagePart {
 const MODEL_KINDS: [&str; 2] = ["model", "surface"];
 
 /// Reads the objects of the model at the places of the build's items. Supports and other objects are no part of the
-/// model, and are noted.
+/// model, and are noted; those of which nothing is read are named as left out.
 ///
 /// # Errors
 /// [`nurbs_hausdorff::Error::MeshSyntax`]; also of shapes that are not triangles and of extensions that are required and
@@ -121,10 +122,14 @@ fn place_object<'a>(
     let object = parts.get(path).and_then(|part| part.objects.get(&component.object));
     let object = object.ok_or_else(|| FORMAT.syntax(format!("there is no object {:?}", component.object)))?;
     met.insert((path, &component.object));
+    let called = object.name.as_deref().unwrap_or(&component.object);
     if let Some(kind) = object.kind.as_deref().filter(|kind| !MODEL_KINDS.contains(kind)) {
         let kind: String = kind.chars().take(32).collect();
-        let called = object.name.as_deref().unwrap_or(&component.object);
         scene.soup.note(called, format!("it is of the type {kind:?} and no part of the model"));
+        return Ok(());
+    }
+    if object.triangles.is_empty() && object.components.is_empty() {
+        scene.soup.skip(called, "it has neither triangles nor components, and nothing else is read");
         return Ok(());
     }
     let transform = *parent * component.transform;
@@ -140,7 +145,9 @@ fn parse(xml: &[u8]) -> Result<PackagePart> {
     let mut part = PackagePart { unit: 1e-3, objects: BTreeMap::new(), items: Vec::new() };
     let mut current: Option<(String, Object)> = None;
     loop {
-        match reader.read_event().map_err(|error| FORMAT.syntax(error.to_string()))? {
+        let event = reader.read_event().map_err(|error| FORMAT.syntax(error.to_string()))?;
+        let is_empty = matches!(event, Event::Empty(_));
+        match event {
             Event::Start(element) | Event::Empty(element) => match element.local_name().as_ref() {
                 "model" => {
                     refuse_required(&element)?;
@@ -152,6 +159,9 @@ fn parse(xml: &[u8]) -> Result<PackagePart> {
                     let [name, kind] = [attribute(&element, "name")?, attribute(&element, "type")?];
                     refuse_element("object", &element, name.as_deref().unwrap_or(&id))?;
                     current = Some((id, Object { name, kind, ..Object::default() }));
+                    if is_empty {
+                        part.store(current.take())?;
+                    }
                 }
                 "item" => part.items.push(component(&element)?),
                 name => {
@@ -161,14 +171,31 @@ fn parse(xml: &[u8]) -> Result<PackagePart> {
                     }
                 }
             },
-            Event::End(element) if element.local_name().as_ref() == "object" => {
-                part.objects.extend(current.take());
-            }
+            Event::End(element) if element.local_name().as_ref() == "object" => part.store(current.take())?,
             Event::Eof => break,
             _ => {}
         }
     }
     Ok(part)
+}
+
+impl PackagePart {
+    /// Takes over an object with its id.
+    ///
+    /// # Errors
+    /// [`nurbs_hausdorff::Error::MeshSyntax`] for a second object of an id: places name objects by it.
+    fn store(&mut self, found: Option<(String, Object)>) -> Result<()> {
+        let Some((id, object)) = found else { return Ok(()) };
+        match self.objects.entry(id) {
+            Entry::Vacant(place) => {
+                place.insert(object);
+                Ok(())
+            }
+            Entry::Occupied(place) => {
+                Err(FORMAT.syntax(format!("two objects with the id {:?}", place.key())))
+            }
+        }
+    }
 }
 
 impl Object {
