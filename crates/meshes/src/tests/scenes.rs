@@ -75,6 +75,34 @@ fn what_no_scene_and_no_item_places_is_named() {
     assert_eq!((groups_of(&file), noted(&file)), (vec![4], vec!["objects".to_owned()]));
 }
 
+#[test]
+fn what_a_gltf_leaves_out_is_named_or_refused() {
+    let beside = Beside::from([("b.bin".to_owned(), gltf_buffer())]);
+    let read = |part: &str, other: &str| gltf_with("b.bin", &[(part, other)], &beside);
+    let nodes = r#""nodes": [{"mesh": 0, "#;
+    let unplaced = format!(
+        r#""nodes": [{{"mesh": 0, "name": "placed", "translation": [2, 0, 0]}}, {{"children": [0], "matrix": [2,0,0,0, 0,2,0,0, 0,0,2,0, -2,0,0,1]}}, {{"mesh": 0}}], "unread": [{{"#
+    );
+    let file = read(nodes, &unplaced).unwrap();
+    assert_eq!((groups_of(&file), noted(&file)), (vec![4], vec!["nodes".to_owned()]));
+    let scenes = (r#""scenes": ["#, r#""scenes": [{"nodes": [1]}, "#);
+    let two = gltf_with("b.bin", &[scenes, (nodes, &unplaced)], &beside).unwrap();
+    assert_eq!(noted(&two), ["scenes", "nodes"]);
+    let primitive = r#""primitives": [{"attributes": {"#;
+    let empty = read(primitive, r#""primitives": [{"attributes": {}}, {"attributes": {"#).unwrap();
+    assert_eq!((groups_of(&empty), noted(&empty)), (vec![4], vec!["placed".to_owned()]));
+    let extended = r#""primitives": [{"attributes": {}, "extensions": {"X_foo": {}}}, {"attributes": {"#;
+    let extended = read(primitive, extended).unwrap();
+    assert_eq!((extended.notes.len(), extended.skipped[0].face.to_string().as_str()), (0, "placed"));
+    for (part, other, found) in [
+        (r#""scene": 0"#, r#""scene": 9"#, "there is no scene 9"),
+        (r#""count": 12"#, r#""count": 11"#, "triangles of 11 indices"),
+    ] {
+        let error = read(part, other).unwrap_err().to_string();
+        assert!(error.contains(found), "{error}");
+    }
+}
+
 /// Six times the volume that the triangles enclose, seen from outside.
 fn volume(file: &MeshFile) -> f64 {
     let Facets::Mesh(mesh) = &file.facets else { panic!("a mesh") };

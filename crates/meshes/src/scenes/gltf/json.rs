@@ -51,6 +51,7 @@ pub(super) struct Mesh {
 pub(super) struct Primitive {
     pub(super) attributes: Attributes,
     pub(super) indices: Option<usize>,
+    pub(super) extensions: Option<serde::de::IgnoredAny>,
     #[serde(default = "triangles")]
     pub(super) mode: u32,
 }

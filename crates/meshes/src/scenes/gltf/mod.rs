@@ -47,10 +47,11 @@ pub(crate) fn read(bytes: &[u8], beside: &Beside) -> Result<Soup> {
         scene.soup.skip(INSTANCING, "the instances of meshes by this extension are not read");
     }
     let scenes = &file.root.scenes;
-    let roots = match scenes.get(file.root.scene.unwrap_or(0)) {
-        Some(scene) => scene.nodes.clone(),
+    let roots = match (scenes.get(file.root.scene.unwrap_or(0)), file.root.scene) {
+        (Some(scene), _) => scene.nodes.clone(),
+        (None, Some(stated)) => return Err(missing("scene", stated)),
         // A file without scenes is a library of meshes: all its nodes that are nobody's children.
-        None => {
+        (None, None) => {
             let mut is_child = vec![false; file.root.nodes.len()];
             for &child in file.root.nodes.iter().flat_map(|node| &node.children) {
                 if let Some(is_child) = is_child.get_mut(child) {
@@ -64,11 +65,9 @@ pub(crate) fn read(bytes: &[u8], beside: &Beside) -> Result<Soup> {
         let others = scenes.len() - 1;
         scene.soup.note("scenes", format!("{others} scenes besides the first or default one are not shown"));
     }
-    let unplaced = file.root.meshes.len() - file.placed_meshes(&roots).len();
     // Those of other scenes are named with these.
-    if unplaced > 0 && scenes.len() <= 1 {
-        scene.soup.note("meshes", format!("{unplaced} meshes that no node of the scene has are not shown"));
-    }
+    let of_scenes = scenes.iter().flat_map(|scene| &scene.nodes).chain(&roots).copied();
+    file.note_unplaced(&file.below(of_scenes.collect()), &mut scene.soup);
     for node in roots {
         file.place_node(node, &DAffine3::IDENTITY, 0, &mut scene)?;
     }
@@ -81,16 +80,32 @@ fn is_only_appearance(name: &str) -> bool {
 }
 
 impl File<'_> {
-    /// Returns the meshes that these nodes and those below them have.
-    fn placed_meshes(&self, roots: &[usize]) -> HashSet<usize> {
-        let (mut meshes, mut met, mut pending) = (HashSet::new(), HashSet::new(), roots.to_vec());
-        while let Some(node) = pending.pop() {
-            if let Some(node) = self.root.nodes.get(node).filter(|_| met.insert(node)) {
-                meshes.extend(node.mesh.filter(|&mesh| mesh < self.root.meshes.len()));
+    /// Returns these nodes and those below them.
+    fn below(&self, mut pending: Vec<usize>) -> HashSet<usize> {
+        let mut met = HashSet::new();
+        while let Some(index) = pending.pop() {
+            if let Some(node) = self.root.nodes.get(index).filter(|_| met.insert(index)) {
                 pending.extend(&node.children);
             }
         }
-        meshes
+        met
+    }
+
+    /// Notes the meshes that none of these nodes has, and the other nodes with meshes that one of these has.
+    fn note_unplaced(&self, placed: &HashSet<usize>, soup: &mut Soup) {
+        let Root { nodes, meshes, .. } = &self.root;
+        let mesh_of = |index: &usize| nodes[*index].mesh.filter(|&mesh| mesh < meshes.len());
+        let shown: HashSet<usize> = placed.iter().filter_map(mesh_of).collect();
+        let unplaced = meshes.len() - shown.len();
+        if unplaced > 0 {
+            soup.note("meshes", format!("{unplaced} meshes that no node of the scene has are not shown"));
+        }
+        let is_shown_elsewhere = |index: &usize| mesh_of(index).is_some_and(|mesh| shown.contains(&mesh));
+        let others =
+            (0..nodes.len()).filter(|index| !placed.contains(index)).filter(is_shown_elsewhere).count();
+        if others > 0 {
+            soup.note("nodes", format!("{others} nodes with meshes that no scene has are not shown"));
+        }
     }
 
     fn place_node(&self, node: usize, parent: &DAffine3, depth: usize, scene: &mut Scene) -> Result<()> {
@@ -122,7 +137,14 @@ impl File<'_> {
             scene.soup.note(name.unwrap_or("a node"), "its points or lines are no surface");
             return Ok(());
         }
-        let Some(position) = primitive.attributes.position else { return Ok(()) };
+        let Some(position) = primitive.attributes.position else {
+            let name = name.unwrap_or("a node");
+            match primitive.extensions {
+                Some(_) => scene.soup.skip(name, "its positions, which an extension may state, are not read"),
+                None => scene.soup.note(name, "a primitive without positions is no surface"),
+            }
+            return Ok(());
+        };
         let number = |bytes: &[u8]| match bytes {
             &[a, b, c, d, ..] => f64::from(f32::from_le_bytes([a, b, c, d])),
             _ => f64::NAN,
@@ -195,6 +217,10 @@ fn note_pose(node: &Node, mesh: &Mesh, name: &str, soup: &mut Soup) {
 /// Returns the triangles of a primitive.
 fn faces(indices: &[u32], mode: u32) -> Result<Vec<[u32; 3]>> {
     Ok(match mode {
+        TRIANGLES if !indices.len().is_multiple_of(3) => {
+            let found = indices.len();
+            return Err(FORMAT.syntax(format!("triangles of {found} indices, expected a multiple of 3")));
+        }
         TRIANGLES => indices.chunks_exact(3).map(|corner| [corner[0], corner[1], corner[2]]).collect(),
         5 => strip(indices).collect(),
         6 => match indices {
