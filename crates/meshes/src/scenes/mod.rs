@@ -8,7 +8,7 @@ mod uri;
 
 use super::{MeshFormat, Soup};
 use glam::{DAffine3, DVec3};
-use nurbs_hausdorff::Result;
+use nurbs_hausdorff::{Error, Result};
 
 /// The largest number of vertices that a scene places: instances of instances may be exponentially
 /// many in the size of the file.
@@ -52,7 +52,8 @@ impl Scene {
     /// and STEP have their outside by the order of corners.
     ///
     /// # Errors
-    /// [`nurbs_hausdorff::Error::MeshSyntax`] if the scene has too many vertices or triangles.
+    /// [`Error::TriangleIndex`] for the index of no vertex of the mesh;
+    /// [`Error::MeshSyntax`] if the scene has too many vertices or triangles.
     fn place(
         &mut self,
         name: Option<&str>,
@@ -73,9 +74,17 @@ impl Scene {
         let first = soup.vertices.len() as u32;
         soup.vertices.extend(vertices.iter().map(|&vertex| transform.transform_point3(vertex)));
         // An index beyond the mesh must not become one of the next mesh.
-        let index = |vertex: u32| if (vertex as usize) < vertices.len() { first + vertex } else { u32::MAX };
+        let is_beyond = |&corner: &u32| corner as usize >= vertices.len();
+        for (at, triangle) in triangles.iter().enumerate() {
+            if let Some(&found) = triangle.iter().find(|&corner| is_beyond(corner)) {
+                let (triangle, found) = (soup.triangles.len() + at, found as usize);
+                return Err(Error::TriangleIndex { triangle, found, expected: vertices.len() });
+            }
+        }
         let is_mirrored = transform.matrix3.determinant() < 0.0;
-        let placed = |&[a, b, c]: &[u32; 3]| if is_mirrored { [a, c, b] } else { [a, b, c] }.map(index);
+        let placed = |&[a, b, c]: &[u32; 3]| {
+            if is_mirrored { [a, c, b] } else { [a, b, c] }.map(|corner| first + corner)
+        };
         soup.triangles.extend(triangles.iter().map(placed));
         Ok(())
     }

@@ -11,6 +11,12 @@ const FORMAT: MeshFormat = MeshFormat::Obj;
 /// The name that `tobj` gives to faces without an object or a group.
 const NAMELESS: &str = "unnamed_object";
 
+/// The coordinates of a vertex, which a weight and a colour may follow.
+const COORDINATES: usize = 3;
+
+/// The largest number of characters of a line in a message.
+const SHOWN: usize = 60;
+
 /// Reads the faces; lines and points are none, and are named with their number, as are surfaces by formulas.
 ///
 /// # Errors
@@ -20,8 +26,10 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
     // Materials do not change the shape.
     let no_materials = |_: &std::path::Path| Ok((Vec::new(), Default::default()));
     let mut soup = Soup::default();
-    let text = faces_alone(bytes, &mut soup);
-    let (models, _) = load_obj_buf(&mut std::io::Cursor::new(&text), &options, no_materials)
+    let kept = faces_alone(bytes, &mut soup)?;
+    // Names and comments have the code page of whoever wrote them.
+    let text = String::from_utf8_lossy(&kept);
+    let (models, _) = load_obj_buf(&mut text.as_bytes(), &options, no_materials)
         .map_err(|error| FORMAT.syntax(error.to_string()))?;
     for tobj::Model { mesh, name } in models {
         soup.begin_group(Some(name).filter(|name| !name.is_empty() && name != NAMELESS));
@@ -41,14 +49,22 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
 
 /// Returns the text with continued lines joined, without comments behind numbers, and without lines, points and what
 /// `tobj` takes for faces of them; these are noted. Surfaces and files that `tobj` ignores are named as left out.
-fn faces_alone(bytes: &[u8], soup: &mut Soup) -> Vec<u8> {
+///
+/// # Errors
+/// [`nurbs_hausdorff::Error::MeshSyntax`] for a vertex that is not finite, which may be one that no face has.
+fn faces_alone(bytes: &[u8], soup: &mut Soup) -> Result<Vec<u8>> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let text = joined(bytes);
     let [mut lines, mut points, mut surfaces, mut files] = [0_usize; 4];
     let mut kept = Vec::with_capacity(text.len());
     for line in text.split_inclusive(|&byte| byte == b'\n') {
         let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-        match words.next().unwrap_or_default() {
+        let word = words.next().unwrap_or_default();
+        if word == b"v" && words.take(COORDINATES).any(is_not_finite) {
+            let shown: String = String::from_utf8_lossy(line).trim().chars().take(SHOWN).collect();
+            return Err(FORMAT.syntax(format!("found {shown:?}, expected finite coordinates")));
+        }
+        match word {
             b"l" | b"curv" | b"cdc" => lines += 1,
             b"p" => points += 1,
             b"surf" | b"bzp" | b"bsp" | b"cdp" => surfaces += 1,
@@ -75,7 +91,14 @@ fn faces_alone(bytes: &[u8], soup: &mut Soup) -> Vec<u8> {
     if files > 0 {
         soup.skip("call", format!("{files} other files that this one names are not read"));
     }
-    kept
+    Ok(kept)
+}
+
+/// Whether a word is a number that is NaN or infinite. Numbers of digits alone that are short are none.
+fn is_not_finite(word: &[u8]) -> bool {
+    let may_be = word.iter().any(u8::is_ascii_alphabetic) || word.len() > f64::MAX_10_EXP as usize;
+    let number = || std::str::from_utf8(word).ok()?.parse::<f64>().ok();
+    may_be && number().is_some_and(|number| !number.is_finite())
 }
 
 /// Returns the text with each line that ends with a backslash joined to the next one.

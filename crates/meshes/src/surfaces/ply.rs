@@ -6,6 +6,7 @@ use glam::DVec3;
 use nurbs_hausdorff::Result;
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Property, PropertyAccess, PropertyAccessResult};
+use std::borrow::Cow;
 use std::io::Cursor;
 
 const FORMAT: MeshFormat = MeshFormat::Ply;
@@ -13,6 +14,9 @@ const FORMAT: MeshFormat = MeshFormat::Ply;
 /// The elements that are read before they are taken over: one takes several times the memory of a
 /// vertex.
 const ELEMENTS_AT_ONCE: usize = 1 << 16;
+
+/// The last word of the header.
+const HEADER_END: &[u8] = b"end_header";
 
 /// The names of the list of a face's vertices.
 const INDICES: [&str; 2] = ["vertex_indices", "vertex_index"];
@@ -87,9 +91,10 @@ struct Corners {
 /// # Errors
 /// [`nurbs_hausdorff::Error::MeshSyntax`]; also of a file whose vertex indices all are of other elements.
 pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
+    let bytes = &with_ascii_header(bytes);
     let parser = Parser::<Element>::new();
     let error = |error: ply_rs_bw::parser::ParseError| FORMAT.syntax(error.to_string());
-    let mut reader = Reader::new(Cursor::new(bytes));
+    let mut reader = Reader::new(Cursor::new(bytes.as_ref()));
     let header = parser.read_header(&mut reader).map_err(error)?;
     let mut soup = Soup::default();
     let [mut faces, mut strips] = [Corners::default(), Corners::default()];
@@ -138,6 +143,18 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
     Ok(soup)
 }
 
+/// Returns the file with a question mark for each byte of its header that is no ASCII, if the header is no UTF-8:
+/// comments have the code page of whoever wrote them, and lengths stay as they are.
+fn with_ascii_header(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let end = bytes.windows(HEADER_END.len()).position(|window| window == HEADER_END).unwrap_or(0);
+    if std::str::from_utf8(&bytes[..end]).is_ok() {
+        return Cow::Borrowed(bytes);
+    }
+    let mut bytes = bytes.to_vec();
+    bytes[..end].iter_mut().filter(|byte| !byte.is_ascii()).for_each(|byte| *byte = b'?');
+    Cow::Owned(bytes)
+}
+
 impl Soup {
     fn push_vertex(&mut self, Element { position, .. }: &Element) -> Result<()> {
         let &[Some(x), Some(y), Some(z)] = position else {
@@ -154,8 +171,11 @@ impl Corners {
         let corners = corners.ok_or_else(|| FORMAT.syntax("a face without vertex indices"))?;
         for part in corners.split(|&index| is_end(index)) {
             self.counts.push(part.len() as u32);
-            // A negative index is above all that there can be.
-            self.corners.extend(part.iter().map(|&index| u32::try_from(index).unwrap_or(u32::MAX)));
+            for &index in part {
+                let corner = u32::try_from(index);
+                self.corners
+                    .push(corner.map_err(|_| FORMAT.syntax(format!("a face with the vertex {index}")))?);
+            }
         }
         Ok(())
     }

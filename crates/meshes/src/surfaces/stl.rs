@@ -45,9 +45,17 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Soup> {
     }
 }
 
+/// The mark of UTF-8 that may precede text.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// Returns bytes without the mark of UTF-8.
+fn unmarked(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes)
+}
+
 /// Whether bytes begin with the word of STL as text, in any case.
 pub(crate) fn is_text(bytes: &[u8]) -> bool {
-    bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
+    unmarked(bytes).trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
 }
 
 /// Whether the length of bytes is that of a binary file with triangles.
@@ -76,7 +84,7 @@ fn read_binary(records: &[u8]) -> Soup {
 
 /// Reads text word by word: any white space parts words. A name is the rest of the line of `solid` or `endsolid`.
 fn read_text(bytes: &[u8]) -> Result<Soup> {
-    let text = String::from_utf8_lossy(bytes);
+    let text = String::from_utf8_lossy(unmarked(bytes));
     let mut soup = Soup::default();
     let mut ended = false;
     let mut words = text

@@ -213,3 +213,51 @@ fn vertex_indices_of_other_elements_of_ply_are_named() {
         assert_eq!((groups_of(&file), file.skipped[0].face.to_string().as_str()), (vec![1], "triangle"));
     }
 }
+
+/// Comments have the code page of whoever wrote them, in every format of text.
+#[test]
+fn comments_may_be_no_unicode() {
+    let obj = [b"# caf\xe9\ng caf\xe9\n".as_slice(), &obj()].concat();
+    assert_eq!(read_mesh(&obj, MeshFormat::Obj).0, tetrahedron());
+    for encoding in ["ascii", "binary_little_endian"] {
+        let ply = ply(encoding);
+        let comment = b"comment caf\xe9\n";
+        let at = ply.iter().position(|&byte| byte == b'\n').unwrap() + 1;
+        let commented = [&ply[..at], comment, &ply[at..]].concat();
+        assert_eq!(read_mesh(&commented, MeshFormat::Ply).0, tetrahedron());
+    }
+    let marked = [b"\xef\xbb\xbf".as_slice(), &text_stl()].concat();
+    assert_eq!(read_mesh(&marked, MeshFormat::Stl).0, tetrahedron());
+    assert_eq!(MeshFormat::of_file(&marked, "model"), Ok(Some(MeshFormat::Stl)));
+}
+
+/// The number of a message is the one in the file.
+#[test]
+fn indices_of_no_vertex_are_refused_as_they_are() {
+    let ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+               element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -7\n";
+    assert!(refusal(ply, MeshFormat::Ply).contains("the vertex -7"));
+    let xml = three_mf_xml().replacen("v1=\"0\"", "v1=\"99\"", 1);
+    assert!(refusal(zipped(&xml), MeshFormat::ThreeMf).contains("found vertex 99, expected less than 4"));
+    let vtk = |corner: &str| {
+        format!(
+            "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n\
+             POLYGONS 1 4\n3 0 1 {corner}\n"
+        )
+    };
+    assert!(refusal(vtk("99"), MeshFormat::Vtk).contains("the point 99 of 3"));
+    assert!(refusal(vtk("-1"), MeshFormat::Vtk).contains("a point of no number"));
+}
+
+/// Also those of vertices that no face has.
+#[test]
+fn coordinates_of_obj_that_are_not_finite_are_refused() {
+    let with = |vertex: &str| format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{vertex}\nf 1 2 3\n");
+    let long = format!("v 0 1{} 0", "0".repeat(400));
+    for vertex in ["v nan 0 0", "v 0 inf 0", "v 0 0 -Infinity", "v 1e999 0 0 # far", long.as_str()] {
+        assert!(refusal(with(vertex), MeshFormat::Obj).contains("finite"), "{vertex}");
+    }
+    // A texture's third coordinate and a colour are no place.
+    let others = with("v 1e5 2E-3 0 nan\nvt 0 0 nan");
+    assert!(MeshFile::read(others.as_bytes(), MeshFormat::Obj).is_ok());
+}

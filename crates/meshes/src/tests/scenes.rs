@@ -79,14 +79,11 @@ fn what_no_scene_and_no_item_places_is_named() {
 fn what_a_gltf_leaves_out_is_named_or_refused() {
     let beside = Beside::from([("b.bin".to_owned(), gltf_buffer())]);
     let read = |part: &str, other: &str| gltf_with("b.bin", &[(part, other)], &beside);
-    let nodes = r#""nodes": [{"mesh": 0, "#;
-    let unplaced = format!(
-        r#""nodes": [{{"mesh": 0, "name": "placed", "translation": [2, 0, 0]}}, {{"children": [0], "matrix": [2,0,0,0, 0,2,0,0, 0,0,2,0, -2,0,0,1]}}, {{"mesh": 0}}], "unread": [{{"#
-    );
-    let file = read(nodes, &unplaced).unwrap();
+    let unplaced = ("-2,0,0,1]}]", r#"-2,0,0,1]}, {"mesh": 0}]"#);
+    let file = read(unplaced.0, unplaced.1).unwrap();
     assert_eq!((groups_of(&file), noted(&file)), (vec![4], vec!["nodes".to_owned()]));
     let scenes = (r#""scenes": ["#, r#""scenes": [{"nodes": [1]}, "#);
-    let two = gltf_with("b.bin", &[scenes, (nodes, &unplaced)], &beside).unwrap();
+    let two = gltf_with("b.bin", &[scenes, unplaced], &beside).unwrap();
     assert_eq!(noted(&two), ["scenes", "nodes"]);
     let primitive = r#""primitives": [{"attributes": {"#;
     let empty = read(primitive, r#""primitives": [{"attributes": {}}, {"attributes": {"#).unwrap();

@@ -96,22 +96,28 @@ impl Part {
         let count = self.points.len();
         soup.vertices.extend(self.points);
         // An index beyond these points must not become one of the next part.
-        let moved = |cell: &[u32]| -> Vec<u32> {
-            let corner = |&corner: &u32| if (corner as usize) < count { first + corner } else { u32::MAX };
-            cell.iter().map(corner).collect()
+        let moved = |cell: &[u32]| -> Result<Vec<u32>> {
+            match cell.iter().find(|&&corner| corner as usize >= count) {
+                Some(&NO_INDEX) => Err(FORMAT.syntax("a cell with a point of no number")),
+                Some(corner) => Err(FORMAT.syntax(format!("a cell with the point {corner} of {count}"))),
+                None => Ok(cell.iter().map(|corner| first + corner).collect()),
+            }
         };
         for cell in self.polygons.iter() {
-            soup.push_polygon(&moved(cell?), FORMAT)?;
+            soup.push_polygon(&moved(cell?)?, FORMAT)?;
         }
         for cell in self.strips.iter() {
-            soup.triangles.extend(strip(&moved(cell?)));
+            soup.triangles.extend(strip(&moved(cell?)?));
         }
         self.polygons.check_end()?;
         self.strips.check_end()
     }
 }
 
-/// Returns an index as points are counted: one that is no number of a point is above all that there can be.
+/// The index for what is no number of a point, above all that there can be.
+const NO_INDEX: u32 = u32::MAX;
+
+/// Returns an index as points are counted.
 fn index(number: f64) -> u32 {
-    if number >= 0.0 && number < f64::from(u32::MAX) { number as u32 } else { u32::MAX }
+    if number >= 0.0 && number < f64::from(NO_INDEX) { number as u32 } else { NO_INDEX }
 }

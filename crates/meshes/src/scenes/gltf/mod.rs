@@ -20,6 +20,11 @@ const FORMAT: MeshFormat = MeshFormat::Gltf;
 /// The component type of float32 numbers.
 const FLOAT: u32 = 5126;
 
+/// The component types of indices, which have no sign.
+const BYTE: u32 = 5121;
+const SHORT: u32 = 5123;
+const INT: u32 = 5125;
+
 /// The extension that places a mesh at many places of a node.
 const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
@@ -154,11 +159,14 @@ impl File<'_> {
         let indices: Vec<u32> = match primitive.indices {
             None => (0..vertices.len() as u32).collect(),
             Some(indices) => {
-                let kind = self.root.accessors.get(indices).map_or(0, |accessor| accessor.component_type);
+                let kind = self.root.accessors.get(indices).map_or(BYTE, |accessor| accessor.component_type);
+                if ![BYTE, SHORT, INT].contains(&kind) {
+                    return Err(FORMAT.syntax(format!("indices of the component type {kind}")));
+                }
                 let index = |bytes: &[u8]| match (kind, bytes) {
-                    (5121, &[a, ..]) => u32::from(a),
-                    (5123, &[a, b, ..]) => u32::from(u16::from_le_bytes([a, b])),
-                    (5125, &[a, b, c, d, ..]) => u32::from_le_bytes([a, b, c, d]),
+                    (BYTE, &[a, ..]) => u32::from(a),
+                    (SHORT, &[a, b, ..]) => u32::from(u16::from_le_bytes([a, b])),
+                    (INT, &[a, b, c, d, ..]) => u32::from_le_bytes([a, b, c, d]),
                     _ => u32::MAX,
                 };
                 self.items(indices, "SCALAR", kind)?.map(index).collect()
@@ -175,8 +183,8 @@ impl File<'_> {
                 .syntax(format!("accessor {index} is sparse or not of the kind {kind}, which is not read")));
         }
         let width = match component {
-            5120 | 5121 => 1,
-            5122 | 5123 => 2,
+            5120 | BYTE => 1,
+            5122 | SHORT => 2,
             _ => 4,
         };
         let size = width * if kind == "VEC3" { 3 } else { 1 };
