@@ -381,6 +381,35 @@ test("what places the shapes of a FreeCAD document is not passed over", async ()
   );
 });
 
+test("what a FreeCAD document has besides its objects' own shapes", async () => {
+  await loaded();
+  const group = (name) =>
+    `<Property name="Group"><LinkList><Link value="${name}"/></LinkList></Property>`;
+  const kernel = (name) => `<Property name="${name}"><${name} file="data"/></Property>`;
+  const shapes =
+    '<Property name="AddSubShape"><Part file="b.brp"/></Property><Property name="Shape"><Part file="a.brp"/></Property>';
+  const elements =
+    '<Property name="ElementList"><LinkList><Link value="Pad"/></LinkList></Property>';
+  const document = documentXml([
+    { name: "Pad", more: shapes },
+    { name: "Link", more: '<Property name="LinkedObject"><XLink name="Pad"/></Property>' },
+    { name: "LinkGroup", more: elements },
+    { name: "Scan", more: kernel("Mesh") },
+    { name: "Cloud", more: kernel("Points") },
+    { name: "Part", visible: false, more: `${group("Inner")}<Property name="Origin"/>` },
+    { name: "Inner", more: group("Deep") },
+    { name: "Deep", file: "b.brp" },
+    { name: "Lost", file: "lost.brp" },
+  ]);
+  const { report, boundingBox } = await readCad(
+    zip({ ...document, "a.brp": await boxText(1), "b.brp": await boxText(5), data: "" }),
+  );
+  assert.deepEqual([report.faces, boundingBox.max], [6, [1, 2, 3]]);
+  const names = ({ face }) => face;
+  assert.deepEqual(report.skipped.map(names), ["Link", "LinkGroup", "Scan", "Lost"]);
+  assert.deepEqual(report.notes.map(names), ["Cloud"]);
+});
+
 /** Contents that are recognised and refused: the code, and what the message names. */
 const refused = [
   ["FORMAT_UNSUPPORTED", "", /an empty file/],

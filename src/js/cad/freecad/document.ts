@@ -18,13 +18,13 @@ const FREECAD_UNIT = 0.001;
  * @throws {HausdorffError} `EMPTY_MODEL`.
  */
 export async function documentModel(
-  { shapes, skipped }: DocumentShapes,
+  { shapes, skipped, notes: noted }: DocumentShapes,
   name: string | undefined,
 ): Promise<FacesFile> {
   const models: InterchangeModel[] = [];
   const reports: CadReport[] = [];
   const lost: SkippedFace[] = [...skipped];
-  const notes: FaceNote[] = [];
+  const notes: FaceNote[] = [...noted];
   for (const shape of shapes) {
     try {
       const { model, report } = await shapeModel(shape);

@@ -1,10 +1,17 @@
 import { HausdorffError } from "../../error.js";
 import { entryBytes, type ZipEntry, zipEntries } from "../archive/zip.js";
 import { unsupported } from "../kind.js";
-import type { SkippedFace } from "../report.js";
+import type { FaceNote, SkippedFace } from "../report.js";
 
 const PLACED = "its parts are placed by a container: export the document as STEP";
 const BINARY = "its shape is stored in binary: export the document as STEP";
+const MESH = "its triangles are not read: export the object as STL or PLY";
+
+/** Why objects with these elements are no part of the model. */
+const WITHOUT_SURFACE = [
+  [/<Points\b/, "its points are no surface"],
+  [/<FemMesh\b/, "its mesh of an analysis is no shape"],
+] as const;
 
 /** A shape of a FreeCAD document. */
 export interface DocumentShape {
@@ -13,10 +20,11 @@ export interface DocumentShape {
   brep: Uint8Array;
 }
 
-/** The shapes of a document, and what of it is not read. */
+/** The shapes of a document, and what of it is not read or no part of the model. */
 export interface DocumentShapes {
   shapes: DocumentShape[];
   skipped: SkippedFace[];
+  notes: FaceNote[];
 }
 
 /** An object of a document's XML. */
@@ -29,7 +37,8 @@ const IDENTITY_PLACEMENT = /Q0="0(?:\.0+)?" Q1="0(?:\.0+)?" Q2="0(?:\.0+)?"/;
 
 /**
  * The visible shapes of a FreeCAD document. A body's features are left out, as
- * the body's own shape is that of the last.
+ * the body's own shape is that of the last, and so are the members of a part that
+ * is hidden. Meshes are listed as skipped, and points are noted.
  *
  * @throws {HausdorffError} `FORMAT_UNSUPPORTED` for other archives,
  * `CAD_UNREADABLE`, `EMPTY_MODEL`.
@@ -43,22 +52,32 @@ export async function documentShapes(bytes: Uint8Array): Promise<DocumentShapes>
   };
   const text = async (name: string) => new TextDecoder().decode(await bytesOf(name));
   const objects = elements(await text("Document.xml"), "Object");
-  const hidden = hiddenObjects(await text("GuiDocument.xml"));
-  const members = new Set(objects.filter(isBody).flatMap(({ xml }) => links(xml)));
+  // Documents made without a window have no views, and say it of the objects.
+  const views = entries.has("GuiDocument.xml")
+    ? elements(await text("GuiDocument.xml"), "ViewProvider")
+    : objects;
+  const omitted = omittedObjects(objects, hiddenObjects(views));
   const shapes: DocumentShape[] = [];
   const skipped: SkippedFace[] = [];
+  const notes: FaceNote[] = [];
   for (const { name, xml } of objects) {
-    if (hidden.has(name) || members.has(name)) continue;
-    const file = /<Part\b[^>]*\bfile="([^"]+)"/.exec(xml)?.[1];
-    const why = isContainer(xml) ? PLACED : file?.endsWith(".bin") ? BINARY : undefined;
+    if (omitted.has(name)) continue;
+    // Features of PartDesign and sketches have other shapes beside their own.
+    const file = /<Part\b[^>]*\bfile="([^"]+)"/.exec(property(xml, "Shape"))?.[1];
+    const why = unsupportedBecause(xml, file);
     if (why !== undefined) skipped.push({ face: name, code: "FORMAT_UNSUPPORTED", why });
-    else if (file !== undefined) shapes.push({ name, brep: await bytesOf(file) });
+    else if (file === undefined) notes.push(...withoutSurface(name, xml));
+    else if (entries.has(file)) shapes.push({ name, brep: await bytesOf(file) });
+    else {
+      const missing = `its shape is in ${file}, which the archive does not have`;
+      skipped.push({ face: name, code: "CAD_UNREADABLE", why: missing });
+    }
   }
   if (shapes.length === 0) {
     const left = skipped.map(({ face, why }) => `; ${face}: ${why}`).join("");
     throw new HausdorffError("EMPTY_MODEL", `the FreeCAD document has no visible shape${left}`);
   }
-  return { shapes, skipped };
+  return { shapes, skipped, notes };
 }
 
 function otherArchive(entries: ReadonlyMap<string, ZipEntry>): HausdorffError {
@@ -78,14 +97,54 @@ function elements(xml: string, tag: string): DocumentObject[] {
   return [...xml.matchAll(pattern)].map(([, name = "", content = ""]) => ({ name, xml: content }));
 }
 
-function hiddenObjects(gui: string): Set<string> {
+/** The content of a property of an object; empty where it has none. */
+function property(xml: string, name: string): string {
+  const pattern = new RegExp(`<Property name="${name}"[^>]*(?<!/)>([\\s\\S]*?)</Property>`);
+  return pattern.exec(xml)?.[1] ?? "";
+}
+
+/** Why an object is left out of the model that it is a part of. */
+function unsupportedBecause(xml: string, file: string | undefined): string | undefined {
+  if (isContainer(xml)) return PLACED;
+  if (file === undefined) return /<Mesh\b/.test(xml) ? MESH : undefined;
+  return file.endsWith(".bin") ? BINARY : undefined;
+}
+
+/** Notes on an object without a shape. */
+function withoutSurface(face: string, xml: string): FaceNote[] {
+  const found = WITHOUT_SURFACE.find(([pattern]) => pattern.test(xml));
+  return found === undefined ? [] : [{ face, code: "NOT_MEASURED", why: found[1] }];
+}
+
+function hiddenObjects(views: readonly DocumentObject[]): string[] {
   const isHidden = ({ xml }: DocumentObject) =>
     /<Property name="Visibility"[^>]*>\s*<Bool value="false"/.test(xml);
-  return new Set(
-    elements(gui, "ViewProvider")
-      .filter(isHidden)
-      .map(({ name }) => name),
-  );
+  return views.filter(isHidden).map(({ name }) => name);
+}
+
+/** The objects that are hidden, the features of bodies, and all that is below a hidden part. */
+function omittedObjects(
+  objects: readonly DocumentObject[],
+  hidden: readonly string[],
+): ReadonlySet<string> {
+  const omitted = new Set(hidden);
+  const isClosed = (object: DocumentObject) =>
+    isBody(object) || (isPart(object.xml) && omitted.has(object.name));
+  const pending = objects.filter(isClosed).flatMap(({ xml }) => links(xml));
+  const xmlOf = new Map(objects.map(({ name, xml }) => [name, xml]));
+  const met = new Set<string>();
+  for (let name = pending.pop(); name !== undefined; name = pending.pop()) {
+    if (met.has(name)) continue;
+    met.add(name);
+    pending.push(...links(xmlOf.get(name) ?? ""));
+  }
+  for (const name of met) omitted.add(name);
+  return omitted;
+}
+
+/** Whether the members of the object are shown only if it is: those of parts, not of plain groups. */
+function isPart(xml: string): boolean {
+  return /<Property name="(?:OriginFeatures|Origin)"/.test(xml);
 }
 
 /** Whether the object is a body of PartDesign, which alone has a tip. */
@@ -93,21 +152,27 @@ function isBody({ xml }: DocumentObject): boolean {
   return xml.includes('<Property name="Tip"');
 }
 
-/** Whether the object moves others: a part or a link whose placement is not the identity. */
+/**
+ * Whether the object shows others at other places: a link, a group of links, or a part
+ * whose placement is not the identity.
+ */
 function isContainer(xml: string): boolean {
-  const moves = /<Property name="(?:LinkedObject|OriginFeatures|Origin)"/.test(xml);
+  if (isBody({ name: "", xml })) return false;
+  const isLink =
+    xml.includes('<Property name="LinkedObject"') || /<Link\b/.test(property(xml, "ElementList"));
   const placement = /<Property name="(?:Link)?Placement"[\s\S]*?<PropertyPlacement ([^>]*)>/.exec(
     xml,
   );
-  if (!moves || isBody({ name: "", xml }) || placement === null) return false;
+  if (isLink || !isPart(xml) || placement === null) return isLink;
   const [, attributes = ""] = placement;
   const isZero = ["Px", "Py", "Pz"].every(
     (key) => Number(new RegExp(`${key}="([^"]*)"`).exec(attributes)?.[1] ?? 0) === 0,
   );
-  return xml.includes('name="LinkedObject"') || !isZero || !IDENTITY_PLACEMENT.test(attributes);
+  return !isZero || !IDENTITY_PLACEMENT.test(attributes);
 }
 
 function links(xml: string): string[] {
-  const group = /<Property name="Group"[\s\S]*?<\/Property>/.exec(xml)?.[0] ?? "";
-  return [...group.matchAll(/<Link value="([^"]+)"/g)].map(([, name = ""]) => name);
+  return [...property(xml, "Group").matchAll(/<Link value="([^"]+)"/g)].map(
+    ([, name = ""]) => name,
+  );
 }
