@@ -215,8 +215,33 @@ impl Mul<f64> for Interval {
 /// The digits of the radius in texts.
 const RADIUS_DIGITS: usize = 0;
 
-/// The most digits behind the point.
+/// The digits of a number of float64 behind its first one.
+const MAX_DIGITS: f64 = 16.0;
+
+/// Numbers below this that need more decimals than [`MAX_DECIMALS`] are written with an exponent.
+const LEAST_PLAIN: f64 = 1e-5;
 const MAX_DECIMALS: f64 = 17.0;
+
+/// The decimals of the least number that is written without one, and of 0.
+const MAX_PLAIN: f64 = 21.0;
+
+/// Returns the number with one digit more than an error of this size leaves certain.
+fn written(number: f64, error: f64) -> String {
+    let size = number.abs().log10().floor();
+    let certain = 1.0 - error.log10().floor();
+    let decimals = if certain < MAX_DIGITS - size { certain } else { MAX_DIGITS - size };
+    if decimals > MAX_DECIMALS && number.abs() < LEAST_PLAIN && number != 0.0 {
+        let digits = (size + decimals).max(0.0) as usize;
+        return format!("{number:.digits$e}");
+    }
+    let decimals = decimals.clamp(0.0, MAX_PLAIN) as usize;
+    let written = format!("{number:.decimals$}");
+    // Without the sign of a 0.
+    match written.strip_prefix('-') {
+        Some(digits) if digits.bytes().all(|byte| matches!(byte, b'0' | b'.')) => digits.to_owned(),
+        _ => written,
+    }
+}
 
 impl Display for Interval {
     /// Writes the middle with the digits that are certain, and the radius: `360.00000 ± 2e-7`.
@@ -226,10 +251,11 @@ impl Display for Interval {
             return write!(formatter, "unknown");
         }
         // The middle as written is off by at most half of the radius, which is rounded up.
-        let decimals = (1.0 - radius.log10().floor()).clamp(0.0, MAX_DECIMALS) as usize;
-        let written = format!("{middle:.decimals$}");
+        let written = written(middle, radius);
         let off = written.parse::<f64>().map_or(0.0, |written| (written - middle).abs());
-        let radius = (radius + off).next_up();
+        // The number in the text is not one of float64, and so off by as much as that rounds it.
+        let unit = if radius > 0.0 { f64::EPSILON * middle.abs() } else { 0.0 };
+        let radius = (radius + off + unit).next_up();
         let size = 10.0_f64.powf(radius.log10().floor());
         let rounded = (radius / size).ceil() * size * (1.0 + 2.0 * f64::EPSILON);
         write!(formatter, "{written} ± {rounded:.RADIUS_DIGITS$e}")
@@ -282,5 +308,29 @@ mod tests {
         assert_eq!(Interval::about(360.0, 1.5e-7).to_string(), "360.00000000 ± 2e-7");
         assert_eq!(Interval::about(-12.34567, 0.04).to_string(), "-12.346 ± 5e-2");
         assert_eq!(Interval::ALL.to_string(), "unknown");
+        assert_eq!(Interval::about(6e-27, 6.5e-33).to_string(), "6.0000000e-27 ± 7e-33");
+        assert_eq!(Interval::about(-3e-7, 2e-20).to_string(), "-3.00000000000000e-7 ± 3e-20");
+        assert_eq!(Interval::about(0.0, 2e-9).to_string(), "0.0000000000 ± 3e-9");
+        assert_eq!(Interval::about(-1e-30, 2e-9).to_string(), "0.0000000000 ± 3e-9");
+    }
+
+    /// Of numbers of many sizes, in an order that repeats.
+    #[test]
+    fn texts_hold_the_interval() {
+        let mut random = fastrand::Rng::with_seed(11);
+        for _ in 0..5_000 {
+            let middle = 10.0_f64.powf(60.0 * random.f64() - 50.0) * if random.bool() { 1.0 } else { -1.0 };
+            let interval = Interval::about(middle, middle.abs() * 10.0_f64.powf(-18.0 * random.f64()));
+            let text = interval.to_string();
+            let numbers: Vec<f64> = text.split(" ± ").filter_map(|word| word.parse().ok()).collect();
+            let [number, radius] = numbers[..] else { panic!("{text}") };
+            let room = f64::EPSILON * (number.abs() + radius);
+            assert!(number - radius <= interval.lower + room, "{text} {interval:?}");
+            assert!(number + radius >= interval.upper - room, "{text} {interval:?}");
+            assert!(
+                radius < 3.0 * interval.radius() + 4.0 * f64::EPSILON * middle.abs(),
+                "{text} {interval:?}"
+            );
+        }
     }
 }

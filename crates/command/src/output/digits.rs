@@ -27,7 +27,7 @@ pub(crate) fn bounded_beside(limit: Option<f64>, value: f64, ends: [f64; 2]) -> 
 
 /// Returns the interval with its ends rounded outwards, to no other side of a limit.
 pub(crate) fn interval_beside(limit: Option<f64>, [lower, upper]: [f64; 2]) -> String {
-    let room = |beside: f64| if beside > 0.0 { beside } else { f64::INFINITY };
+    let room = |beside: f64| if beside >= 0.0 { beside } else { f64::INFINITY };
     let rooms = limit.map_or([f64::INFINITY; 2], |limit| [room(lower - limit), room(limit - upper)]);
     rounded_ends([lower, upper], rooms)
 }
@@ -121,12 +121,13 @@ mod tests {
         }
     }
 
-    /// 0.0194 rounds to 0 in an interval as wide as 2.7, and 0.0199 up to 0.02.
+    /// 0.0194 rounds to 0 in an interval as wide as 2.7. An end that is the limit is stated as it is.
     #[test]
     fn ends_stay_on_their_side_of_a_limit() {
         assert_eq!(bounded([0.0194, 2.68][0], [0.0194, 2.68]), "0.02 (0 … 2.7)");
         assert_eq!(bounded_beside(Some(0.001), 0.0194, [0.0194, 2.68]), "0.02 (0.01 … 2.7)");
-        assert_eq!(bounded_beside(Some(0.0194), 0.0194, [0.0194, 2.68]), "0.02 (0 … 2.7)");
+        assert_eq!(bounded_beside(Some(0.0194), 0.0194, [0.0194, 2.68]), "0.02 (0.0194 … 2.7)");
+        assert_eq!(bounded_beside(Some(2.68), 1.0, [0.0194, 2.68]), "1 (0 … 2.68)");
         assert_eq!(bounded_beside(Some(2.69), 1.0, [0.0194, 2.68]), "1 (0 … 2.68)");
         assert_eq!(bounded_beside(None, 1.0, [0.0194, 2.68]), "1 (0 … 2.7)");
     }
