@@ -170,3 +170,35 @@ impl Node {
         (self.depth < MAX_DEPTH).then(|| longer_axis_of_controls(patch.degree, &patch.restricted(s, t)))
     }
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::bezier::{PatchSet, quarter_of_cylinder};
+
+    /// The normals of a quarter of a cylinder turn from x to y: the cone of all of it has both, and those of its halves
+    /// along the arc one each.
+    #[test]
+    fn cones_are_about_the_normals_of_their_own_part() {
+        let controls = quarter_of_cylinder();
+        let mut patches = PatchSet::default();
+        patches.push(Patch::whole([2, 1], DVec3::ZERO, &controls));
+        let target = Target::new(patches);
+        let target = NormalTarget::of_patches(&target);
+        let root = target.root(0).unwrap();
+        let normals = [[DVec3::ZERO, DVec3::Y, DVec3::Z], [DVec3::ZERO, DVec3::Z, DVec3::X]];
+        let of_axes = normals.map(|corners| NormalCone::of_triangle(corners, 0.0).unwrap());
+        let holds = |node: &Node| {
+            let cone = target.cone(node).unwrap();
+            of_axes.map(|axis| cone.angles(&axis)[0] <= 0.0)
+        };
+        assert_eq!(holds(root), [true, true]);
+        let mut halves = root
+            .part
+            .halves(Axis::U)
+            .map(|part| holds(&Node::new(&Patch::whole([2, 1], DVec3::ZERO, &controls), 0, part, 1)));
+        halves.sort_unstable();
+        assert_eq!(halves, [[false, true], [true, false]]);
+    }
+}

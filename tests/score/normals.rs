@@ -78,6 +78,11 @@ fn distances_alone_divide_what_is_alike() {
     let beside_fin = at(&sheet, &prepared(&[plane, fin]), &options(0.1, 30.0));
     holds(beside_fin.precision, 1.0 / 3.0 + 0.05, WIDTH);
     holds(beside_fin.normals.unwrap().normal_precision, 1.0 / 3.0, WIDTH);
+    // From a fin that begins in the middle of the sheet, beyond the third, points are near that are near to nothing alike.
+    let half_fin = quad([[0.36, 0.5, 0.0], [0.36, 2.0, 0.0], [0.36, 2.0, 1.0], [0.36, 0.5, 1.0]]);
+    let crossed = at(&sheet, &prepared(&[plane, half_fin]), &options(0.1, 30.0));
+    assert!(crossed.precision.lower > 1.0 / 3.0 + 0.05);
+    holds(crossed.normals.unwrap().normal_precision, 1.0 / 3.0, WIDTH);
     let steeper = at(&prepared(&[rising(0.6)]), &prepared(&[plane]), &options(0.1, 30.0));
     holds(steeper.precision, 1.0 / 6.0, WIDTH);
     holds(steeper.normals.unwrap().normal_precision, 0.0, WIDTH);
