@@ -96,8 +96,9 @@ pub(crate) fn area_of_part(patch: &Patch<'_>, range: ParamBox, negligible: f64) 
     parts.narrowed(1, max_cells, (share * MAX_WORK as f64) as usize, share * negligible)
 }
 
-/// Returns the width of a patch's area that is narrow enough beside the area of all patches: its part of
-/// [`MAX_RELATIVE_WIDTH`] of that. The area is an estimate by the middles of the patches. O(patches degree²).
+/// Returns a width of one patch's area that is narrow enough: with it the area of all patches is known to
+/// [`MAX_RELATIVE_WIDTH`]. That area is estimated by the middles of the patches, as the width decides only how many parts
+/// are made. O(patches degree²).
 pub(crate) fn negligible_width(patches: &PatchSet) -> f64 {
     let density = |patch: Patch<'_>| {
         let middle = patch.jet(ParamBox::UNIT.middle());

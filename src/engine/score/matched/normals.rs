@@ -116,8 +116,8 @@ impl Search<'_> {
         (Interval { lower, upper }, share(*likeness, || part.beyond(self.asked.threshold)))
     }
 
-    /// Returns the halves of a part along the side where more of them are decided, and along the longer side where it makes
-    /// no difference. An edge of what is alike mostly runs along one side of a part: halves along it have it both.
+    /// Returns the halves of a part. Both ways to halve it are tried, the longer side first, and the halves with more
+    /// answers are kept: the line between what is alike and what is not often runs along one side of a part.
     fn halved<C: Cover>(
         &self,
         cover: &C,
