@@ -11,8 +11,8 @@ const HALVED_RATIO: f64 = 0.5;
 /// A part of B that bends by more than this part of the threshold is halved.
 const BENT_PART: f64 = 0.25;
 
-/// A part of A that may be farther from B than so many thresholds is halved first: few parts of B within such a distance
-/// are alike.
+/// The largest upper bound on the distances of a part of A, in thresholds, with which lemma N7 is tried. Farther away, B
+/// mostly has parts with other normals, so that the search for them would be wasted.
 const MAX_THRESHOLDS: f64 = 2.0;
 
 /// The parts of B that are looked at for a part of A before it is left undecided.

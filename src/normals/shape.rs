@@ -87,7 +87,7 @@ pub(crate) struct Shape {
 }
 
 impl Shape {
-    /// A part of which nothing is known.
+    /// The shape of an unknown part. Its radius is infinite, and it has no cone.
     pub(crate) const UNKNOWN: Self = Self {
         region: Region { points: Vec::new(), aabb: Aabb::EMPTY, middle: DVec3::ZERO, radius: f64::INFINITY },
         cone: None,

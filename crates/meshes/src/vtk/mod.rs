@@ -114,7 +114,7 @@ impl Part {
     }
 }
 
-/// The index for what is no number of a point, above all that there can be.
+/// Stands for an index that no point can have; it exceeds the index of every point.
 const NO_INDEX: u32 = u32::MAX;
 
 /// Returns an index as points are counted.

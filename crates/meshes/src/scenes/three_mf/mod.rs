@@ -49,7 +49,7 @@ struct PackagePart {
 const MODEL_KINDS: [&str; 2] = ["model", "surface"];
 
 /// Reads the objects of the model at the places of the build's items. Supports and other objects are no part of the
-/// model, and are noted; those of which nothing is read are named as left out.
+/// model, and are noted; an object without triangles and components is listed as skipped.
 ///
 /// # Errors
 /// [`nurbs_hausdorff::Error::MeshSyntax`]; also of shapes that are not triangles and of extensions that are required and
