@@ -38,9 +38,11 @@ impl Level {
         let mut sum = DVec3::ZERO;
         let mut sizes = 0.0;
         for &piece in near {
+            let normal = normal(piece);
             // A strip has hardly a normal.
-            let size = if piece.0.is_strip { 0.0 } else { piece.1.radius * piece.1.radius };
-            let normal = normal(piece) * size;
+            let has_none = piece.0.is_strip || normal == DVec3::ZERO;
+            let size = if has_none { 0.0 } else { piece.1.radius * piece.1.radius };
+            let normal = normal * size;
             sum += if normal.dot(sum) < 0.0 { -normal } else { normal };
             sizes += size;
         }

@@ -8,15 +8,11 @@ use super::solid::{BoundarySide, PlacedSolid};
 use crate::rounding::{gamma, upper_max};
 use glam::DVec3;
 use shared::{Partners, RELATIVE_REACH, shared};
-use shift::{lie_on_each_other, plane, shift};
+use shift::{is_parted_by, lie_on_each_other, plane, shift};
 
-/// The part of a permitted width that a motion may take where curved patches lie on each other: carriers tell patches
-/// apart that are ever so near.
-const PART_OF_CARRIERS: f64 = 0.015_625;
-
-/// The same where a search has stalled: only small pieces tell patches apart that have no carrier, and pieces are the
-/// larger the farther these are.
-const PART_OF_PIECES: f64 = 0.25;
+/// The part of half of a permitted width that a motion may change of the volume in common: pieces of patches that lie on
+/// each other are told apart by it, and they are the larger the longer it is.
+const PART_OF_MOTION: f64 = 0.25;
 
 /// The roundings of the change of a volume, a product.
 const CHANGE_ROUNDINGS: f64 = 8.0;
@@ -39,30 +35,30 @@ pub(crate) struct Pair {
 }
 
 impl Pair {
-    /// Makes two solids ready for a volume of this width, the first one moved for pieces to be told apart where
-    /// `has_stalled` says that they were not. O(n log n) in general position.
+    /// Makes two solids ready for a volume of this width. The first one is moved where curved patches lie on each other,
+    /// and where `has_stalled` says that pieces were not told apart. O(n log n) in general position.
     pub(crate) fn new([a, b]: [PlacedSolid; 2], width: f64, has_stalled: bool) -> Self {
         let diagonal = upper_max(a.aabb.diagonal(), b.aabb.diagonal());
         let mut partners = shared(&a.patches, &b.patches, RELATIVE_REACH * diagonal);
         partners.retain([&a.patches, &b.patches], |whole| whole.side != BoundarySide::Unknown);
         let margins = [b.margin(&a), a.margin(&b)];
         let margin = upper_max(margins[0], margins[1]);
-        let (vector, parts_carriers) = if partners.are_all() {
+        let (vector, parts_curved) = if partners.are_all() {
             (DVec3::ZERO, false)
         } else {
             // Half of this times the area is the width.
             let most = width / if a.area < b.area { a.area } else { b.area };
-            let lengths = [PART_OF_CARRIERS, PART_OF_PIECES].map(|part| part * most);
-            let lengths = lengths.map(|length| length * moved_part(&a, &partners));
+            let length = PART_OF_MOTION * most;
+            let length = length * moved_part(&a, &partners, length);
             let patches = [&a.patches, &b.patches];
-            let lie_on = |length: &f64| lie_on_each_other(patches, &partners, *length);
-            let length = if has_stalled { Some(lengths[1]) } else { lengths.into_iter().find(lie_on) };
-            (shift(patches, margin, length.unwrap_or(0.0)), length.is_some())
+            let parts_curved = has_stalled || lie_on_each_other(patches, &partners, length);
+            (shift(patches, margin, if parts_curved { length } else { 0.0 }), parts_curved)
         };
         let mut pair = Self { solids: [a, b], partners, shift: DVec3::ZERO, change: 0.0, margins };
         if vector != DVec3::ZERO {
+            let length = vector.length();
             let is_parted =
-                |whole: &Whole| plane(whole, margin).is_some() || parts_carriers && has_carrier(whole);
+                |whole: &Whole| plane(whole, margin).is_some() || parts_curved && is_parted_by(whole, length);
             pair = pair.shifted(-vector, is_parted);
         }
         for (solid, placed) in pair.solids.iter_mut().enumerate() {
@@ -88,17 +84,12 @@ impl Pair {
     }
 }
 
-/// Returns whether a patch lies on a quadric. A motion that is long enough for carriers parts it from one like it: both
-/// cross along curves, and carriers tell them apart elsewhere.
-fn has_carrier(whole: &Whole) -> bool {
-    whole.exact_carrier().is_some()
-}
-
-/// Returns about the part of a motion for which what it changes of patches that are paired is no more than what it
+/// Returns about the part of a motion of this length for which what it changes of patches that are paired is no more than what it
 /// changes of the volume.
-fn moved_part(first: &PlacedSolid, partners: &Partners) -> f64 {
+fn moved_part(first: &PlacedSolid, partners: &Partners, length: f64) -> f64 {
     let faces = first.patches.faces().enumerate();
-    let paired = faces.filter(|&(index, whole)| partners.of(0, index).is_some() && !has_carrier(whole));
+    let paired =
+        faces.filter(|&(index, whole)| partners.of(0, index).is_some() && !is_parted_by(whole, length));
     let change = |whole: &Whole| {
         let weight = first.patches.weight(whole, &whole.root, first.aabb.center(), 0.0);
         weight.displacement(1.0, first.patches.slopes(whole, &whole.root).border())

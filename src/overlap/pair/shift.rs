@@ -18,6 +18,10 @@ const MIN_OFFSET: f64 = 1.0 + 2.0 * FLATNESS;
 /// The distance of curved patches that a motion parts, relative to its length: it is less along most of their normals.
 const COINCIDENCE: f64 = 0.25;
 
+/// The part of a motion's length up to which a patch may be off its quadric for the motion to part it. Those that are off
+/// by more are told apart by small pieces alone: with a quarter, and with 8, a pair takes five times as many pieces.
+const QUADRIC_PART: f64 = 0.0625;
+
 /// The length of the shortest vectors that are tried, in margins: they serve planes across their direction.
 const LENGTH: f64 = 2.0;
 
@@ -92,6 +96,14 @@ pub(super) fn lie_on_each_other([a, b]: [&Patches; 2], partners: &Partners, leng
         let near = near.into_iter().filter_map(|index| b.wholes.get(index as usize));
         near.filter(|other| !other.is_strip).any(|other| fitted.is_within(other, &other.root, reach))
     })
+}
+
+/// Returns whether a motion of this length parts a patch from one like it. Patches that lie on a quadric, but for a part of
+/// the length, cross along curves then, and carriers tell them apart elsewhere; one without a width has no area.
+pub(super) fn is_parted_by(whole: &Whole, length: f64) -> bool {
+    let is_on_quadric =
+        || whole.carrier(&whole.root).is_some_and(|fitted| fitted.reach <= QUADRIC_PART * length);
+    normal((whole, &whole.root)) == DVec3::ZERO || is_on_quadric()
 }
 
 /// Returns the unit normal of a patch that is plane, if it is.
