@@ -76,6 +76,23 @@ test("a cut is hatched in grey, towards the user, from whichever side", async ()
   await page.selectOption("#show-b", "auto");
 });
 
+test("one way, faces of B are neither listed nor beyond what is allowed", async () => {
+  // All of A is on B, and one of B's squares is 0.5 from A.
+  await openPair(modelFile("a.json", row(0)), modelFile("b.json", row(0, 0.5)));
+  await page.locator("#limit").fill("0.2");
+  await page.waitForSelector('#points[data-bounded="0.2"]');
+  assert.equal(await text("#badge"), "FAIL");
+  assert.ok((await page.locator("#place-list button:has(b.b)").count()) > 0);
+  await opened.until("done", () => page.locator("#symmetric").uncheck());
+  await page.waitForSelector('#points[data-bounded="0.2"]');
+  assert.equal(await text("#badge"), "PASS");
+  assert.equal(await page.locator("#place-list button:has(b.a)").count(), 1);
+  assert.equal(await page.locator("#place-list button:has(b.b)").count(), 0);
+  assert.equal(await page.locator('#tree-list [data-changed="true"]').count(), 0);
+  assert.doesNotMatch(await text("#beyond-limit"), /B: /);
+  await opened.until("done", () => page.locator("#symmetric").check());
+});
+
 test("faces are listed and judged by what is certain of them", async () => {
   // Of a sphere's quarter the middles of edges are off the surface: the map alone overshoots.
   const { sphereParts } = await import("../support/models.mjs");

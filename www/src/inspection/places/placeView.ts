@@ -1,5 +1,5 @@
 // The worst places of the maps shown: their list, the view of one, and the faces that are beyond.
-import { AGREEING } from "../../common/direction.ts";
+import { AGREEING, judgedOf } from "../../common/direction.ts";
 import { element } from "../../common/elements.ts";
 import { paint } from "../../controls/options.ts";
 import type { FaceTree } from "../../faces/faceTree.ts";
@@ -35,10 +35,13 @@ export class PlaceView {
     this.#list = new PlaceList((place) => this.#look(place));
   }
 
-  /** The worst place of each face of the maps, the largest first. */
+  /** The worst place of each face of the models that the distance judges, the largest first. */
   get all(): Place[] {
-    const { maps = {}, bounds } = painted() ?? {};
-    return placesOf(maps, this.#view.models.drawn, bounds).sort(
+    const shown = painted();
+    if (shown === undefined) return [];
+    // One way, faces of B that are far from A would contradict the verdict.
+    const maps = judgedOf(shown.result, shown.maps);
+    return placesOf(maps, this.#view.models.drawn, shown.bounds).sort(
       (one, two) => ranked(two) - ranked(one),
     );
   }
