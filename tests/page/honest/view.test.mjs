@@ -188,6 +188,17 @@ test("against a scan the models keep the signs that are known", async () => {
   await opened.screenshot("scan-and-solid");
 });
 
+test("of points the page says that both ways judge the surface between them too", async () => {
+  assert.match(await text("#scan-note"), /^A is points: both ways also judge how far B is/);
+  await page.locator("#symmetric").uncheck();
+  assert.ok(await page.locator("#scan-note").isHidden());
+  await openPair(modelFile("solid.json", cube(1)), file("scan.xyz", "0 0 1.25"));
+  assert.match(await text("#scan-note"), /^B is points: one way judges how far A is/);
+  await page.locator("#symmetric").check();
+  await openPair(file("one.xyz", "0 0 1"), file("two.xyz", "0 0 1.25"));
+  assert.ok(await page.locator("#scan-note").isHidden());
+});
+
 test("a dense scan has the colours of the legend: its points hide each other's rims", async () => {
   // Points two pixels apart and less, on a sheet that is tilted by 45 degrees.
   const side = 200;

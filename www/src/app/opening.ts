@@ -29,6 +29,7 @@ import {
   parametersOf,
 } from "../files/identity.ts";
 import { forgetFiles, keepFiles, keepLast, keptFiles, lastFiles } from "../files/kept.ts";
+import { showScanNote } from "../files/scanNote.ts";
 import { showUnits, unitScale } from "../files/units.ts";
 import { clearMeasures } from "../measuring/measures.ts";
 import { clearOwnLimits } from "../results/ownLimits.ts";
@@ -147,6 +148,7 @@ export class Opening {
     showSources(models, placement);
     view.models.aside = asideSide();
     showFileNotes(models);
+    showScanNote(models);
     showUnits(models);
     view.models.scale = unitScale();
     tree.show(view.models.drawn);

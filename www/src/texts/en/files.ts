@@ -79,6 +79,10 @@ export const files = {
   bIsConverted: (a: string, b: string) => `A is in ${a} and B in ${b}: B is converted to ${a}.`,
   oneUnitUnknown: (known: string, a: string, unknown: string, value: string) =>
     `${known} is in ${a}, and the file of ${unknown} states no unit: its numbers are taken as they are until you say which.${value}`,
+  scanIsA:
+    "A is points: both ways also judge how far B is from the nearest point, where none was taken too. One way judges the points alone.",
+  scanIsB: (isBothWays: boolean) =>
+    `B is points: ${isBothWays ? "both ways also judge" : "one way judges"} how far A is from the nearest point, where none was taken too. To judge the points alone, open them as A, one way.`,
   timesAsLarge: (found: number, found2: string) =>
     `One model is about ${found} times as large as the other, as ${found2} are.`,
   workerNotLoaded: "the worker's script could not be loaded",
