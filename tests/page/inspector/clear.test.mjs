@@ -173,4 +173,19 @@ test("an error lies over the models on no screen", async () => {
   }
 });
 
+test("the keyboard picks what is nearest to the middle, from each side", async () => {
+  // From some sides nothing of a bracket is in the middle of its box, nor in that of the view.
+  await page.setViewportSize(SCREENS.desktop);
+  await opened.until("done", () => page.selectOption("#preset", { index: 0 }));
+  for (const view of ["oblique", "front", "top", "left"]) {
+    await page.selectOption("#direction", view);
+    await drawn(page);
+    await page.locator("#canvas").focus();
+    await page.keyboard.press("k");
+    await page.keyboard.press("Enter");
+    assert.equal(await page.locator("#annotations textarea").count(), 1, view);
+    await page.keyboard.press("Escape");
+  }
+});
+
 test("nothing was thrown on the page", () => assert.deepEqual(opened.errors, []));

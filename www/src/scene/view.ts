@@ -18,6 +18,7 @@ import { Gizmo, type OnGizmo } from "./gizmo.ts";
 import { Models } from "./models.ts";
 import { Arrow, type ArrowTexts } from "./overlays/arrow.ts";
 import { arrowOf } from "./overlays/resultArrow.ts";
+import { nearestHit } from "./picking/nearest.ts";
 import type { Pose } from "./pose.ts";
 import { type Around, ChangedFaces } from "./shown/changedFaces.ts";
 import type { Display, Overlays, ShownArrow } from "./shown/display.ts";
@@ -150,6 +151,12 @@ export class View {
   /** Shows both models from a standard direction. */
   look(view: StandardView): void {
     this.#viewport?.fit(this.models.box, STANDARD_VIEWS[view]);
+  }
+
+  /** The place of a model nearest to the middle of what is seen, in pixels of the window; undefined without a view. */
+  get middle(): readonly [clientX: number, clientY: number] | undefined {
+    if (this.#viewport === undefined) return undefined;
+    return nearestHit(this.#viewport.middle, ([x, y]) => this.hit(x, y) !== undefined);
   }
 
   /** The point of a model at a position in the window, in that model's coordinates. */

@@ -8,8 +8,16 @@ const CLICK_TOLERANCE = 4;
 /** Receives a position in the window, and whether to pin the point there. */
 export type OnPoint = (clientX: number, clientY: number, pin: boolean) => void;
 
-/** Calls back when the pointer rests or clicks, and `onLeave` when it moves on. */
-export function onPointer(canvas: HTMLCanvasElement, onPoint: OnPoint, onLeave: () => void): void {
+/**
+ * Calls back when the pointer rests or clicks, and `onLeave` when it moves on; the keyboard clicks at `middle`, the
+ * middle of what is seen.
+ */
+export function onPointer(
+  canvas: HTMLCanvasElement,
+  onPoint: OnPoint,
+  onLeave: () => void,
+  middle: () => readonly [clientX: number, clientY: number] | undefined,
+): void {
   let timer = 0;
   let down: PointerEvent | undefined;
   canvas.addEventListener("pointermove", (event) => {
@@ -32,12 +40,11 @@ export function onPointer(canvas: HTMLCanvasElement, onPoint: OnPoint, onLeave: 
     down = undefined;
     if (moved <= CLICK_TOLERANCE) onPoint(event.clientX, event.clientY, true);
   });
-  // The keyboard pins the point in the middle of the view.
   canvas.addEventListener("keydown", (event) => {
     if (event.key !== "Enter") return;
     // A field that this opens begins no line by it.
     event.preventDefault();
-    const { left, top, width, height } = canvas.getBoundingClientRect();
-    onPoint(left + width / 2, top + height / 2, true);
+    const at = middle();
+    if (at !== undefined) onPoint(...at, true);
   });
 }

@@ -42,10 +42,11 @@ export class Probing {
       if (pin) this.#pinned.add(id);
       else this.#hovered = { id, at: [clientX - left, clientY - top] };
     };
-    onPointer(canvas, request, () => {
+    const leave = () => {
       this.#hovered = undefined;
       view.pins.hover();
-    });
+    };
+    onPointer(canvas, request, leave, () => view.middle);
   }
 
   /** Gives the next clicks on the view to `taken` instead of pinning points; `undefined` ends that. */

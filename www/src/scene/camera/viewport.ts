@@ -247,6 +247,14 @@ export class Viewport {
     return [left + (0.5 + 0.5 * x) * width, (0.5 - 0.5 * y) * clientHeight];
   }
 
+  /** The middle of the part of the view that is free, in pixels of the window: what the camera looks at is there. */
+  get middle(): [clientX: number, clientY: number] {
+    this.#updateCameras();
+    const { left, top, width, height } = this.#canvas.getBoundingClientRect();
+    const [x, y] = this.project(this.controls.target) ?? [width / 2, height / 2];
+    return [left + x, top + y];
+  }
+
   /**
    * Returns what a ray through a point of the window hits, the nearest first,
    * with the camera and the objects where the next drawing shows them: while
