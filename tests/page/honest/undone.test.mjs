@@ -25,6 +25,24 @@ test("the pair before is shown again, with its limit", async () => {
   assert.deepEqual(await shown(), before);
 });
 
+test("who leaves the page and goes back finds the verdict of what the fields say", async () => {
+  const { page } = opened;
+  await page.locator("#limit").fill("0.3");
+  await opened.until("done", () => page.locator("#symmetric").check());
+  await page.waitForFunction(() => /^(?!.*symmetric).*limit=0.3/.test(location.hash));
+  const card = () =>
+    Promise.all(["badge", "compared", "kind"].map((id) => page.locator(`#${id}`).textContent()));
+  const before = await card();
+  assert.equal(before[0], "FAIL");
+  await page.goto(new URL("experiments.html", page.url()).href);
+  // The browser then fills the fields by itself.
+  await page.goBack();
+  await page.locator('#result[data-state="done"]').waitFor();
+  assert.equal(await page.locator("#limit").inputValue(), "0.3");
+  assert.deepEqual(await card(), before);
+  await page.locator("#symmetric").uncheck();
+});
+
 test("files cannot be opened again, and nothing is undone", async () => {
   const block = (name, height) => model(name, box("block", [0, 0, 0], [4, 3, height]));
   await opened.until("done", () =>

@@ -1,6 +1,6 @@
 // The values of all controls that have a name, as the text of the page's address.
 import { batch } from "@preact/signals-core";
-import { type Control, controls, currentValue, isUnderstood, put } from "./store.ts";
+import { type Control, controls, currentValue, isKnown, isUnderstood, put } from "./store.ts";
 
 /** Returns the values that differ from the page's own, as parameters of an address. */
 export function formState(): string {
@@ -19,7 +19,8 @@ export function applyFormState(text: string, excluded: readonly string[] = []): 
     for (const control of controls()) {
       if (excluded.includes(control.name)) continue;
       const value = parameters.get(control.name) ?? defaultOf(control);
-      if (value !== currentValue(control) && takes(control, value)) put(control, value);
+      const isThere = value === currentValue(control) && isKnown(control);
+      if (!isThere && takes(control, value)) put(control, value);
     }
   });
 }

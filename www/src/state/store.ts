@@ -78,6 +78,10 @@ export function field(name: string): Field {
   };
 }
 
+/** Whether what depends on a control knows its value: a browser that goes back fills controls without an event. */
+export const isKnown = (control: Control): boolean =>
+  signalOf(control).peek() === currentValue(control);
+
 /** Whether a check box is checked. */
 export const isOn = (box: Pick<Field, "value">): boolean => box.value === "on";
 
