@@ -1,6 +1,7 @@
 // What a newcomer needs from two files to a report is on the screen, and nothing of it is folded.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { box, model } from "./support/boxes.mjs";
 import { modelFile, planes } from "./support/models.mjs";
 import { open } from "./support/open.mjs";
 
@@ -25,6 +26,22 @@ test("what is allowed is asked for on the first screen, below the files", async 
   const { y, height } = await field.boundingBox();
   assert.ok(y + height <= page.viewportSize().height, `${y}`);
   assert.equal(await page.evaluate(() => document.getElementById("panel").scrollTop), 0);
+});
+
+test("and of files in a unit whose parts have long names, too", async () => {
+  const other = await open({ path: "", unfolded: false });
+  const long = "Open CASCADE STEP translator 7.9 with the name of a project 17";
+  const files = [2, 2.5].map((height, at) =>
+    model(`${"ab"[at]}.json`, box(long, [0, 0, 0], [4, 3, height])),
+  );
+  await other.until("done", () => other.page.setInputFiles("#file-both", files));
+  const field = other.page.getByRole("spinbutton", { name: "+/−" });
+  const { y, height } = await field.boundingBox();
+  assert.ok(y + height <= other.page.viewportSize().height, `${y}`);
+  const where = other.page.locator("#where");
+  assert.match(await where.textContent(), /project 17/);
+  assert.ok((await where.boundingBox()).height < 45, "two lines of text");
+  await other.close();
 });
 
 test("a view is added beside the view, which says so, and the report opened without unfolding anything", async () => {

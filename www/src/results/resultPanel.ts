@@ -3,7 +3,7 @@
 
 import type { DistanceResult } from "nurbs-hausdorff";
 import { agrees, farthestSide } from "../common/direction.ts";
-import { element } from "../common/elements.ts";
+import { element, make } from "../common/elements.ts";
 import { placeName } from "../common/text/names.ts";
 import {
   certifiedText,
@@ -114,7 +114,8 @@ function showWhere(result: DistanceResult): void {
   const link = document.createElement("button");
   link.type = "button";
   link.className = "link";
-  link.textContent = text;
+  // A button does not cut its own text off.
+  link.append(make("span", text));
   link.addEventListener("click", () => look());
   where.replaceChildren(link);
 }
