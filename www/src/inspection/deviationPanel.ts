@@ -2,7 +2,7 @@
 // what is allowed.
 
 import type { DiffResult, DistanceResult } from "nurbs-hausdorff";
-import { AGREEING, judgedOf } from "../common/direction.ts";
+import { AGREEING } from "../common/direction.ts";
 import { element } from "../common/elements.ts";
 import { distanceText, shownLength } from "../common/text/numbers.ts";
 import { commonUnit } from "../files/units.ts";
@@ -202,9 +202,8 @@ function draw(now: ShownMaps): ColorScale {
   const legend = legendOf(now);
   showLegend(legend, (from, to) => setFocus([from, to]));
   showDistribution(legend);
-  const judged = judgedOf(result, maps);
   element("beyond-limit").textContent = SIDES.flatMap((side) => {
-    const text = beyond(judged[side], extent.largest, diagonal);
+    const text = beyond(maps[side], extent.largest, diagonal);
     return text === "" ? [] : [`${side.toUpperCase()}: ${text}`];
   })
     .concat(ownLimits().length > 0 ? [texts.places.coloursAndAreasByThe] : [])
