@@ -118,7 +118,13 @@ test("a report has the clearance and the faces that come near, while they are sh
   await page.locator("#below").fill("2");
   await page.locator("#clearance-start").click();
   await page.locator('#clearance[data-meeting="apart"]').waitFor();
-  const [, table] = (await report()).split("Clearance and clash");
+  const made = await report();
+  // The first thing said is what is measured, not that there is no verdict on a deviation.
+  assert.match(made, /class="badge">APART<\/span>Apart by 1\.5/);
+  assert.ok(!made.includes("NO VERDICT") && !made.includes("symmetric"), made.slice(0, 2000));
+  const { clearance } = JSON.parse((await exported("#export-json")).toString());
+  assert.ok(clearance.clearance.lower <= 1.5 && 1.5 <= clearance.clearance.upper);
+  const [, table] = made.split("Clearance and clash");
   const intervals = [...table.split("</table>")[0].matchAll(/\[([\d.e-]+), ([\d.e-]+)\]<\/td>/g)];
   assert.ok(intervals.length > 1, table);
   // Faces that face each other, and those beside one or both of them.

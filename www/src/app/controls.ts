@@ -117,6 +117,7 @@ function connectFiles(parts: Parts, measurement: Measurement, opening: Opening):
       ...{ pins: view.pins.probes, result: view.result, models: view.models.drawn },
       measures: parts.measureList.exported,
       ...{ facts: facts.found, overlap: overlap.result, check: check.result },
+      clearance: parts.clearance.found,
       tables: panels.flatMap(({ tables }) => tables),
       ...{ requestCsv: () => client.csv(), places: places.all },
     }),

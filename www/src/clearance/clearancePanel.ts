@@ -29,6 +29,11 @@ export interface ShownClearance {
   meeting: Meeting;
 }
 
+/** A clearance with what is said of it. */
+export interface FoundClearance extends ShownClearance {
+  text: string;
+}
+
 export interface ClearanceListener {
   /** The user turned the mode on or off, or changed the distance. */
   change: () => void;
@@ -58,6 +63,13 @@ export class ClearancePanel {
   get below(): number {
     const value = below.valueAsNumber;
     return Number.isFinite(value) && value >= 0 ? value : 0;
+  }
+
+  /** What is found, while it is shown: for the report and the JSON in place of a deviation. */
+  get found(): FoundClearance | undefined {
+    if (this.#shown === undefined) return undefined;
+    const { clearance, gaps, meeting } = this.#shown;
+    return { clearance, gaps, meeting, text: sentence(clearance, meeting) };
   }
 
   /** The least distance, and the pairs of faces that come near each other, while they are shown. */

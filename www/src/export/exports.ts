@@ -8,6 +8,7 @@ import type {
   Vector3,
 } from "nurbs-hausdorff";
 import { annotations } from "../annotations/annotations.ts";
+import type { FoundClearance } from "../clearance/clearancePanel.ts";
 import type { ReportTable } from "../common/tables.ts";
 import { metresPerUnit } from "../files/units.ts";
 import { painted } from "../inspection/deviationPanel.ts";
@@ -33,6 +34,8 @@ export interface ExportedState {
   facts: Sides<ModelFacts> | undefined;
   overlap: OverlapResult | undefined;
   check: CheckResult | undefined;
+  /** The clearance, where it is measured instead of the deviation. */
+  clearance: FoundClearance | undefined;
   /** What the panels of these show, for the report. */
   tables: readonly ReportTable[];
   pins: Probe[];
@@ -124,7 +127,8 @@ async function placesOf({ view, views, places, result }: ExportedState) {
 }
 
 function jsonOf(state: ExportedState): Blob {
-  const { result, diff, facts, overlap, check, pins, measures, options, models } = state;
+  const { result, diff, facts, overlap, check, clearance } = state;
+  const { pins, measures, options, models } = state;
   const nameOf = (model: DisplayModel | undefined) => {
     const source = model?.source;
     if (source === undefined) return "";
@@ -133,7 +137,7 @@ function jsonOf(state: ExportedState): Blob {
   const names = { a: nameOf(models.a), b: nameOf(models.b) };
   const content = {
     ...{ models: names, options, state: formState(), result, faces: diff },
-    ...{ facts, overlap, check, pins, measures, annotations: annotations.peek() },
+    ...{ facts, overlap, check, clearance, pins, measures, annotations: annotations.peek() },
   };
   return new Blob([JSON.stringify(content, undefined, 2)], { type: "application/json" });
 }

@@ -35,7 +35,7 @@ export async function contentOf(
   const { result, models, places, pins, tables } = state;
   const diagonal = result?.diagonal ?? 1;
   return {
-    verdict: { verdict: shownVerdict().verdict, terms: verdictTerms(state) },
+    verdict: verdictOf(state),
     files: await Promise.all(
       SIDES.map(async (side) => ({
         title: side.toUpperCase(),
@@ -61,6 +61,18 @@ export async function contentOf(
     tables,
     settings: settingsOf(state),
   };
+}
+
+/** The verdict on the deviation, or what is found of the clearance that is measured instead. */
+function verdictOf(state: ExportedState): ReportContent["verdict"] {
+  const { clearance } = state;
+  const { verdict, text } = shownVerdict();
+  if (clearance === undefined) {
+    const title = verdict === undefined ? texts.report.noVerdict : texts.results.verdicts[verdict];
+    return { verdict, title, text, terms: verdictTerms(state) };
+  }
+  const title = texts.bodies.states[clearance.meeting].toUpperCase();
+  return { verdict: undefined, title, text: clearance.text, terms: [] };
 }
 
 function verdictTerms({ result }: ExportedState): [string, string][] {
@@ -133,7 +145,7 @@ const shownLimits = ({ above, below }: Allowed): Allowed => ({
   below: Number(shownLength(below).toPrecision(LIMIT_DIGITS)),
 });
 
-function settingsOf({ options }: ExportedState): [string, string][] {
+function settingsOf({ options, clearance }: ExportedState): [string, string][] {
   const { method, relativeTolerance, symmetric, transform } = options;
   const rotation = transform?.rotation ?? [0, 0, 0, 1];
   return [
@@ -141,7 +153,11 @@ function settingsOf({ options }: ExportedState): [string, string][] {
     [texts.report.precision, texts.report.ofTheDiagonal(relativeTolerance)],
     [
       texts.report.distance,
-      symmetric ? texts.report.symmetricTheLargerOfA : texts.report.directedAToB,
+      clearance !== undefined
+        ? texts.report.theLeastOfAFromB
+        : symmetric
+          ? texts.report.symmetricTheLargerOfA
+          : texts.report.directedAToB,
     ],
     [texts.report.translationOfA, (transform?.translation ?? [0, 0, 0]).join(", ")],
     [texts.report.rotationOfAQuaternion, rotation.join(", ")],

@@ -18,7 +18,7 @@ export interface ReportContent {
   views: readonly ReportView[];
   /** Pictures of the worst places. */
   places: readonly { title: string; picture: string }[];
-  verdict: { verdict: Verdict | undefined; terms: Terms };
+  verdict: { verdict: Verdict | undefined; title: string; text: string; terms: Terms };
   files: readonly { title: string; terms: Terms }[];
   /** A face a row. */
   faces: { head: readonly string[]; rows: readonly (readonly string[])[] };
@@ -64,16 +64,7 @@ function* sections(content: ReportContent) {
   yield make(
     "section",
     [
-      make("p", [
-        make(
-          "span",
-          verdict.verdict === undefined
-            ? texts.report.noVerdict
-            : texts.results.verdicts[verdict.verdict],
-          { class: "badge" },
-        ),
-        text("verdict"),
-      ]),
+      make("p", [make("span", verdict.title, { class: "badge" }), verdict.text]),
       terms(verdict.terms),
     ],
     { class: "card", "data-verdict": verdict.verdict ?? "" },

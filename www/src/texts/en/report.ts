@@ -36,6 +36,7 @@ export const report = {
   ofTheDiagonal: (relativeTolerance: undefined | number) => `${relativeTolerance} of the diagonal`,
   distance: "Distance",
   symmetricTheLargerOfA: "symmetric: the larger of A from B and B from A",
+  theLeastOfAFromB: "clearance: the least of A from B",
   directedAToB: "directed, A to B",
   translationOfA: "Translation of A",
   rotationOfAQuaternion: "Rotation of A, quaternion",
