@@ -106,10 +106,29 @@ test("faces are listed and judged by what is certain of them", async () => {
     .locator('#face-list button[data-side="a"][data-state="changed"]')
     .count();
   const beyond = await page
-    .locator('#place-list button:has(b.a) .size[data-beyond="true"]')
+    .locator('#place-list button:has(b.a) .size[data-allowed="beyond"]')
     .count();
   assert.equal(beyond, changed);
   await page.locator("#faces-clear").click();
+});
+
+test("a face whose interval contains what is allowed is neither within nor beyond", async () => {
+  await openPair(modelFile("a.json", planes(0)), modelFile("b.json", planes(0.3)));
+  await page.locator("#limit").fill("0.3");
+  await page.locator('#points[data-bounded="0.3"]').waitFor();
+  assert.equal(await text("#badge"), "UNDECIDED");
+  const sizes = page.locator("#place-list .size");
+  assert.equal(await sizes.count(), 2);
+  assert.equal(await page.locator('#place-list .size[data-allowed="undecided"]').count(), 2);
+  assert.equal(await page.locator('#tree-list [data-changed="true"]').count(), 0);
+  const [report] = await Promise.all([
+    page.waitForEvent("popup"),
+    page.locator("#export-pages").click(),
+  ]);
+  const rows = report.locator("tr", { hasText: "undecided" });
+  await rows.first().waitFor();
+  assert.equal(await rows.count(), 2);
+  await report.close();
 });
 
 test("faces are compared one model at a time, and again by another limit", async () => {

@@ -12,7 +12,7 @@ import {
 import { unitName } from "../../common/text/units.ts";
 import { hashOf } from "../../files/identity.ts";
 import { commonUnit } from "../../files/units.ts";
-import { isBeyond, sizeText } from "../../inspection/places/placeList.ts";
+import { sizeText, stateOf } from "../../inspection/places/placeList.ts";
 import type { Place } from "../../inspection/places/places.ts";
 import { limitText } from "../../results/ownLimits.ts";
 import { allowed, allowedOf, shownVerdict } from "../../results/verdict.ts";
@@ -135,7 +135,7 @@ function faceRow(place: Place, diagonal: number): string[] {
     signedText(highest, diagonal),
     sizeText(place, diagonal),
     limits === undefined ? "" : limitText(shownLimits(limits)),
-    limits === undefined ? "" : isBeyond(place, limits) ? texts.report.beyond : texts.report.within,
+    limits === undefined ? "" : texts.report.faceStates[stateOf(place, limits)],
   ];
 }
 

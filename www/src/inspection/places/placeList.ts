@@ -27,8 +27,8 @@ export class PlaceList {
     return this.#places;
   }
 
-  /** Shows the places, and marks those that are beyond. */
-  show(places: Place[], diagonal: number, beyond?: (place: Place) => boolean): void {
+  /** Shows the places, and marks those that are beyond or undecided. */
+  show(places: Place[], diagonal: number, state?: (place: Place) => PlaceState): void {
     const before = this.#places[this.#selected];
     this.#places = places.slice(0, MAX_PLACES);
     // The same place, wherever it is in the list now.
@@ -37,7 +37,7 @@ export class PlaceList {
     );
     button.disabled = places.length === 0;
     list.replaceChildren(
-      ...this.#places.map((place, index) => this.#row(place, index, diagonal, beyond?.(place))),
+      ...this.#places.map((place, index) => this.#row(place, index, diagonal, state?.(place))),
     );
   }
 
@@ -55,7 +55,7 @@ export class PlaceList {
     if (place !== undefined) this.#select(place);
   }
 
-  #row(place: Place, index: number, diagonal: number, beyond?: boolean): HTMLElement {
+  #row(place: Place, index: number, diagonal: number, state?: PlaceState): HTMLElement {
     const [item, row] = [document.createElement("li"), document.createElement("button")];
     row.type = "button";
     row.setAttribute("aria-pressed", `${index === this.#selected}`);
@@ -66,7 +66,7 @@ export class PlaceList {
     name.textContent = place.name;
     size.textContent = sizeText(place, diagonal);
     size.className = "size";
-    if (beyond !== undefined) size.dataset.beyond = `${beyond}`;
+    if (state !== undefined) size.dataset.allowed = state;
     row.append(letter, name, size);
     row.addEventListener("click", () => this.#choose(index));
     item.append(row);
@@ -84,17 +84,27 @@ export function sizeText({ distance, signed, certified }: Place, diagonal: numbe
   return Number.isNaN(signed) ? distanceText(distance, diagonal) : signedText(signed, diagonal);
 }
 
-/** Whether a face deviates by more than is allowed; a distance without a sign counts as either. */
-export function isBeyond(place: Place, allowed: Allowed): boolean {
+/** What is said of a face by what is allowed of it. */
+export type PlaceState = "beyond" | "undecided" | "within";
+
+/**
+ * Whether a face deviates by more than is allowed: by what is certain of it, as far as that is known; a distance
+ * without a sign counts as either.
+ */
+export function stateOf(place: Place, allowed: Allowed): PlaceState {
   const isUnsigned = Number.isNaN(place.signed);
   const { certified } = place;
+  const [least, most] = [
+    Math.min(allowed.above, allowed.below),
+    Math.max(allowed.above, allowed.below),
+  ];
   // What is certain decides, where it does: the map is an estimate.
   if (certified !== undefined) {
-    if (certified.upper <= Math.min(allowed.above, allowed.below)) return false;
-    if (certified.lower > Math.max(allowed.above, allowed.below)) return true;
+    if (certified.upper <= least) return "within";
+    if (certified.lower > most) return "beyond";
+    // Limits that differ are a matter of signs, of which nothing is certain.
+    if (least === most) return "undecided";
   }
-  return (
-    (isUnsigned && place.distance > Math.min(allowed.above, allowed.below)) ||
-    exceeds(place, allowed)
-  );
+  const isBeyond = (isUnsigned && place.distance > least) || exceeds(place, allowed);
+  return isBeyond ? "beyond" : "within";
 }

@@ -9,7 +9,7 @@ import { texts } from "../../texts/index.ts";
 import type { Side } from "../../worker/protocol.ts";
 import { painted } from "../deviationPanel.ts";
 import type { Probing } from "../pins/probing.ts";
-import { isBeyond, PlaceList, sizeText } from "./placeList.ts";
+import { PlaceList, type PlaceState, sizeText, stateOf } from "./placeList.ts";
 import { type Place, placesOf } from "./places.ts";
 
 /** Digits by which places are ranked: what differs by less is equally far. */
@@ -51,11 +51,12 @@ export class PlaceView {
     const { all } = this;
     empty.textContent = this.#whyNone;
     const isAllowed = allowed() !== undefined;
-    const beyond = (place: Place) => {
+    const state = (place: Place): PlaceState => {
       const limits = allowedOf(place.side, place.face);
-      return limits !== undefined && isBeyond(place, limits);
+      return limits === undefined ? "within" : stateOf(place, limits);
     };
-    this.#list.show(all, this.#view.models.diagonal, isAllowed ? beyond : undefined);
+    const beyond = (place: Place) => state(place) === "beyond";
+    this.#list.show(all, this.#view.models.diagonal, isAllowed ? state : undefined);
     this.#judge(all);
     const changed = (side: Side) =>
       new Set(all.filter((place) => place.side === side && beyond(place)).map(({ face }) => face));

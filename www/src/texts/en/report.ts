@@ -65,6 +65,5 @@ export const report = {
     `${file} is no picture of at most ${maxLogo} kB.`,
   unknown: "unknown",
   sha256: "SHA-256",
-  beyond: "beyond",
-  within: "within",
+  faceStates: { beyond: "beyond", undecided: "undecided", within: "within" },
 };
