@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { moduleOf } from "../support/module.mjs";
 
-const { attainedText, certifiedText, heldText, intervalText, listedText } =
+const { attainedText, boundText, certifiedText, heldText, intervalText, listedText } =
   await moduleOf("common/text/numbers.ts");
 
 /** A generator of numbers in [0, 1), the same on every run (Park and Miller's). */
@@ -14,6 +14,21 @@ function random(seed) {
     return state / 2147483647;
   };
 }
+
+test("an upper bound is rounded up, to the digits of distances beside it", () => {
+  const next = random(11);
+  for (let index = 0; index < 20_000; index++) {
+    const diagonal = 10 ** (8 * next() - 4);
+    const bound = diagonal * 10 ** (-7 * next());
+    const text = boundText(bound, diagonal);
+    const value = Number(text);
+    assert.ok(bound <= value, `${text} for ${bound}`);
+    assert.ok(value - bound <= Math.max(1.1e-5 * diagonal, 0.11 * bound), `${text} for ${bound}`);
+  }
+  // A part that a face beside it says to be off by 0.1000 is not off by up to 0.11.
+  assert.equal(boundText(0.10006, 60), "0.1001");
+  assert.equal(boundText(3e-9, 60), "3.0e-9");
+});
 
 test("the number of an interval is in it, whatever its size and width are", () => {
   const next = random(7);

@@ -1,7 +1,7 @@
 // What became of parts, in words.
 
 import { facePath } from "nurbs-hausdorff";
-import { distanceText, shownLength, upperText } from "../common/text/numbers.ts";
+import { boundText, distanceText } from "../common/text/numbers.ts";
 import { commonUnit } from "../files/units.ts";
 import { texts } from "../texts/index.ts";
 import type { PlacedPart } from "../worker/protocol.ts";
@@ -27,8 +27,7 @@ export function detailText(part: PlacedPart, diagonal: number): string {
   }
   if (state === "changed" || state === "movedAndChanged") {
     const count = Math.max(faces.ofA.length, faces.ofB.length);
-    const most =
-      upper === null ? "" : texts.faces.atMost(upperText(shownLength(upper)), unitText());
+    const most = upper === null ? "" : texts.faces.atMost(boundText(upper, diagonal), unitText());
     details.push(`${texts.files.faces(`${count}`, count)}${most}`);
   }
   return details.join("; ");

@@ -50,6 +50,16 @@ export function distanceText(length: number, modelDiagonal: number): string {
 /** An upper bound to two significant digits, rounded up, such as 1.1e-11. */
 export const upperText = (bound: number): string => short(bound, 1);
 
+/** An upper bound to the digits of a distance of models of this size, rounded up; a small one to two digits. */
+export function boundText(length: number, modelDiagonal: number): string {
+  const [bound, diagonal] = [shownLength(length), shownLength(modelDiagonal)];
+  const digits = digitsAfterPoint(RELATIVE_DIGITS - magnitude(diagonal));
+  const step = 10 ** -digits;
+  if (bound < step) return upperText(bound);
+  const rounded = Number(bound.toFixed(digits));
+  return (rounded < bound ? rounded + step : rounded).toFixed(digits);
+}
+
 /** A bound to two significant digits, rounded up or down. */
 function short(bound: number, sign: -1 | 1): string {
   if (bound === 0) return "0";
