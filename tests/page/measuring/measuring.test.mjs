@@ -5,6 +5,7 @@ import { after, before, test } from "node:test";
 import { drawn } from "../support/drawn.mjs";
 import { cylinder, modelFile } from "../support/models.mjs";
 import { open, PLAIN } from "../support/open.mjs";
+import { countPixels } from "../support/pixels.mjs";
 
 let opened;
 let page;
@@ -40,6 +41,12 @@ async function measureMiddle(what) {
   await drawn(page);
 }
 
+/** The width and height of the view, in pixels. */
+const viewSize = async () => {
+  const { width, height } = await page.locator("#canvas").boundingBox();
+  return [width, height];
+};
+
 /** Clicks on the view, at pixels from its middle. */
 async function click(across, up) {
   const { x, y, width, height } = await page.locator("#canvas").boundingBox();
@@ -61,9 +68,8 @@ test("the radius of a cylinder is measured by the keyboard, and its interval hol
 test("the radius of a round edge of a plane face, and the length of that edge", async () => {
   await page.selectOption("#direction", "top");
   await drawn(page);
-  const { width, height } = await page.locator("#canvas").boundingBox();
   // The ring is from radius 1 to 2; nearer to its inner edge, and to its outer one.
-  const pixels = Math.min(width, height) / 3;
+  const pixels = Math.min(...(await viewSize())) / 3;
   await click(pixels, 0);
   const inner = await text("#measure-text");
   const [, radius] = /^≈ R ([\d.]+) mm .* round edge/.exec(inner) ?? [];
@@ -77,6 +83,18 @@ test("the radius of a round edge of a plane face, and the length of that edge", 
   const [, length] = /^≈ ([\d.]+) mm long · arcs .* closed$/.exec(edge) ?? [];
   assert.ok(Math.abs(length - 2 * Math.PI * radius) < 1e-3, edge);
   assert.equal(await rows().count(), 3);
+});
+
+test("the mark of a first point goes when something else is measured", async () => {
+  const marked = () => countPixels(page, "r > 180 && g < 90 && b < 120");
+  await page.selectOption("#measure-what", "points");
+  const before = await marked();
+  await click(Math.min(...(await viewSize())) / 3, 0);
+  await drawn(page);
+  assert.ok((await marked()) > before, "a mark");
+  await page.selectOption("#measure-what", "radius");
+  await drawn(page);
+  assert.equal(await marked(), 0);
 });
 
 test("a plane face without a round edge has no radius", async () => {

@@ -61,6 +61,8 @@ export class Measuring {
   }
 
   #ask(): void {
+    // The mark of a first point is that of no other measurement.
+    if (this.#first !== undefined) this.#view.point();
     this.#first = undefined;
     text.textContent =
       what.value === "edge" ? own.edge : what.value === "radius" ? own.radius : own.firstPoint;
