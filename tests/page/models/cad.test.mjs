@@ -71,7 +71,10 @@ test("a model of another unit is converted, and the page says so", async () => {
   // 25.4 mm above A is 1 inch.
   await openFile("a", modelFile("a.json", { unit: 0.001, ...planes(25.4) }));
   await openFile("b", modelFile("b.json", { unit: 0.0254, ...planes(0) }));
-  assert.match(await page.locator("#units-differ").textContent(), /B in in: B is converted to mm/);
+  assert.match(
+    await page.locator("#units-differ").textContent(),
+    /B in inches: B is converted to mm/,
+  );
   const { lower, upper } = await opened.data();
   assert.ok(Number(lower) <= 25.4 + 1e-12 && 25.4 - 1e-12 <= Number(upper), `${lower} ${upper}`);
   assert.equal(await page.locator("#unit").textContent(), "mm");

@@ -1,5 +1,8 @@
 // Files, sources, units, the position of A and the best fit.
 
+/** A unit in a sentence, where "in in" would be read twice. */
+const inWords = (unit: string): string => (unit === "in" ? "inches" : unit);
+
 export const files = {
   openTwoFilesFirst: "Open two files first.",
   openAFileFirst: "Open a file first.",
@@ -73,12 +76,13 @@ export const files = {
   whichUnit: "unit?",
   and: " and ",
   modelUnits: "model units",
-  inUnit: (unit: string) => `in ${unit}`,
+  inUnit: (unit: string) => `in ${inWords(unit)}`,
   theFileStatesNoUnit: "The file states no unit: say which one its numbers are in",
   asTheModelStatesIt: "As the model states it",
-  bIsConverted: (a: string, b: string) => `A is in ${a} and B in ${b}: B is converted to ${a}.`,
+  bIsConverted: (a: string, b: string) =>
+    `A is in ${inWords(a)} and B in ${inWords(b)}: B is converted to ${inWords(a)}.`,
   oneUnitUnknown: (known: string, a: string, unknown: string, value: string) =>
-    `${known} is in ${a}, and the file of ${unknown} states no unit: its numbers are taken as they are until you say which.${value}`,
+    `${known} is in ${inWords(a)}, and the file of ${unknown} states no unit: its numbers are taken as they are until you say which.${value}`,
   scanIsA:
     "A is points: both ways also judge how far B is from the nearest point, where none was taken too. One way judges the points alone.",
   scanIsB: (isBothWays: boolean) =>
