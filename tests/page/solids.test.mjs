@@ -106,6 +106,8 @@ test("a clash is shown as one", async () => {
   await page.locator("#clearance-start").click();
   await page.locator('#clearance[data-meeting="clash"]').waitFor();
   await opened.screenshot("clash");
+  // By how much is the next question.
+  assert.ok(await page.getByText("How deep they clash").isVisible());
   await page.locator("#clearance-start").click();
 });
 
@@ -118,6 +120,7 @@ test("a report has the clearance and the faces that come near, while they are sh
   await page.locator("#below").fill("2");
   await page.locator("#clearance-start").click();
   await page.locator('#clearance[data-meeting="apart"]').waitFor();
+  assert.ok(await page.locator("#clash-depth").isHidden());
   const made = await report();
   // The first thing said is what is measured, not that there is no verdict on a deviation.
   assert.match(made, /class="badge">APART<\/span>Apart by 1\.5/);

@@ -228,6 +228,7 @@ export const main = {
   theLeastDistanceOfA:
     "The least distance of A and B instead of their deviation, and the pairs of faces that are nearer than this.",
   nearerThan: "Nearer than",
+  howDeepTheyClash: "How deep they clash, and in what volume, says the check of bodies below.",
   pairsOfFacesThatCome: "Pairs of faces that come near each other, nearest first",
   checkOfBodies: "Check of bodies",
   saysWhichPairsOfBodies:
