@@ -1,6 +1,7 @@
 // What the view and the lists show: nothing that the certified numbers beside them contradict.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { box } from "../support/boxes.mjs";
 import { drawn } from "../support/drawn.mjs";
 import { cube, file, modelFile, planes, row } from "../support/models.mjs";
 import { open } from "../support/open.mjs";
@@ -129,6 +130,22 @@ test("a face whose interval contains what is allowed is neither within nor beyon
   await rows.first().waitFor();
   assert.equal(await rows.count(), 2);
   await report.close();
+});
+
+test("a place is looked at from outside of its model, whichever way the normals of its file point", async () => {
+  const block = (name, low, turned) => {
+    const { surfaces, ...rest } = { surfaces: box("block", [0, 0, low], [4, 3, 2]) };
+    const inwards = surfaces.map(({ ctrl, ...face }) => ({ ...face, ctrl: [...ctrl].reverse() }));
+    return modelFile(name, { ...rest, surfaces: turned ? inwards : surfaces });
+  };
+  for (const turned of [false, true]) {
+    // The lower faces are 0.5 apart, all others lie on each other.
+    await openPair(block("a.json", 0, turned), block("b.json", -0.5, turned));
+    await page.locator("#place-list button").first().click();
+    await drawn(page);
+    // The cube of views shows the sides that face the user.
+    assert.ok(await page.locator("#axes").getByText("bottom").isVisible(), `${turned}`);
+  }
 });
 
 test("faces are compared one model at a time, and again by another limit", async () => {

@@ -12,6 +12,7 @@ import type { FoundClearance } from "../clearance/clearancePanel.ts";
 import type { ReportTable } from "../common/tables.ts";
 import { metresPerUnit } from "../files/units.ts";
 import { painted } from "../inspection/deviationPanel.ts";
+import { outwardNormal } from "../inspection/places/outwards.ts";
 import { sizeText } from "../inspection/places/placeList.ts";
 import type { Place } from "../inspection/places/places.ts";
 import type { MeasureList } from "../measuring/list.ts";
@@ -114,7 +115,7 @@ async function placesOf({ view, views, places, result }: ExportedState) {
     };
     const { models } = view;
     const point = models.place(place.side, at(map.positions));
-    view.lookAt(point, models.turn(place.side, at(map.normals)));
+    view.lookAt(point, outwardNormal(models, map, place));
     const size = sizeText(place, result?.diagonal ?? 1);
     const title = `${place.side.toUpperCase()} ${place.name}: ${size}`;
     const unmark = view.mark(point);

@@ -7,6 +7,7 @@ import {
   type Mesh,
   type Plane,
   type Points,
+  Raycaster,
   type Texture,
   Vector3,
 } from "three";
@@ -278,6 +279,15 @@ export class Models {
 
   #hit(viewport: Viewport, clientX: number, clientY: number): FirstHit | undefined {
     return firstHit(this.#meshes, this.planes, viewport, [clientX, clientY]);
+  }
+
+  /** How many times a ray of the scene meets a model's own triangles, drawn or not. */
+  crossings(side: Side, from: Vector3, direction: Vector3): number {
+    const mesh = this.#meshes[side];
+    if (mesh === undefined) return 0;
+    mesh.group.updateWorldMatrix(true, true);
+    const ray = new Raycaster(from, direction.clone().normalize());
+    return ray.intersectObject(mesh.target, false).length;
   }
 
   /** The names of the models' shapes or files. */

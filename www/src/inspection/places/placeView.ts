@@ -9,6 +9,7 @@ import { texts } from "../../texts/index.ts";
 import type { Side } from "../../worker/protocol.ts";
 import { painted } from "../deviationPanel.ts";
 import type { Probing } from "../pins/probing.ts";
+import { outwardNormal } from "./outwards.ts";
 import { PlaceList, type PlaceState, sizeText, stateOf } from "./placeList.ts";
 import { type Place, placesOf } from "./places.ts";
 
@@ -103,7 +104,7 @@ export class PlaceView {
     const at = (all: Float32Array, axis: 0 | 1 | 2) => all[3 * place.vertex + axis] ?? 0;
     const near = ([0, 1, 2] as const).map((axis) => at(map.positions, axis) + origin[axis]);
     const [x = 0, y = 0, z = 0] = near;
-    const [u, v, w] = ([0, 1, 2] as const).map((axis) => at(map.normals, axis));
+    const normal = outwardNormal(models, map, place);
     this.#probing.ask(place.side, [x, y, z], ({ point, foot, face, footFace }) => {
       const other = place.side === "a" ? "B" : "A";
       const said = {
@@ -111,7 +112,7 @@ export class PlaceView {
         from: `${place.side.toUpperCase()}: ${face}`,
         to: `${other}: ${footFace}`,
       };
-      this.#view.approach(point, foot, said, models.turn(place.side, [u ?? 0, v ?? 0, w ?? 0]));
+      this.#view.approach(point, foot, said, normal);
     });
   }
 }
