@@ -1,7 +1,7 @@
 //! Whether the points of a part of A have like counterparts in B.
 
 use super::target::Node;
-use super::{DISTANCE_ROUNDINGS, Looked, NormalCone, NormalTarget, Reach, Region, Shape};
+use super::{ByFormula, DISTANCE_ROUNDINGS, Looked, NormalCone, NormalTarget, Reach, Region, Shape};
 use crate::rounding::gamma;
 use glam::DVec3;
 
@@ -35,8 +35,8 @@ pub(crate) enum Likeness {
 pub(super) struct Own<'s> {
     pub(super) region: &'s Region,
     pub(super) cone: &'s NormalCone,
-    /// Returns points of the part by its formula: see [`Likenesses::of`].
-    pub(super) points: &'s dyn Fn() -> Vec<DVec3>,
+    /// The part by its formula, for audits.
+    pub(super) formula: &'s dyn ByFormula,
 }
 
 /// The question whether points have like counterparts in B.
@@ -44,7 +44,7 @@ pub(crate) struct Likenesses<'a> {
     pub(super) target: &'a NormalTarget<'a>,
     pub(super) reach: Reach,
     /// The largest angle, in radians.
-    angle: f64,
+    pub(super) angle: f64,
 }
 
 impl<'a> Likenesses<'a> {
@@ -58,27 +58,24 @@ impl<'a> Likenesses<'a> {
     }
 
     /// Returns what is known of a part of A whose points have these bounds on their distances from B, rounding
-    /// included (lemmas N3 to N7 of docs/score.md). `points` makes some of its points by its formula alone, for the audit
-    /// of lemma N5.
-    pub(crate) fn of(
-        &self,
-        shape: &Shape,
-        [lower, upper]: [f64; 2],
-        points: &dyn Fn() -> Vec<DVec3>,
-    ) -> Likeness {
+    /// included (lemmas N3 to N7 of docs/score.md). `formula` makes some of its points, for audits.
+    pub(crate) fn of(&self, shape: &Shape, [lower, upper]: [f64; 2], formula: &dyn ByFormula) -> Likeness {
         if lower > self.reach.threshold() {
             return Likeness::Unlike;
         }
         let Shape { region, cone: Some(cone) } = shape else { return Likeness::Open };
-        if upper < self.reach.threshold() && self.all_are_alike(region, cone, upper) {
+        let own = Own { region, cone, formula };
+        let all_are_alike =
+            || self.all_are_alike(region, cone, upper) && !self.is_refuted_beside(&own, upper);
+        if upper < self.reach.threshold() && all_are_alike() {
             return Likeness::Alike;
         }
         let may_be_by_distance = || {
             upper >= self.reach.threshold()
                 && upper <= MAX_THRESHOLDS * self.reach.threshold()
-                && self.all_are_alike(region, cone, upper)
+                && all_are_alike()
         };
-        match self.by_one_part(&Own { region, cone, points }) {
+        match self.by_one_part(&own) {
             Likeness::Open if may_be_by_distance() => Likeness::ByDistance,
             likeness => likeness,
         }

@@ -26,7 +26,7 @@ impl Likenesses<'_> {
         let is_near =
             |point| self.target.near_point(node, point).is_some_and(|near| near.distance(point) <= most);
         // Not "is any far", so that NaN refutes.
-        !(own.points)().into_iter().all(is_near)
+        !own.formula.points().into_iter().all(is_near)
     }
 
     /// Returns whether no point of a part is within the threshold of a part of a patch (lemma N6), and no point of that is
@@ -56,6 +56,7 @@ mod tests {
     use super::*;
     use crate::bezier::{Patch, PatchSet};
     use crate::closest::Target;
+    use crate::normals::beside::tests::Points;
     use crate::normals::quad::Quad;
     use crate::normals::{NormalCone, NormalTarget, Reach};
     use glam::DVec3;
@@ -88,7 +89,11 @@ mod tests {
         let points = tile(middle);
         let cone = NormalCone::of_triangle([points[0], points[1], points[2]], 0.0).unwrap();
         let region = Region::of_points(points.clone());
-        ask(&likenesses, &Own { region: &region, cone: &cone, points: &|| points.clone() }, &mut root)
+        ask(
+            &likenesses,
+            &Own { region: &region, cone: &cone, formula: &Points(points.clone(), None) },
+            &mut root,
+        )
     }
 
     /// The rows of an arch of degree 8.
@@ -160,8 +165,8 @@ mod tests {
         assert_eq!([DVec3::ZERO, -DVec3::Z].map(is_apart), [true, false]);
         let nowhere = |threshold| {
             of_pair([1, 1], &square(DVec3::ZERO), above, threshold, |likenesses, own, root| {
-                let nan = || vec![DVec3::NAN];
-                likenesses.is_covered(&Own { points: &nan, ..*own }, root)
+                let nan = Points(vec![DVec3::NAN], None);
+                likenesses.is_covered(&Own { formula: &nan, ..*own }, root)
             })
         };
         assert!(!nowhere(1.0));

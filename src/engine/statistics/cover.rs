@@ -6,9 +6,9 @@ use crate::bezier::Patch;
 use crate::certified::{
     Cell, CellSpread, Density, Lemma, LinearBounds, Pair, SpreadRefutation, SpreadStart, Spreads,
 };
-use crate::facets::{FacetTarget, PartOf, Parts, Source, Spread, Start, Weighted, WeightedPart};
+use crate::facets::{Facet, FacetTarget, PartOf, Parts, Source, Spread, Start, Weighted, WeightedPart};
 use crate::model::RigidTransform;
-use crate::normals::{NormalCone, Shape};
+use crate::normals::{NormalCone, OrientedPoint, Shape};
 use crate::param_box::ParamBox;
 use crate::rounding::{gamma, upper_min};
 use crate::solid::longer_axis_of_controls;
@@ -60,6 +60,10 @@ pub(in crate::engine) trait Cover: Sync {
 
     /// Returns points of a part, moved, by its formula: the corners and the middle.
     fn points(&self, part: &Self::Part) -> Vec<DVec3>;
+
+    /// Returns the middle of a part, moved, and a point of B near it, by their formulas; `None` where none is known, or a
+    /// normal.
+    fn beside(&self, part: &Self::Part) -> Option<[OrientedPoint; 2]>;
 
     /// The lemma that the bounds rest on.
     fn lemma(&self) -> Lemma;
@@ -150,6 +154,22 @@ impl Cover for Parts<'_> {
         }
     }
 
+    fn beside(&self, part: &WeightedPart) -> Option<[OrientedPoint; 2]> {
+        let (source, transform) = self.source();
+        let middle = match (self.part_of(part), source) {
+            (PartOf::Triangle(_, corners), _) => {
+                let point = corners.iter().sum::<DVec3>() / corners.len() as f64;
+                OrientedPoint { point, normal: Facet::Triangle(corners).normal()? }
+            }
+            (PartOf::Patch(patch, range), Source::Patches { patches, .. }) => {
+                moved(oriented(&patches.patch(patch as usize), range.middle())?, transform)
+            }
+            // No part is of the other kind.
+            _ => return None,
+        };
+        Some([middle, Self::beside(self, part, middle.point)?])
+    }
+
     fn lemma(&self) -> Lemma {
         Lemma::SpreadToFacets
     }
@@ -172,6 +192,16 @@ fn points_of(patch: &Patch<'_>, part: ParamBox, transform: &RigidTransform) -> V
     let [s, t] = part.intervals();
     let corners = s.into_iter().flat_map(|s| t.map(|t| [s, t]));
     corners.chain([part.middle()]).map(|at| transform.apply(patch.point(at))).collect()
+}
+
+/// Returns the point of a patch at parameters and its normal; `None` where it has none.
+fn oriented(patch: &Patch<'_>, parameters: [f64; 2]) -> Option<OrientedPoint> {
+    Some(OrientedPoint { point: patch.point(parameters), normal: patch.jet(parameters).normal()? })
+}
+
+/// Returns a point that is moved with its normal.
+fn moved(OrientedPoint { point, normal }: OrientedPoint, transform: &RigidTransform) -> OrientedPoint {
+    OrientedPoint { point: transform.apply(point), normal: transform.rotate(normal) }
 }
 
 /// Cells of patches or of triangles, measured to patches.
@@ -345,6 +375,15 @@ impl Cover for Cells<'_> {
     fn points(&self, part: &WeightedCell) -> Vec<DVec3> {
         let [s, t] = part.cell.ranges();
         points_of(&self.pair.patch_of_a(part.cell.patch), ParamBox::new(s, t), &self.pair.transform)
+    }
+
+    fn beside(&self, part: &WeightedCell) -> Option<[OrientedPoint; 2]> {
+        let Self { pair, .. } = self;
+        let WeightedCell { cell, start: SpreadStart { foot, .. }, .. } = part;
+        let [s, t] = cell.ranges();
+        let middle = oriented(&pair.patch_of_a(cell.patch), ParamBox::new(s, t).middle())?;
+        let near = oriented(&pair.b.patches().patch(foot.patch as usize), foot.parameters)?;
+        Some([moved(middle, &pair.transform), near])
     }
 
     fn lemma(&self) -> Lemma {

@@ -11,8 +11,9 @@ use crate::error::{Error, Result};
 use crate::facets::{Parts, PreparedFacets, Source, Weighted};
 use crate::interval::Interval;
 use crate::model::RigidTransform;
-use crate::normals::{Likeness, Likenesses, NormalTarget, Reach};
+use crate::normals::{ByFormula, Likeness, Likenesses, NormalTarget, OrientedPoint, Reach};
 use crate::progress::{Monitor, Progress};
+use glam::DVec3;
 use std::ops::Range;
 
 /// The part of the threshold within which distances are not looked at more closely.
@@ -95,6 +96,22 @@ struct Search<'a> {
     clock: Clock,
 }
 
+/// A part of a model in parts.
+struct PartOf<'a, C: Cover> {
+    cover: &'a C,
+    part: &'a C::Part,
+}
+
+impl<C: Cover> ByFormula for PartOf<'_, C> {
+    fn points(&self) -> Vec<DVec3> {
+        self.cover.points(self.part)
+    }
+
+    fn beside(&self) -> Option<[OrientedPoint; 2]> {
+        self.cover.beside(self.part)
+    }
+}
+
 /// A part with what is known of it.
 type Compared<P> = (P, Likeness);
 
@@ -105,8 +122,8 @@ impl Search<'_> {
 
     fn compared<C: Cover>(&self, cover: &C, part: C::Part) -> Compared<C::Part> {
         let spread = part.spread();
-        let points = || cover.points(&part);
-        let likeness = self.likenesses.of(&cover.shape(&part), [spread.lower, spread.upper], &points);
+        let formula = PartOf { cover, part: &part };
+        let likeness = self.likenesses.of(&cover.shape(&part), [spread.lower, spread.upper], &formula);
         (part, likeness)
     }
 

@@ -12,6 +12,7 @@ use crate::facets::search::patch_cell::{MIN_LENGTH, PatchCell};
 use crate::facets::search::slab::Slab;
 use crate::facets::search::source::{Measured, Source, Start};
 use crate::model::RigidTransform;
+use crate::normals::OrientedPoint;
 use crate::param_box::ParamBox;
 use crate::rounding::gamma;
 use glam::DVec3;
@@ -265,6 +266,14 @@ impl<'a> Parts<'a> {
     /// Returns model A and its motion.
     pub(crate) fn source(&self) -> (Source<'a>, &RigidTransform) {
         (self.a, &self.transform)
+    }
+
+    /// Returns the closest point of the facet of B that was found near a part, with its normal; `None` of a facet without
+    /// one, and of patches.
+    pub(crate) fn beside(&self, part: &WeightedPart, point: DVec3) -> Option<OrientedPoint> {
+        let Measured::Facets { facets, .. } = self.b else { return None };
+        let facet = facets.facet(part.start);
+        Some(OrientedPoint { point: point + facet.nearest(point).offset, normal: facet.normal()? })
     }
 
     /// Bounds parts from now on by the triangle inequality alone.
