@@ -9,10 +9,12 @@
 mod body;
 mod hull;
 mod newton;
+mod parted;
 mod piece;
 mod search;
 mod simplex;
 
 pub(crate) use body::Body;
 pub(crate) use hull::hull_distance;
+pub(crate) use parted::are_parted;
 pub(crate) use search::{Goal, Nearest, Search};

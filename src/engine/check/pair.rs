@@ -2,9 +2,9 @@
 
 use super::depth::depth;
 use super::options::Limits;
-use super::parting::are_parted;
+use super::parting::are_parted_within;
 use crate::bvh::Aabb;
-use crate::clearance::{Goal, Nearest, Search};
+use crate::clearance::{Goal, Nearest, Search, are_parted};
 use crate::engine::clearance::{Overlap, OverlapUnknown, Solids};
 use crate::engine::{PreparedModel, Stop};
 use crate::error::{Error, Result};
@@ -98,11 +98,9 @@ pub(super) fn judged(
         }
     }
     let Found { interval, nearest, .. } = found;
-    let meets = interval.upper <= limits.tolerance;
-    let (state, why, inside_both) = if meets && are_parted(models, &nearest, limits.tolerance) {
-        (PairState::Touching, None, None)
-    } else {
-        by_overlap(models, &found, limits, is_far)
+    let (state, why, inside_both) = match of_parted(models, &found, limits, is_far) {
+        Some(state) => (state, None, None),
+        None => by_overlap(models, &found, limits, is_far),
     };
     let may_be_in_void = |point| may_be_voids.iter().any(|body| body.side(point) != Side::Outside);
     let (state, why, inside_both) = match inside_both {
@@ -123,6 +121,19 @@ pub(super) fn judged(
         intended: false,
         why,
     })
+}
+
+/// Returns the state of two bodies of which a plane shows that they have no common inside; `None` where none of the tried
+/// ones does. It takes no side of a point, so that no edges are joined.
+fn of_parted(models: [&PreparedModel; 2], found: &Found, limits: &Limits, is_far: bool) -> Option<PairState> {
+    let &Found { interval, ref nearest, .. } = found;
+    if interval.upper <= limits.tolerance {
+        return are_parted_within(models, nearest, limits.tolerance).then_some(PairState::Touching);
+    }
+    let state = by_clearance(interval, limits, is_far)?;
+    let [a, b] = models.map(PreparedModel::certified_target);
+    let bodies = [a.body(models[0]), b.body(models[1])];
+    are_parted(bodies, nearest.points[0] - nearest.points[1]).then_some(state)
 }
 
 /// Returns the state of two bodies that no tried plane separates; if it is undecided, the reason; if they clash, a

@@ -7,34 +7,56 @@ use glam::DVec3;
 /// The length of a direction that is taken for one of length 1 differs from it by less than this part.
 const UNIT_ROUNDING: f64 = 1e-14;
 
+/// The length of the cross product of two unit vectors up to which they are one direction: patches of one plane have
+/// normals that differ by rounding.
+const SAME_DIRECTION: f64 = 1e-12;
+
 /// Returns whether a motion of A by at most `tolerance` certainly leaves both bodies without a common inside.
 ///
-/// `false` says nothing. O(directions patches).
-pub(super) fn are_parted(models: [&PreparedModel; 2], nearest: &Nearest, tolerance: f64) -> bool {
-    parting_distances(models, nearest).any(|distance| distance <= tolerance)
+/// Directions are those of [`parting_distance`], then the normals of all patches as near to the nearest points: these may
+/// be on an edge of the face on which a body stands, or on a fillet beside it. `false` says nothing.
+/// O(directions patches).
+pub(super) fn are_parted_within(models: [&PreparedModel; 2], nearest: &Nearest, tolerance: f64) -> bool {
+    let mut tried = directions(models, nearest);
+    let origin = nearest.points[1];
+    let is_parting = |along: DVec3| {
+        [along, -along].into_iter().any(|along| parting_along(models, along, origin) <= tolerance)
+    };
+    if tried.iter().any(|&along| is_parting(along)) {
+        return true;
+    }
+    for normal in normals_about(models, nearest, tolerance) {
+        if tried.iter().any(|known| known.cross(normal).length() <= SAME_DIRECTION) {
+            continue;
+        }
+        if is_parting(normal) {
+            return true;
+        }
+        tried.push(normal);
+    }
+    false
 }
 
 /// Returns the length of a motion of A that certainly leaves both bodies without a common inside, the least of those
 /// tried. O(directions patches).
 pub(super) fn parting_distance(models: [&PreparedModel; 2], nearest: &Nearest) -> f64 {
-    parting_distances(models, nearest).fold(f64::INFINITY, |least, distance| {
+    let origin = nearest.points[1];
+    let all = directions(models, nearest).into_iter().flat_map(|along| [along, -along]);
+    all.fold(f64::INFINITY, |least, along| {
+        let distance = parting_along(models, along, origin);
         let distance = if distance > 0.0 { distance } else { 0.0 };
         if distance < least { distance } else { least }
     })
 }
 
-/// Returns along each direction n the height of A above the least height of B: lemma K1 of docs/assemblies.md, with
-/// the bounds on heights of lemma V5 of docs/facts.md.
-///
-/// The directions are the axes, the normals where the bodies are nearest and that from one to the other.
-fn parting_distances(models: [&PreparedModel; 2], nearest: &Nearest) -> impl Iterator<Item = f64> {
-    let origin = nearest.points[1];
-    directions(models, nearest).into_iter().flat_map(|along| [along, -along]).map(move |along| {
-        let above = models[0].largest(None, along, origin) + models[1].largest(None, -along, origin);
-        above.upper * (1.0 + UNIT_ROUNDING)
-    })
+/// Returns the height along a direction n of A above the least height of B: lemma K1 of docs/assemblies.md, with the bounds
+/// on heights of lemma V5 of docs/facts.md.
+fn parting_along(models: [&PreparedModel; 2], along: DVec3, origin: DVec3) -> f64 {
+    let above = models[0].largest(None, along, origin) + models[1].largest(None, -along, origin);
+    above.upper * (1.0 + UNIT_ROUNDING)
 }
 
+/// Returns the axes, the normals where the bodies are nearest and the direction from one to the other.
 fn directions(models: [&PreparedModel; 2], nearest: &Nearest) -> Vec<DVec3> {
     let normal = |side: usize| {
         let target = models[side].certified_target();
@@ -43,4 +65,22 @@ fn directions(models: [&PreparedModel; 2], nearest: &Nearest) -> Vec<DVec3> {
     };
     let between = (nearest.points[1] - nearest.points[0]).try_normalize();
     DVec3::AXES.into_iter().chain([normal(0), normal(1), between].into_iter().flatten()).collect()
+}
+
+/// Returns the normals, in their middles, of the patches of both bodies whose boxes are within a distance of the two
+/// nearest points.
+fn normals_about(
+    models: [&PreparedModel; 2],
+    nearest: &Nearest,
+    distance: f64,
+) -> impl Iterator<Item = DVec3> {
+    let of_side = move |(model, point): (&PreparedModel, DVec3)| {
+        let target = model.certified_target();
+        let leaves = target.target.tree.leaves_within(point, distance * distance);
+        leaves.into_iter().filter_map(move |leaf| {
+            let patch = target.target.patches.patch(target.target.tree.primitive(&leaf) as usize);
+            patch.jet([0.5; 2]).normal().and_then(DVec3::try_normalize)
+        })
+    };
+    models.into_iter().zip(nearest.points).flat_map(of_side)
 }
