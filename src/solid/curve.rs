@@ -1,5 +1,6 @@
 //! Rational Bézier curves: edges of patches and parts of them.
 
+use crate::bezier::MAX_ORDER;
 use glam::{DVec3, DVec4, Vec4Swizzles};
 
 /// The number of parts, for each degree, whose ends are compared before the search for a closest point:
@@ -40,7 +41,8 @@ impl Curve {
 
     /// Returns the two ends.
     pub(crate) fn ends(&self) -> [DVec3; 2] {
-        [self.point(0.0), self.point(1.0)]
+        let end = |control: Option<&DVec4>| control.map_or(DVec3::NAN, |end| self.center + end.xyz() / end.w);
+        [end(self.controls.first()), end(self.controls.last())]
     }
 
     /// Returns the parts on both sides of `t`, which join in one control.
@@ -103,9 +105,22 @@ impl Curve {
     }
 }
 
+/// The number of controls of a conic and of a cubic at most: most edges have no more, and a small array takes less time to
+/// fill than one for the largest order.
+const FEW_CONTROLS: usize = 4;
+
 /// Evaluates a curve; `last` receives the two controls of the last step but one.
-fn casteljau(controls: &[DVec4], t: f64, mut last: impl FnMut(DVec4, DVec4)) -> DVec4 {
-    let mut values = [DVec4::ZERO; crate::bezier::MAX_ORDER];
+fn casteljau(controls: &[DVec4], t: f64, last: impl FnMut(DVec4, DVec4)) -> DVec4 {
+    if controls.len() <= FEW_CONTROLS {
+        casteljau_in::<FEW_CONTROLS>(controls, t, last)
+    } else {
+        casteljau_in::<MAX_ORDER>(controls, t, last)
+    }
+}
+
+/// As [`casteljau`], of at most `N` controls.
+fn casteljau_in<const N: usize>(controls: &[DVec4], t: f64, mut last: impl FnMut(DVec4, DVec4)) -> DVec4 {
+    let mut values = [DVec4::ZERO; N];
     values[..controls.len()].copy_from_slice(controls);
     for level in (1..controls.len()).rev() {
         if level == 1 {

@@ -98,6 +98,14 @@ impl Covering {
         self.strips.push(Strip::Corner(points));
     }
 
+    /// Adds the strips of another one.
+    pub(super) fn add(&mut self, other: Self) {
+        self.strips.extend(other.strips);
+        self.thickness = upper_max(self.thickness, other.thickness);
+        self.area += other.area;
+        self.length += other.length;
+    }
+
     /// Adds the strip between two curves in parts, each in a tube of about this radius and about as wide
     /// as the curves are apart, if that takes few.
     pub(super) fn add_pair(&mut self, curves: [Curve; 2], limits: StripLimits, depth: u32) {
@@ -208,11 +216,16 @@ const PARTNER_STEPS: u32 = 6;
 impl Curve {
     /// Returns the parameter near the middle whose point is near this one.
     fn partner(&self, point: DVec3) -> f64 {
-        (0..PARTNER_STEPS).fold(0.5, |t, _| {
-            let next = self.step(t, point);
-            // NaN comes from a cusp.
-            if next.is_nan() { t } else { next.clamp(INTERIOR[0], INTERIOR[1]) }
-        })
+        let mut t = 0.5;
+        for _ in 0..PARTNER_STEPS {
+            let next = self.step(t, point).clamp(INTERIOR[0], INTERIOR[1]);
+            // NaN comes from a cusp, where the steps end; where they stay, all that follow do.
+            if next.is_nan() || next == t {
+                break;
+            }
+            t = next;
+        }
+        t
     }
 }
 

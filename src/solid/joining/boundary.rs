@@ -10,6 +10,7 @@ use crate::bvh::{Aabb, Bvh};
 use crate::rounding::{VANISHING_LENGTH, gamma};
 use crate::solid::strips::{Covering, Ruled, Strip, StripLimits};
 use crate::solid::winding::MAX_DEPTH;
+use crate::threads::parallel::map_items;
 use glam::DVec3;
 
 /// The distance, relative to the model's diagonal, up to which edges are joined where the model
@@ -66,15 +67,18 @@ impl Boundary {
         let reach = reach_of(control_box, gap);
         let distances = Reach { reach, tie: RELATIVE_TIE * control_box.diagonal() };
         let (Pairs { pairs, free, corners }, orientations, _) = joined(edges, distances);
-        let mut covering = Covering::default();
         let (radius, width) =
             (RELATIVE_RADIUS * control_box.diagonal(), RELATIVE_TIE * control_box.diagonal());
         let limits = StripLimits { radius: reach.max(radius), width };
+        let mut covering = Covering::default();
         let mut cracks = Cracks::default();
-        for [a, b] in pairs {
-            let before = [covering.area, covering.length];
-            covering.add_pair([a.curve, b.curve], limits, 0);
-            cracks.strips.push((a.surface, [covering.area - before[0], covering.length - before[1]]));
+        for (surface, of_pair) in map_items(pairs, |[a, b]| {
+            let mut of_pair = Covering::default();
+            of_pair.add_pair([a.curve, b.curve], limits, 0);
+            (a.surface, of_pair)
+        }) {
+            cracks.strips.push((surface, [of_pair.area, of_pair.length]));
+            covering.add(of_pair);
         }
         let free: Vec<FreeEdge> = free
             .iter()
