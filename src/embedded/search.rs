@@ -89,11 +89,13 @@ impl<'a> Search<'a> {
         let stated = |ways: Option<Ways>, of_off: &dyn Fn() -> Vec<FromShared>| {
             self.audited.stated_between(ways?, most, || [points_of(on, self.patches), of_off()])
         };
+        let mut on_sheet = Vec::new();
         for (edge, own, other) in self.complex.edges_with(off.patch, sheet) {
             let side = edge.sides[own];
             if !off.touches(side) || !edge.has_side(off, own) {
                 continue;
             }
+            on_sheet.push(side);
             let (directions, rest) = (off.inwards(side).collect::<Vec<_>>(), off.along(side.axis).rest);
             let found = match plane {
                 Some(plane) => from_plane(plane, &off.side_points(side), &directions, (0.0, rest)),
@@ -109,6 +111,10 @@ impl<'a> Search<'a> {
         }
         for place in self.complex.places(off.patch) {
             let Some(touch) = place.touch(off) else { continue };
+            // Along such a side, the piece does not leave the surface.
+            if on_sheet.iter().any(|&side| touch.is_end_of(side)) {
+                continue;
+            }
             let Some((patch, Place::Point([u, v]))) = self.complex.place_of(place.corner, sheet) else {
                 continue;
             };

@@ -32,6 +32,16 @@ pub(in crate::embedded) enum Touch {
     Side(Side),
 }
 
+impl Touch {
+    /// Returns whether a side of the piece begins or ends there.
+    pub(in crate::embedded) fn is_end_of(self, side: Side) -> bool {
+        match self {
+            Self::Corner(ends) => ends[side.axis] == side.end,
+            Self::Side(point) => point.axis != side.axis,
+        }
+    }
+}
+
 impl CornerPlace {
     /// Returns the way in which a piece of the patch has the place at a corner or as a whole side, if it does.
     pub(in crate::embedded) fn touch(&self, piece: &Piece) -> Option<Touch> {
