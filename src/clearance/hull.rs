@@ -30,7 +30,8 @@ pub(crate) struct HullDistance {
 /// between complex objects in three-dimensional space*, 1988. O(points) a step.
 pub(crate) fn hull_distance(a: &[DVec3], b: &[DVec3], start: DVec3, enough: f64, gap: f64) -> HullDistance {
     let mut found = HullDistance { lower: 0.0, direction: start, pairs: [([0, 0], 0.0); 4] };
-    let mut corners: Vec<([usize; 2], DVec3)> = Vec::with_capacity(4);
+    // The corners of the simplex, the first `count` of these.
+    let (mut corners, mut count) = ([([0_usize; 2], DVec3::ZERO); 4], 0);
     let mut toward = start;
     for _ in 0..MAX_STEPS {
         let [i, j] = [lowest(a, toward), lowest(b, -toward)];
@@ -40,23 +41,27 @@ pub(crate) fn hull_distance(a: &[DVec3], b: &[DVec3], start: DVec3, enough: f64,
         if lower > found.lower {
             (found.lower, found.direction) = (lower, toward);
         }
-        let is_known = corners.iter().any(|&(known, _)| known == [i, j]);
-        let reached = !corners.is_empty() && length - found.lower <= gap.max(RELATIVE_GAP * length);
-        if corners.is_empty() {
+        let is_known = corners[..count].iter().any(|&(known, _)| known == [i, j]);
+        let reached = count > 0 && length - found.lower <= gap.max(RELATIVE_GAP * length);
+        if count == 0 {
             found.pairs[0] = ([i, j], 1.0);
         }
         if found.lower >= enough || is_known || reached {
             break;
         }
-        corners.push(([i, j], corner));
-        let points: [DVec3; 4] = std::array::from_fn(|k| corners.get(k).map_or(DVec3::ZERO, |&(_, at)| at));
-        let nearest = nearest_of_simplex(&points[..corners.len()]);
-        let mut kept = corners.iter().zip(nearest.weights).filter(|&(_, weight)| weight > 0.0);
-        found.pairs =
-            std::array::from_fn(|_| kept.next().map_or(([0, 0], 0.0), |(&(at, _), weight)| (at, weight)));
-        let mut weights = nearest.weights.into_iter();
-        corners.retain(|_| weights.next().is_some_and(|weight| weight > 0.0));
-        if corners.len() == 4 {
+        corners[count] = ([i, j], corner);
+        count += 1;
+        let nearest = nearest_of_simplex(&corners.map(|(_, at)| at)[..count]);
+        let all = count;
+        (count, found.pairs) = (0, [([0, 0], 0.0); 4]);
+        for (k, &weight) in nearest.weights.iter().enumerate().take(all) {
+            if weight > 0.0 {
+                corners[count] = corners[k];
+                found.pairs[count] = (corners[k].0, weight);
+                count += 1;
+            }
+        }
+        if count == 4 {
             // The origin lies in the simplex, so the hulls meet.
             break;
         }

@@ -71,35 +71,35 @@ impl Net<'_> {
             Axis::U => self.controls[i * columns + j],
             Axis::V => self.controls[j * columns + i],
         };
-        let lines: Vec<Vec<(DVec3, f64)>> = (0..=of_axis)
-            .map(|i| {
-                (0..=of_other).map(move |j| at(i, j)).map(|control| (control.xyz() / control.w, control.w))
-            })
-            .map(Iterator::collect)
+        // Line after line.
+        let width = of_other + 1;
+        let points: Vec<(DVec3, f64)> = (0..=of_axis)
+            .flat_map(|i| (0..width).map(move |j| at(i, j)))
+            .map(|control| (control.xyz() / control.w, control.w))
             .collect();
         let error = gamma(ROUNDINGS + ROUNDINGS_PER_DEGREE * (of_axis + of_other) as f64) * self.radius;
         if !self.rational {
-            let legs = lines.windows(2).flat_map(|pair| pair[0].iter().zip(&pair[1]));
+            let legs = points.iter().zip(&points[width..]);
             return directions(legs.map(|(from, to)| to.0 - from.0), error, of_axis as f64);
         }
         let [in_axis, in_other] = [of_axis, of_other].map(binomials);
-        let width = 2 * of_other + 1;
-        let mut sums = vec![(DVec3::ZERO, 0.0); (2 * of_axis - 1) * width];
-        for (i, high) in lines.iter().enumerate() {
-            for (k, low) in lines[..i].iter().enumerate() {
+        let columns = 2 * of_other + 1;
+        let mut sums = vec![(DVec3::ZERO, 0.0); (2 * of_axis - 1) * columns];
+        for (i, high) in points.chunks_exact(width).enumerate() {
+            for (k, low) in points.chunks_exact(width).take(i).enumerate() {
                 let share = in_axis[i] * in_axis[k] * (i - k) as f64;
                 for (j, &(to, weight)) in high.iter().enumerate() {
                     let share = share * in_other[j] * weight;
-                    for (l, &(from, other)) in low.iter().enumerate() {
-                        let share = share * in_other[l] * other;
-                        let sum = &mut sums[(i + k - 1) * width + j + l];
+                    let row = (i + k - 1) * columns + j;
+                    for ((&(from, other), of_other), sum) in low.iter().zip(in_other).zip(&mut sums[row..]) {
+                        let share = share * of_other * other;
                         sum.0 += share * (to - from);
                         sum.1 += share;
                     }
                 }
             }
         }
-        let weights = || lines.iter().flatten().map(|&(_, weight)| weight);
+        let weights = || points.iter().map(|&(_, weight)| weight);
         let ratio = weights().fold(0.0, upper_max) / weights().fold(f64::INFINITY, lower_min);
         // A derivative of unit differences is at most the degree times the square of the ratio of weights.
         let stretch = of_axis as f64 * ratio * ratio;
@@ -109,7 +109,7 @@ impl Net<'_> {
 
 /// Returns the directions of vectors that are known up to an error; those of no direction count `stretch` times.
 fn directions(vectors: impl Iterator<Item = DVec3>, error: f64, stretch: f64) -> Directions {
-    let mut found = Directions::default();
+    let mut found = Directions { list: Vec::with_capacity(vectors.size_hint().0), rest: 0.0 };
     for vector in vectors {
         let length = vector.length();
         if length > MIN_ERRORS * error {
@@ -128,12 +128,13 @@ fn directions(vectors: impl Iterator<Item = DVec3>, error: f64, stretch: f64) ->
 /// vector is that of the mean, or that of Gilbert, Johnson and Keerthi's iteration toward the point of the hull that is
 /// nearest to the origin; any is valid.
 pub(super) fn common_side(directions: &[Direction]) -> Option<(DVec3, f64)> {
-    let units: Vec<DVec3> = directions.iter().map(|direction| direction.unit).collect();
-    let mean = units.iter().sum::<DVec3>().try_normalize().unwrap_or(DVec3::X);
+    let units = || directions.iter().map(|direction| direction.unit);
+    let mean = units().sum::<DVec3>().try_normalize().unwrap_or(DVec3::X);
     let of_mean = least_product(mean, directions)?;
     if of_mean >= GOOD_MARGIN {
         return Some((mean, of_mean));
     }
+    let units: Vec<DVec3> = units().collect();
     let hull = crate::clearance::hull_distance(&units, &[DVec3::ZERO], mean, GOOD_MARGIN, 0.0);
     let side = hull.direction.try_normalize()?;
     let margin = least_product(side, directions)?;

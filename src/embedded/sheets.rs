@@ -276,7 +276,7 @@ impl SheetDirections {
         }
         let mut least = f64::INFINITY;
         for sign in signs {
-            let mut all = others.to_vec();
+            all.truncate(others.len());
             for (along, sign) in self.along.iter().zip(sign) {
                 all.extend(
                     along.iter().map(|&Direction { unit, error }| Direction { unit: *sign * unit, error }),
@@ -333,6 +333,7 @@ mod tests {
     /// signs has its directions on one side.
     #[test]
     fn a_surface_that_folds_over_has_no_bound() {
+        let mut all = others.to_vec();
         let quad = |corners: [[f64; 2]; 4]| {
             let control_points = corners.map(|[x, y]| [x, y, 0.0, 1.0]).to_vec();
             let knots = [0, 1].map(|_| vec![0.0, 0.0, 1.0, 1.0]);
