@@ -63,9 +63,9 @@ impl<'a> Search<'a> {
         let sheets = self.sheets?;
         let [one, other] = pieces.map(|piece| sheets.sheet(piece.patch));
         let sheet = one.filter(|_| one == other)?;
-        let (ways, grid) = sheets.together(sheet, pieces)?;
-        let ways = Ways { rest: ways.rest + 2.0 * sheets.off(), ..ways };
-        self.audited.stated(ways, most, |slack| ways.hold_on(&grid, slack))
+        let together = sheets.together(sheet, pieces)?;
+        let ways = Ways { rest: together.ways.rest + 2.0 * sheets.off(), ..together.ways };
+        self.audited.stated(ways, most, |slack| together.holds(ways, slack))
     }
 
     /// Returns an upper bound on the ways from points of two pieces that are near each other to an edge or a corner, if the

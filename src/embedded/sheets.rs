@@ -11,10 +11,16 @@ use crate::certified::OnSheet;
 use crate::param_box::ParamBox;
 use crate::rounding::{gamma, lower_min, upper_max};
 use glam::DVec3;
-use std::cell::OnceCell;
+use std::borrow::Cow;
+use std::cell::{Cell, OnceCell, RefCell};
+use std::collections::HashMap;
+use std::rc::Rc;
 
 /// The part of a patch's parameters by which a rectangle of it is enlarged, because parameters are rounded.
 const PART_ROUNDING: f64 = 1e-9;
+
+/// The largest number of rectangles whose directions are kept, some megabytes: a body of 20 faces has a tenth of that.
+const MAX_KNOWN: usize = 4096;
 
 /// The surfaces of trimmed faces.
 pub(crate) struct Sheets<'a> {
@@ -27,8 +33,11 @@ pub(crate) struct Sheets<'a> {
 }
 
 /// The directions of a surface over a rectangle of its parameters.
+#[derive(Debug, Default)]
 pub(super) struct SheetDirections {
     along: [Vec<Direction>; 2],
+    /// The margin of both together, computed at first use.
+    margin: OnceCell<Option<f64>>,
     /// An upper bound on what has no direction along both parameters together.
     rest: f64,
 }
@@ -38,11 +47,35 @@ pub(super) struct SheetSearch<'a> {
     sheets: &'a Sheets<'a>,
     patches: &'a PatchSet,
     /// Of each surface, over all pieces of its face.
-    whole: Vec<OnceCell<Option<(Ways, Grid)>>>,
+    whole: Vec<OnceCell<Option<Together>>>,
     boxes: Vec<Option<ParamBox>>,
     planes: Vec<OnceCell<Option<Plane>>>,
     /// For each patch of a surface, whether its last side along either axis is a point.
     pinched: Vec<OnceCell<Vec<[bool; 2]>>>,
+    /// What [`Self::directions`] has returned: pieces have several neighbours beside one rectangle.
+    known: RefCell<HashMap<(usize, [u64; 4]), Option<Rc<SheetDirections>>>>,
+}
+
+/// What is stated of the points of a surface over a rectangle.
+#[derive(Debug, Clone)]
+pub(super) struct Together {
+    pub(super) ways: Ways,
+    /// Points of it.
+    grid: Grid,
+    /// Whether these are known not to contradict the bound.
+    is_audited: Cell<bool>,
+}
+
+impl Together {
+    /// Returns whether points do not contradict the bound. What is stated of a whole surface is compared once, and not for
+    /// every two pieces of it.
+    pub(super) fn holds(&self, ways: Ways, slack: f64) -> bool {
+        self.is_audited.get() || {
+            let holds = ways.hold_on(&self.grid, slack);
+            self.is_audited.set(holds);
+            holds
+        }
+    }
 }
 
 /// A plane that a surface lies in.
@@ -113,6 +146,7 @@ impl<'a> SheetSearch<'a> {
             boxes: vec![None; count],
             planes: vec![OnceCell::new(); count],
             pinched: vec![OnceCell::new(); count],
+            known: RefCell::default(),
         };
         for patch in 0..patches.len() as u32 {
             if let Some((sheet, image)) = found.sheet(patch).zip(found.image(patch, &ParamBox::UNIT)) {
@@ -169,15 +203,17 @@ impl<'a> SheetSearch<'a> {
 
     /// Returns the bound of lemma S8 (a) for two pieces of one surface together, over all of its face or over the rectangle
     /// of both, with points of the surface there.
-    pub(super) fn together(&self, sheet: usize, pieces: [&Piece; 2]) -> Option<(Ways, Grid)> {
-        let over =
-            |range: &ParamBox| Some((self.directions(sheet, range)?.alone()?, self.grid(sheet, range)));
+    pub(super) fn together(&self, sheet: usize, pieces: [&Piece; 2]) -> Option<Cow<'_, Together>> {
+        let over = |range: &ParamBox| {
+            let ways = self.directions(sheet, range)?.alone()?;
+            Some(Together { ways, grid: self.grid(sheet, range), is_audited: Cell::new(false) })
+        };
         let whole = self.whole[sheet].get_or_init(|| over(self.boxes[sheet].as_ref()?));
-        if whole.is_some() {
-            return *whole;
+        if let Some(whole) = whole {
+            return Some(Cow::Borrowed(whole));
         }
         let [a, b] = pieces.map(|piece| self.image(piece.patch, &piece.range));
-        over(&a?.union(&b?))
+        over(&a?.union(&b?)).map(Cow::Owned)
     }
 
     /// Returns the points of a surface at the ends and the middles of a rectangle.
@@ -202,8 +238,23 @@ impl<'a> SheetSearch<'a> {
         })
     }
 
-    /// Returns the directions of a surface over a rectangle.
-    pub(super) fn directions(&self, sheet: usize, range: &ParamBox) -> Option<SheetDirections> {
+    /// Returns the directions of a surface over a rectangle, computed at first use.
+    pub(super) fn directions(&self, sheet: usize, range: &ParamBox) -> Option<Rc<SheetDirections>> {
+        let [[a, b], [c, d]] = [range[0], range[1]];
+        let key = (sheet, [a, b, c, d].map(f64::to_bits));
+        if let Some(known) = self.known.borrow().get(&key) {
+            return known.clone();
+        }
+        let found = self.found_directions(sheet, range).map(Rc::new);
+        let mut known = self.known.borrow_mut();
+        if known.len() >= MAX_KNOWN {
+            known.clear();
+        }
+        known.insert(key, found.clone());
+        found
+    }
+
+    fn found_directions(&self, sheet: usize, range: &ParamBox) -> Option<SheetDirections> {
         let grid = &self.sheets.model.grids[sheet];
         let spans = Axis::BOTH.map(|axis| {
             let (breaks, [low, high]) = (&grid.breaks[axis], range[axis]);
@@ -220,7 +271,7 @@ impl<'a> SheetSearch<'a> {
             return None;
         }
         let columns = grid.counts()[1];
-        let mut found = SheetDirections { along: Default::default(), rest: 0.0 };
+        let mut found = SheetDirections::default();
         // A way along a parameter has the rests of all its spans.
         let mut rests = [0, 1].map(|axis: usize| vec![0.0; spans[axis].len()]);
         for row in spans[0].clone() {
@@ -259,11 +310,18 @@ impl<'a> SheetSearch<'a> {
 impl SheetDirections {
     /// Returns the bound of lemma S8 (a).
     fn alone(&self) -> Option<Ways> {
-        Some(Ways { margin: self.signed(&[[1.0, 1.0], [1.0, -1.0]], &[])?, rest: 2.0 * self.rest })
+        Some(Ways { margin: self.margin()?, rest: 2.0 * self.rest })
+    }
+
+    /// Returns the least margin of the directions along both parameters as they are, and with one of both turned round.
+    fn margin(&self) -> Option<f64> {
+        *self.margin.get_or_init(|| self.signed(&[[1.0, 1.0], [1.0, -1.0]], &[]))
     }
 
     /// Returns the bound of lemma S8 (d) for directions that leave the surface.
     pub(super) fn leaving(&self, directions: &[Direction]) -> Option<Ways> {
+        // What is on one side with others is so without them, and is asked for with many others.
+        self.margin()?;
         let back: Vec<Direction> = directions.iter().map(|direction| direction.back()).collect();
         let signs = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
         Some(Ways { margin: self.signed(&signs, &back)?, rest: 2.0 * self.rest })
@@ -275,6 +333,7 @@ impl SheetDirections {
             return None;
         }
         let mut least = f64::INFINITY;
+        let mut all = others.to_vec();
         for sign in signs {
             all.truncate(others.len());
             for (along, sign) in self.along.iter().zip(sign) {
@@ -333,7 +392,6 @@ mod tests {
     /// signs has its directions on one side.
     #[test]
     fn a_surface_that_folds_over_has_no_bound() {
-        let mut all = others.to_vec();
         let quad = |corners: [[f64; 2]; 4]| {
             let control_points = corners.map(|[x, y]| [x, y, 0.0, 1.0]).to_vec();
             let knots = [0, 1].map(|_| vec![0.0, 0.0, 1.0, 1.0]);
