@@ -39,13 +39,14 @@ pub(super) struct Shape {
     pub(super) level: u32,
     /// Whether the part is divided before others.
     pub(super) is_first: bool,
-    /// How much is gained by dividing it.
-    pub(super) gain: f64,
 }
 
 /// Parts that are divided.
 pub(super) trait Division {
     fn shape(&self, part: u32) -> Shape;
+
+    /// Returns how much is gained by dividing a part.
+    fn gain(&self, part: u32) -> f64;
 
     /// Returns the two parts of a part.
     fn halves(&mut self, part: u32) -> [u32; 2];
@@ -101,8 +102,9 @@ pub(super) fn decide(
                 tasks.extend([Task::One(low), Task::One(high), Task::Two([low, high])]);
             }
             Task::Two([a, b]) => {
-                let [of_a, of_b] = shapes
-                    .map(|shape| (shape.is_first, if shape.level < MAX_LEVEL { shape.gain } else { 0.0 }));
+                let [of_a, of_b] = [(a, shapes[0]), (b, shapes[1])].map(|(part, shape)| {
+                    (shape.is_first, if shape.level < MAX_LEVEL { division.gain(part) } else { 0.0 })
+                });
                 let (divided, other) = if of_a >= of_b { (a, b) } else { (b, a) };
                 tasks.extend(division.halves(divided).map(|half| Task::Two([half, other])));
             }

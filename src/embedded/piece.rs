@@ -29,17 +29,23 @@ pub(super) struct Piece {
     /// The control points, t fastest.
     pub(super) points: Vec<DVec3>,
     pub(super) aabb: Aabb,
-    /// How much is gained by dividing it.
-    pub(super) size: f64,
-    /// The axis and the parameter at which it is divided.
-    pub(super) division: (Axis, f64),
-    /// Whether others have a corner there, strictly inside a side of this piece.
-    pub(super) has_place: bool,
+    /// The axis and the parameter of a corner that others have strictly inside a side of this piece: it is divided there.
+    pub(super) place: Option<(Axis, f64)>,
+    cut: OnceCell<Cut>,
     /// The number of divisions from the patch.
     pub(super) level: u32,
     pub(super) halves: Option<[u32; 2]>,
     along: [OnceCell<Directions>; 2],
     grid: OnceCell<Grid>,
+}
+
+/// Where a piece is divided.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cut {
+    /// How much is gained by it.
+    pub(super) gain: f64,
+    /// The axis and the parameter.
+    pub(super) at: (Axis, f64),
 }
 
 /// The turn that counts as much as all the length of a piece, which decides where it is plane.
@@ -60,13 +66,7 @@ impl Piece {
             controls.iter().map(|control| patch.center + control.xyz() / control.w).collect();
         let radius = patch.local_points().map(DVec3::length).fold(0.0, upper_max);
         let aabb = points.iter().copied().fold(Aabb::EMPTY, Aabb::with);
-        let [turn_u, turn_v] = turns(patch.degree, &points, MIN_LEG * radius);
-        let [long_u, long_v] = lengths(patch.degree, &points);
-        let lengths = [long_u, long_v].map(|length| LENGTH_SHARE * length / (long_u + long_v));
-        let size = (upper_max(turn_u, turn_v) + LENGTH_SHARE) * aabb.diagonal();
         let place = place_on_side(&range, places);
-        let axis = Axis::of_larger([turn_u + lengths[0], turn_v + lengths[1]]);
-        let division = place.unwrap_or((axis, range.middle()[axis]));
         Self {
             patch: index,
             range,
@@ -76,14 +76,28 @@ impl Piece {
             radius,
             points,
             aabb,
-            size,
-            division,
-            has_place: place.is_some(),
+            place,
+            cut: OnceCell::new(),
             level,
             halves: None,
             along: Default::default(),
             grid: OnceCell::new(),
         }
+    }
+
+    /// Returns where the piece is divided: at the place of a corner, or else in the middle of the axis along which it turns
+    /// more. O(p q), at first use, as most pieces are never divided.
+    pub(super) fn cut(&self) -> Cut {
+        *self.cut.get_or_init(|| {
+            let [turn_u, turn_v] = turns(self.degree, &self.points, MIN_LEG * self.radius);
+            let [long_u, long_v] = lengths(self.degree, &self.points);
+            let lengths = [long_u, long_v].map(|length| LENGTH_SHARE * length / (long_u + long_v));
+            let axis = Axis::of_larger([turn_u + lengths[0], turn_v + lengths[1]]);
+            Cut {
+                gain: (upper_max(turn_u, turn_v) + LENGTH_SHARE) * self.aabb.diagonal(),
+                at: self.place.unwrap_or((axis, self.range.middle()[axis])),
+            }
+        })
     }
 
     /// Returns the directions of the derivative along an axis.

@@ -15,6 +15,7 @@ use crate::bvh::Aabb;
 use crate::clearance::hull_distance;
 use crate::param_box::ParamBox;
 use glam::DVec3;
+use std::cell::OnceCell;
 
 /// A part of an arc at which a face ends.
 struct Part {
@@ -26,6 +27,7 @@ struct Part {
     points: Vec<DVec3>,
     aabb: Aabb,
     along: Directions,
+    samples: OnceCell<[DVec3; 3]>,
     halves: Option<[u32; 2]>,
 }
 
@@ -129,7 +131,11 @@ impl<'a> RimSearch<'a> {
 impl Division for RimSearch<'_> {
     fn shape(&self, index: u32) -> Shape {
         let Part { rim, piece, aabb, .. } = self.part(index);
-        Shape { patch: rim.patch, aabb: *aabb, level: piece.level, is_first: false, gain: aabb.diagonal() }
+        Shape { patch: rim.patch, aabb: *aabb, level: piece.level, is_first: false }
+    }
+
+    fn gain(&self, index: u32) -> f64 {
+        self.part(index).aabb.diagonal()
     }
 
     fn halves(&mut self, index: u32) -> [u32; 2] {
@@ -170,18 +176,20 @@ impl Part {
         let points = piece.side_points(rim.side);
         let aabb = points.iter().copied().fold(Aabb::EMPTY, Aabb::with);
         let along = piece.along_side(rim.side);
-        Self { arc, rim, piece, points, aabb, along, halves: None }
+        Self { arc, rim, piece, points, aabb, along, samples: OnceCell::new(), halves: None }
     }
 
-    /// Returns the points at both ends and in the middle.
+    /// Returns the points at both ends and in the middle, evaluated on the patch at first use.
     fn samples(&self, patches: &PatchSet) -> [DVec3; 3] {
-        let Side { axis, end } = self.rim.side;
-        let grid = self.piece.grid(patches);
-        [0, 1, 2].map(
-            |along: usize| {
-                if axis.index() == 0 { grid[2 * end][along] } else { grid[along][2 * end] }
-            },
-        )
+        *self.samples.get_or_init(|| {
+            let Side { axis, end } = self.rim.side;
+            let patch = patches.patch(self.rim.patch as usize);
+            [0.0, 0.5, 1.0].map(|share| {
+                let mut shares = [end as f64; 2];
+                shares[axis.other()] = share;
+                patch.point(self.piece.range.at(shares))
+            })
+        })
     }
 
     /// Returns the points with their ways from an end.

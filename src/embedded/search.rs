@@ -260,9 +260,13 @@ impl<'a> Search<'a> {
 impl Division for Search<'_> {
     fn shape(&self, index: u32) -> Shape {
         let piece = self.piece(index);
-        let &Piece { patch, aabb, level, size, .. } = piece;
+        let &Piece { patch, aabb, level, .. } = piece;
         // A piece with a corner of others on a side is no neighbour of theirs before it is divided there.
-        Shape { patch, aabb, level, is_first: piece.has_place, gain: size }
+        Shape { patch, aabb, level, is_first: piece.place.is_some() }
+    }
+
+    fn gain(&self, index: u32) -> f64 {
+        self.piece(index).cut().gain
     }
 
     fn halves(&mut self, index: u32) -> [u32; 2] {
@@ -271,7 +275,7 @@ impl Division for Search<'_> {
         }
         let piece = self.piece(index);
         let (patch, level) = (piece.patch, piece.level + 1);
-        let (axis, at) = piece.division;
+        let (axis, at) = piece.cut().at;
         let [mut low, mut high] = [piece.range; 2];
         (low[axis][1], high[axis][0]) = (at, at);
         let first = self.pieces.len() as u32;
