@@ -14,7 +14,7 @@ use crate::interval::Interval;
 use crate::model::RigidTransform;
 use crate::solid::ShellState;
 use crate::threads::computed;
-use crate::threads::parallel::{map, map_ranges};
+use crate::threads::parallel::{join, map, map_ranges};
 use glam::{DQuat, DVec3};
 
 /// The width of a coordinate's largest value, relative to the diagonal.
@@ -78,6 +78,16 @@ impl PreparedModel {
     /// Returns the bodies as measured, in the order of [`Self::body_parts`].
     pub(in crate::engine) fn measured_bodies(&self) -> &[MeasuredBody] {
         computed::<Vec<MeasuredBody>>(&self.kept.measured, || {
+            if self.facets.is_none() {
+                // Edges are joined on one core. Areas do not wait for them.
+                let parts = || {
+                    self.body_parts();
+                };
+                let areas = || {
+                    self.face_areas();
+                };
+                join(true, parts, areas);
+            }
             let parts = self.body_parts();
             map(parts.len(), |index| self.measured_body(&parts[index]))
         })

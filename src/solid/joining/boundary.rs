@@ -10,7 +10,7 @@ use crate::bvh::{Aabb, Bvh};
 use crate::rounding::{VANISHING_LENGTH, gamma};
 use crate::solid::strips::{Covering, Ruled, Strip, StripLimits};
 use crate::solid::winding::MAX_DEPTH;
-use crate::threads::parallel::map_items;
+use crate::threads::parallel::{map, map_items};
 use glam::DVec3;
 
 /// The distance, relative to the model's diagonal, up to which edges are joined where the model
@@ -92,7 +92,7 @@ impl Boundary {
             covering.add_corner(points);
         }
         let Covering { strips, thickness, .. } = covering;
-        let boxes: Vec<Aabb> = strips.iter().map(Strip::bounding_box).collect();
+        let boxes: Vec<Aabb> = map(strips.len(), |index| strips[index].bounding_box());
         let halvings = gamma(2.0 * f64::from(MAX_DEPTH) * max_degree as f64) * control_box.diagonal();
         let coordinates = gamma(COORDINATE_ROUNDINGS) * control_box.farthest_from_origin();
         let margin = 2.0 * point_error.after(0) + halvings + coordinates + VANISHING_LENGTH;

@@ -6,6 +6,7 @@ use super::orientation::Orientations;
 use super::part::EdgePart;
 use crate::bvh::{Aabb, Bvh};
 use crate::sorting::sort_by_number;
+use crate::threads::parallel::map;
 use glam::DVec3;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -78,24 +79,30 @@ impl Joints {
 
     /// Returns, for every part, the parameters at which groups lie on it that are not its ends'.
     fn cuts(&mut self, parts: &[EdgePart], ends: &[(u32, DVec3)], reach: f64) -> Vec<Vec<(f64, u32)>> {
-        let of_part = |part: &EdgePart| part.curve.points().fold(Aabb::EMPTY, Aabb::with);
-        let tree = Bvh::new(&parts.iter().map(of_part).collect::<Vec<_>>());
-        let mut groups: BTreeMap<u32, DVec3> = BTreeMap::new();
-        for &(number, point) in ends {
-            groups.entry(self.clusters.of(number)).or_insert(point);
-        }
+        let of_part = |index: usize| parts[index].curve.points().fold(Aabb::EMPTY, Aabb::with);
+        let tree = Bvh::new(&map(parts.len(), of_part));
+        let mut groups: Vec<(u32, DVec3)> =
+            ends.iter().map(|&(number, point)| (self.clusters.of(number), point)).collect();
+        groups.sort_by_key(|&(cluster, _)| cluster);
+        groups.dedup_by_key(|&mut (cluster, _)| cluster);
+        let own: Vec<[u32; 2]> =
+            parts.iter().map(|part| part.ends.map(|end| self.clusters.of(end))).collect();
+        let on_parts = map(groups.len(), |place| {
+            let (cluster, point) = groups[place];
+            let near = tree.leaves_within(point, reach * reach).into_iter();
+            let others = near
+                .map(|leaf| tree.primitive(&leaf))
+                .filter(|&index| !own[index as usize].contains(&cluster));
+            let found = others.filter_map(|index| {
+                let (t, distance) = parts[index as usize].curve.closest(point);
+                (distance <= reach && 0.0 < t && t < 1.0).then_some((index, t))
+            });
+            found.collect::<Vec<_>>()
+        });
         let mut cuts = vec![Vec::new(); parts.len()];
-        for (cluster, point) in groups {
-            for leaf in tree.leaves_within(point, reach * reach) {
-                let index = tree.primitive(&leaf) as usize;
-                let part = &parts[index];
-                if part.ends.map(|end| self.clusters.of(end)).contains(&cluster) {
-                    continue;
-                }
-                let (t, distance) = part.curve.closest(point);
-                if distance <= reach && 0.0 < t && t < 1.0 {
-                    cuts[index].push((t, cluster));
-                }
+        for ((cluster, _), found) in groups.into_iter().zip(on_parts) {
+            for (index, t) in found {
+                cuts[index as usize].push((t, cluster));
             }
         }
         cuts
