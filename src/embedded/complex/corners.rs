@@ -179,3 +179,19 @@ fn rims(model: &BezierModel) -> Vec<(u32, Side)> {
     }
     found
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_corner_is_an_end_of_the_two_sides_that_meet_there() {
+        let ends_of = |touch: Touch| {
+            let sides = Axis::BOTH.into_iter().flat_map(|axis| [0, 1].map(|end| Side { axis, end }));
+            sides.filter(|&side| touch.is_end_of(side)).map(|side| (side.axis, side.end)).collect::<Vec<_>>()
+        };
+        assert_eq!(ends_of(Touch::Corner([0, 1])), [(Axis::U, 0), (Axis::V, 1)]);
+        let point = Side { axis: Axis::U, end: 1 };
+        assert_eq!(ends_of(Touch::Side(point)), [(Axis::V, 0), (Axis::V, 1)], "those across from a pole");
+    }
+}

@@ -84,3 +84,58 @@ fn normals_about(
     };
     models.into_iter().zip(nearest.points).flat_map(of_side)
 }
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+#[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
+mod tests {
+    use super::*;
+    use crate::model::{Model, SurfaceArrays};
+
+    /// The face of a cuboid at x = 0, by its number.
+    const SIDE: usize = 0;
+
+    /// Returns a point of a frame that is askew.
+    fn askew([x, y, z]: [f64; 3]) -> DVec3 {
+        let axes = [DVec3::new(2.0, 1.0, 2.0), DVec3::new(-2.0, 2.0, 1.0), DVec3::new(-1.0, -2.0, 2.0)];
+        (x * axes[0] + y * axes[1] + z * axes[2]) / 3.0
+    }
+
+    /// The cuboid [0, 1]² × [low, high] of that frame.
+    fn cuboid(low: f64, high: f64) -> PreparedModel {
+        let ends = [[0.0, 1.0], [0.0, 1.0], [low, high]];
+        let face = |axis: usize, end: usize| {
+            let corner = |s: usize, t: usize| {
+                let mut at = [0.0; 3];
+                for (k, place) in [end, s, t].into_iter().enumerate() {
+                    let axis = (axis + k) % 3;
+                    at[axis] = ends[axis][place];
+                }
+                let [x, y, z] = askew(at).to_array();
+                [x, y, z, 1.0]
+            };
+            let knots = [vec![0.0, 0.0, 1.0, 1.0], vec![0.0, 0.0, 1.0, 1.0]];
+            let control_points = vec![corner(0, 0), corner(0, 1), corner(1, 0), corner(1, 1)];
+            SurfaceArrays { degree: [1, 1], knots, counts: [2, 2], control_points }
+        };
+        let faces = (0..3).flat_map(|axis| [face(axis, 0), face(axis, 1)]);
+        PreparedModel::new(&Model::from_arrays(None, faces.collect()).unwrap()).unwrap()
+    }
+
+    /// A cuboid stands on another one, sunk into it by a little. The points that were found to be nearest are on two sides
+    /// that are flush, beside the faces in contact: the normals of those part both by what is sunk, attained.
+    #[test]
+    fn the_faces_beside_the_nearest_points_part_two_bodies() {
+        let sunk = 1e-3;
+        let models = [&cuboid(1.0 - sunk, 2.0), &cuboid(0.0, 1.0)];
+        let patches = models.map(|model| {
+            let target = model.certified_target();
+            target.target.patches.iter().position(|patch| patch.surface == SIDE).unwrap() as u32
+        });
+        let parameters = [[0.5, sunk / (1.0 + sunk)], [0.5, 1.0]];
+        let nearest =
+            Nearest { patches, parameters, points: [askew([0.0, 0.5, 1.0]); 2], distance_squared: 0.0 };
+        assert!(parting_distance(models, &nearest) > 0.5, "the axes and the normals of the sides");
+        assert!(are_parted_within(models, &nearest, 1.001 * sunk));
+        assert!(!are_parted_within(models, &nearest, 0.999 * sunk));
+    }
+}
