@@ -8,8 +8,8 @@ use crate::closest::Target;
 use crate::model::RigidTransform;
 use glam::{DVec3, Vec4Swizzles};
 
-/// The largest number of directions that are tried: those of bodies that a plane parts are mostly fewer than ten, and each
-/// takes no longer than a few pairs of pieces.
+/// The largest number of directions that are tried. Two nets take at most 16 (`hull.rs`); hulls of bodies have more corners,
+/// and a direction takes no longer than looking down both trees.
 const MAX_DIRECTIONS: usize = 24;
 
 /// Returns true only if a plane is certainly between both bodies, so that their convex hulls have no point in common;
