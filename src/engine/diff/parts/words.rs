@@ -8,6 +8,9 @@ use crate::one_line::one_line;
 /// The angle in degrees, and the part of a length, up to which nothing is said of a turn and of a direction.
 const NO_TURN: f64 = 1e-6;
 
+/// The last place behind the point at which the first digit of a length that is not 0 is shown: far below what files hold.
+const MAX_FIRST_DECIMAL: f64 = 12.0;
+
 /// The largest number of groups of parts in a summary, and of lines.
 const MAX_GROUPS: usize = 12;
 const MAX_LINES: usize = 100;
@@ -112,7 +115,7 @@ fn what(part: &PartDifference, unit: Option<f64>) -> String {
 
 fn moved(motion: &PartMotion, unit: &str) -> String {
     let length = motion.shift.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let way = format!("moved by {length:.3}{unit} along {}", direction(motion.shift));
+    let way = format!("moved by {length:.*}{unit} along {}", decimals(length), direction(motion.shift));
     if motion.angle <= NO_TURN {
         return way;
     }
@@ -133,13 +136,52 @@ fn direction(of: [f64; 3]) -> String {
     format!("{x} {y} {z}")
 }
 
-/// A length with three digits behind the point, not below it.
+/// The digits behind the point of a length: three, and more of a shorter one than 1, so that it has three that are not 0.
+fn decimals(length: f64) -> usize {
+    let of_first = if length > 0.0 { -length.log10().floor() } else { 0.0 };
+    (of_first.clamp(1.0, MAX_FIRST_DECIMAL) as usize) + 2
+}
+
+/// A length with these digits, not below it.
 fn rounded_up(length: f64) -> String {
-    format!("{:.3}", (length * 1e3).ceil() / 1e3)
+    let digits = decimals(length);
+    let scale = 10_f64.powi(digits as i32);
+    format!("{:.digits$}", (length * scale).ceil() / scale)
 }
 
 fn unit_name(metres: Option<f64>) -> &'static str {
     let named = [(1e-3, " mm"), (1e-2, " cm"), (1.0, " m"), (0.0254, " in"), (0.3048, " ft"), (1e-6, " µm")];
     let is_it = |own: f64| metres.is_some_and(|metres| (metres - own).abs() <= 1e-9 * own);
     named.into_iter().find(|&(own, _)| is_it(own)).map_or("", |(_, name)| name)
+}
+
+#[cfg(all(test, not(target_arch = "wasm32")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_have_three_digits_and_are_never_shown_as_less() {
+        let expected = [
+            (123.456_78, "123.457"),
+            (0.1, "0.100"),
+            (0.350_000_1, "0.351"),
+            (0.000_1, "0.000100"),
+            (1.234_5e-6, "0.00000124"),
+            (0.0, "0.000"),
+        ];
+        for (length, shown) in expected {
+            assert_eq!(rounded_up(length), shown);
+        }
+    }
+
+    #[test]
+    fn a_short_motion_is_not_shown_as_none() {
+        let motion = PartMotion {
+            translation: [1e-4, 0.0, 0.0],
+            shift: [1e-4, 0.0, 0.0],
+            axis: [0.0, 0.0, 1.0],
+            angle: 0.0,
+        };
+        assert_eq!(moved(&motion, " mm"), "moved by 0.000100 mm along x");
+    }
 }
