@@ -20,6 +20,8 @@ const POINTS = `it holds points: ${BY_MESH}`;
 /** Bytes in which a STEP file's schema is searched. */
 const HEADER_LENGTH = 1 << 14;
 
+const BY_ENDING = "meshes and points are known by the endings of their names";
+
 const EXPORT_STEP = "export it as STEP from the program that made it";
 
 /** Formats that are recognised and not read: signature, name, advice. */
@@ -112,7 +114,7 @@ export function kindByContent(bytes: Uint8Array): CadKind {
   if (/^\s*\{/.test(text)) return "json";
   const other = OTHERS.find(([signature]) => signature.test(text));
   if (other) throw unsupported(other[1], other[2]);
-  throw unsupported("an unknown format", EXPORT_STEP);
+  throw unsupported("an unknown format", `${EXPORT_STEP}; ${BY_ENDING}`);
 }
 
 /** Refuses IFC files, which are of the syntax of STEP alone. */
