@@ -15,6 +15,7 @@ import {
   type Opened,
   openShapes,
   setLoading,
+  showMissing,
   showReading,
   showSources,
   sourcesOf,
@@ -51,7 +52,7 @@ import type { Parts } from "./parts.ts";
 export class Opening {
   readonly #parts: Parts;
   readonly #measurement: Measurement;
-  readonly #asked = new AskedFiles(() => openShapes());
+  readonly #asked = new AskedFiles(showMissing, () => openShapes());
   /** Controls that are set only after the models of their state are loaded. */
   #pending: string | undefined;
   /** The files compared, as links name them. */

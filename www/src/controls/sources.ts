@@ -187,6 +187,15 @@ export function showReading(sources: Sides<Source>): void {
   pair.value = OTHER;
 }
 
+/** Shows in the rows the files that a link is about: those that are not here yet, and the others. */
+export function showMissing(missing: Sides<{ name: string }>, found: Sides<Source>): void {
+  showReading(found);
+  for (const side of SIDES) {
+    const file = missing[side];
+    if (file !== undefined) nameOther(side, texts.files.notHereYet(file.name));
+  }
+}
+
 /** Selects the entries of the lists that name the models shown, and allows what they propose. */
 export function showSources(models: Sides<DisplayModel>, placement: Placement): void {
   if (awaited !== undefined) propose(awaited.limit);

@@ -13,8 +13,17 @@ export class AskedFiles {
   #wanted: Sides<FileName> = {};
   #found: Sides<Source> = {};
 
-  /** Calls back when the user wants something else than the files of the link. */
-  constructor(onEnd: () => void) {
+  readonly #onMissing: (missing: Sides<FileName>, found: Sides<Source>) => void;
+
+  /**
+   * Calls back with the files that are not here yet and with the others, and when the user wants something else than the
+   * files of the link.
+   */
+  constructor(
+    onMissing: (missing: Sides<FileName>, found: Sides<Source>) => void,
+    onEnd: () => void,
+  ) {
+    this.#onMissing = onMissing;
     element("asked-end").addEventListener("click", () => {
       this.end();
       onEnd();
@@ -80,5 +89,6 @@ export class AskedFiles {
     const names = SIDES.flatMap((side) => this.#missing[side] ?? []).map(called);
     text.textContent = texts.files.theLinkIsAbout(names.join(texts.files.and), names.length);
     note.hidden = false;
+    this.#onMissing(this.#missing, this.#found);
   }
 }

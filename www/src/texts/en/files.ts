@@ -47,6 +47,7 @@ export const files = {
   twoFilesAreComparedWas: (more: string) => `Two files are compared: ${more} was not opened.`,
   loading: "loading…",
   noFileYet: "no file yet",
+  notHereYet: (name: string) => `${name}, not here yet`,
   bracket: "Bracket",
   bracketRevised: "Bracket, revised",
   bracketRevisedName: "bracket, revised",
