@@ -91,7 +91,7 @@ fn corner(aabb: &Aabb, direction: DVec3) -> DVec3 {
 #[allow(clippy::unwrap_used, reason = "a panic is how a test fails")]
 mod tests {
     use super::*;
-    use crate::bezier::extract;
+    use crate::bezier::{Patch, PatchSet, extract};
     use crate::model::{Model, SurfaceArrays};
     use crate::shapes::{sphere, torus};
 
@@ -122,7 +122,9 @@ mod tests {
         let below = square(0.0);
         for (height, expected) in [(0.999e-3, false), (1.001e-3, true), (0.5, true)] {
             let above = square(height);
-            for start in [DVec3::X, DVec3::new(-0.2, 0.9, 0.1), DVec3::ZERO] {
+            // The last two are the normal of both squares, of other lengths than 1.
+            let normal = DVec3::new(-1.0, -2.0, 2.0);
+            for start in [DVec3::X, DVec3::new(-0.2, 0.9, 0.1), DVec3::ZERO, normal, 0.1 * normal] {
                 let bodies = [body(&above, 0.6e-3), body(&below, 0.4e-3)];
                 assert_eq!(are_parted(bodies, start), expected, "{height} from {start}");
                 assert_eq!(are_parted([bodies[1], bodies[0]], start), expected, "{height} from {start}");
@@ -140,20 +142,29 @@ mod tests {
         }
     }
 
-    /// The lowest of all control points is found, whichever boxes are left out.
+    /// The lowest of all control points is found, whichever boxes are left out: those of squares that are askew reach
+    /// farther than their points do.
     #[test]
     fn the_lowest_point_is_that_of_all() {
-        let ring = target(&torus(2.0, 0.5).unwrap());
-        let points: Vec<DVec3> = ring
-            .patches
-            .iter()
-            .flat_map(|patch| patch.local_points().map(|point| patch.center + point).collect::<Vec<_>>())
-            .collect();
-        for k in 0..100 {
-            let [x, y, z] = [0.37, 0.61, 0.83].map(|step| (step * f64::from(k)).fract() - 0.5);
-            let direction = DVec3::new(x, y, z);
-            let height = direction.dot(lowest(&ring, direction).unwrap());
-            assert!(points.iter().all(|point| height <= direction.dot(*point)), "{direction}");
+        let part = |k: u32, step: f64| (step * f64::from(k)).fract() - 0.5;
+        let corners = |k: u32| {
+            let at = |i: u32, size: f64| {
+                size * DVec3::from_array([0.371, 0.613, 0.837].map(|step| part(7 * k + i, step)))
+            };
+            (1..5).map(|i| (at(0, 1.0) + at(i, 0.7)).extend(1.0)).collect::<Vec<_>>()
+        };
+        let mut patches = PatchSet::default();
+        (0..64).for_each(|k| patches.push(Patch::whole([1, 1], DVec3::ZERO, &corners(k))));
+        let squares = Target::new(patches);
+        for target in [squares, target(&torus(2.0, 0.5).unwrap())] {
+            let of_patch =
+                |patch: Patch<'_>| patch.local_points().map(|point| patch.center + point).collect::<Vec<_>>();
+            let points: Vec<DVec3> = target.patches.iter().flat_map(of_patch).collect();
+            for k in 0..100 {
+                let direction = DVec3::from_array([0.37, 0.61, 0.83].map(|step| part(k, step)));
+                let height = direction.dot(lowest(&target, direction).unwrap());
+                assert!(points.iter().all(|point| height <= direction.dot(*point)), "{direction}");
+            }
         }
     }
 }

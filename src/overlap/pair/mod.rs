@@ -106,7 +106,7 @@ mod tests {
     use crate::bezier::{PointError, extract};
     use crate::interval::Interval;
     use crate::model::RigidTransform;
-    use crate::shapes::cylinder;
+    use crate::shapes::{cylinder, torus};
     use glam::DQuat;
     use std::f64::consts::PI;
 
@@ -135,5 +135,49 @@ mod tests {
         let Pair { change, shift, .. } = pair.shifted(length * DVec3::Z, |_| false);
         assert_eq!(shift, length * DVec3::Z);
         assert!((PI * length..1.03 * PI * length).contains(&change), "{change}");
+    }
+
+    /// Lemma O2 for a body that is moved: points of patches that stay paired are farther apart by the motion.
+    #[test]
+    fn patches_that_stay_paired_are_farther_apart_by_a_motion() {
+        let pair = Pair::new([placed(1.0, 2.0, 0.0), placed(1.0, 2.0, 0.0)], 1e-3, false);
+        let count = pair.solids[0].patches.faces().count();
+        let length = 0.004;
+        let moved = pair.shifted(length * DVec3::X, |_| false);
+        for solid in [0, 1] {
+            for index in 0..count {
+                let partner = moved.partners.of(solid, index).unwrap();
+                assert!((length..1.000_001 * length).contains(&partner.distance), "{partner:?}");
+            }
+        }
+    }
+
+    /// A motion parts patches of cylinders, whose quadric is exact, and of a torus only if it is far longer than what these
+    /// are off theirs.
+    #[test]
+    fn patches_on_quadrics_are_parted() {
+        let parted = |model: crate::model::Model, length: f64| {
+            let patches = extract(&model).patches;
+            let known = Known {
+                volume: Interval::exactly(1.0),
+                area: Interval::exactly(1.0),
+                cracks: 0.0,
+                point_error: PointError::default(),
+                deviation: 0.0,
+                rounding: 0.0,
+            };
+            let solid =
+                PlacedSolid::new(&patches, std::iter::empty(), None, |_| BoundarySide::Outward, known);
+            let faces = || solid.patches.faces();
+            (faces().filter(|whole| is_parted_by(whole, length)).count(), faces().count())
+        };
+        for (model, length, are_parted) in [
+            (cylinder(1.0, 2.0).unwrap(), 1e-6, true),
+            (torus(2.0, 0.5).unwrap(), 1e-6, false),
+            (torus(2.0, 0.5).unwrap(), 100.0, true),
+        ] {
+            let (count, all) = parted(model, length);
+            assert_eq!(count, if are_parted { all } else { 0 }, "{length}");
+        }
     }
 }
