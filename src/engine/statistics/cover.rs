@@ -1,13 +1,12 @@
 //! The parts that a model is made of, with bounds on their distances.
 
+use super::formula::{moved, oriented, points_of};
 use crate::area::Area;
 use crate::axis::Axis;
-use crate::bezier::Patch;
 use crate::certified::{
     Cell, CellSpread, Density, Lemma, LinearBounds, Pair, SpreadRefutation, SpreadStart, Spreads,
 };
-use crate::facets::{Facet, FacetTarget, PartOf, Parts, Source, Spread, Start, Weighted, WeightedPart};
-use crate::model::RigidTransform;
+use crate::facets::{FacetTarget, Spread, Weighted};
 use crate::normals::{NormalCone, OrientedPoint, Shape};
 use crate::param_box::ParamBox;
 use crate::rounding::{gamma, upper_min};
@@ -18,8 +17,7 @@ use std::ops::Range;
 /// Half of the width of a cell that float64 does not usefully halve further.
 const MIN_HALF_WIDTH: f64 = 1.0 / (1_u64 << 40) as f64;
 
-/// The points of a part that are always looked at in an audit: corners, and of a cell its middle.
-const CORNERS_OF_TRIANGLE: usize = 3;
+/// The points of a cell that are always looked at in an audit: the corners and the middle.
 const CORNERS_OF_CELL: usize = 5;
 
 /// The roundings of the part of a triangle's area that a cell takes.
@@ -77,131 +75,6 @@ pub(in crate::engine) trait Cover: Sync {
 
     /// Bounds parts from now on without that lemma, by the triangle inequality.
     fn strike(&mut self);
-}
-
-impl Cover for Parts<'_> {
-    type Part = WeightedPart;
-
-    fn len(&self) -> usize {
-        Self::len(self)
-    }
-
-    fn rounding(&self) -> f64 {
-        Self::rounding(self)
-    }
-
-    /// Each is searched from the place on B that the one before found.
-    fn first(&self, range: Range<usize>, is_late: &dyn Fn() -> bool) -> Option<Vec<WeightedPart>> {
-        let mut start = Start::default();
-        let mut next = |index: usize| {
-            if is_late() {
-                return Some(Self::unmeasured(self, index as u32));
-            }
-            let (part, found) = Self::first(self, index as u32, start)?;
-            start = found;
-            Some(part)
-        };
-        range.map(&mut next).collect()
-    }
-
-    fn unmeasured(&self, index: usize) -> WeightedPart {
-        Self::unmeasured(self, index as u32)
-    }
-
-    fn halves(&self, part: &WeightedPart) -> Option<[WeightedPart; 2]> {
-        Self::halves(self, part)
-    }
-
-    fn cuts(&self, part: &WeightedPart) -> [Option<[WeightedPart; 2]>; 2] {
-        Self::cuts(self, part)
-    }
-
-    fn measured(&self, half: &WeightedPart) -> WeightedPart {
-        Self::measured(self, half)
-    }
-
-    fn weighed(&self, half: &WeightedPart) -> WeightedPart {
-        Self::weighed(self, half)
-    }
-
-    fn shape(&self, part: &WeightedPart) -> Shape {
-        let (source, transform) = self.source();
-        match (self.part_of(part), source) {
-            (PartOf::Triangle(place, corners), Source::Facets { facets, error }) => {
-                let cone = NormalCone::of_facet(facets, place, error).map(|cone| cone.moved(transform));
-                Shape::of_points(corners.to_vec(), cone)
-            }
-            (PartOf::Patch(patch, range), Source::Patches { patches, .. }) => {
-                Shape::of_part(&patches.patch(patch as usize), range, transform)
-            }
-            // No part is of the other kind.
-            _ => Shape::UNKNOWN,
-        }
-    }
-
-    fn points(&self, part: &WeightedPart) -> Vec<DVec3> {
-        let (source, transform) = self.source();
-        match (self.part_of(part), source) {
-            (PartOf::Triangle(_, corners), _) => {
-                let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
-                corners.into_iter().chain([middle]).collect()
-            }
-            (PartOf::Patch(patch, range), Source::Patches { patches, .. }) => {
-                points_of(&patches.patch(patch as usize), range, transform)
-            }
-            // No part is of the other kind.
-            _ => Vec::new(),
-        }
-    }
-
-    fn beside(&self, part: &WeightedPart) -> Option<[OrientedPoint; 2]> {
-        let (source, transform) = self.source();
-        let middle = match (self.part_of(part), source) {
-            (PartOf::Triangle(_, corners), _) => {
-                let point = corners.iter().sum::<DVec3>() / corners.len() as f64;
-                OrientedPoint { point, normal: Facet::Triangle(corners).normal()? }
-            }
-            (PartOf::Patch(patch, range), Source::Patches { patches, .. }) => {
-                moved(oriented(&patches.patch(patch as usize), range.middle())?, transform)
-            }
-            // No part is of the other kind.
-            _ => return None,
-        };
-        Some([middle, Self::beside(self, part, middle.point)?])
-    }
-
-    fn lemma(&self) -> Lemma {
-        Lemma::SpreadToFacets
-    }
-
-    fn corners(&self) -> usize {
-        CORNERS_OF_TRIANGLE
-    }
-
-    fn refutation(&self, part: &WeightedPart, further: usize, mean: bool) -> Option<String> {
-        Self::refutation(self, part, further, mean)
-    }
-
-    fn strike(&mut self) {
-        Self::strike(self);
-    }
-}
-
-/// Returns the corners and the middle of a part of a patch, moved.
-fn points_of(patch: &Patch<'_>, part: ParamBox, transform: &RigidTransform) -> Vec<DVec3> {
-    let [s, t] = part.intervals();
-    let corners = s.into_iter().flat_map(|s| t.map(|t| [s, t]));
-    corners.chain([part.middle()]).map(|at| transform.apply(patch.point(at))).collect()
-}
-
-/// Returns the point of a patch at parameters and its normal; `None` where it has none.
-fn oriented(patch: &Patch<'_>, parameters: [f64; 2]) -> Option<OrientedPoint> {
-    Some(OrientedPoint { point: patch.point(parameters), normal: patch.jet(parameters).normal()? })
-}
-
-/// Returns a point that is moved with its normal.
-fn moved(OrientedPoint { point, normal }: OrientedPoint, transform: &RigidTransform) -> OrientedPoint {
-    OrientedPoint { point: transform.apply(point), normal: transform.rotate(normal) }
 }
 
 /// Cells of patches or of triangles, measured to patches.

@@ -2,7 +2,9 @@
 
 mod audited;
 mod cover;
+mod formula;
 mod pages;
+mod parts;
 mod search;
 mod sums;
 
