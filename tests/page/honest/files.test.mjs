@@ -85,12 +85,12 @@ test("a link names files and their hashes, and another browser asks for them bef
   assert.deepEqual(shown, ["–", ""]);
   const rows = () =>
     other.locator("#shape-a option:checked, #shape-b option:checked").allTextContents();
-  assert.deepEqual(await rows(), ["low.json, not here yet", "high.json, not here yet"]);
+  assert.deepEqual(await rows(), ["not here yet: low.json", "not here yet: high.json"]);
   // A file of that name with another content is another file.
   await other.setInputFiles("#file-both", [modelFile("high.json", planes(0.5)), low]);
   await other.locator("#asked-problem", { hasText: "high.json has another content" }).waitFor();
   assert.doesNotMatch(await other.locator("#asked-text").textContent(), /low\.json/);
-  assert.deepEqual(await rows(), ["low.json", "high.json, not here yet"]);
+  assert.deepEqual(await rows(), ["low.json", "not here yet: high.json"]);
   await other.setInputFiles("#file-both", [{ ...high, name: "renamed.json" }]);
   await other.locator('#result[data-state="done"]').waitFor();
   assert.ok(await other.locator("#asked").isHidden());

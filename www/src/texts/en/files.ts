@@ -47,7 +47,7 @@ export const files = {
   twoFilesAreComparedWas: (more: string) => `Two files are compared: ${more} was not opened.`,
   loading: "loading…",
   noFileYet: "no file yet",
-  notHereYet: (name: string) => `${name}, not here yet`,
+  notHereYet: (name: string) => `not here yet: ${name}`,
   bracket: "Bracket",
   bracketRevised: "Bracket, revised",
   bracketRevisedName: "bracket, revised",
