@@ -12,7 +12,7 @@ import { Failure, say } from "../process.mjs";
  * archives and XML, when a mesh comes, and those of scans when a scan comes.
  */
 const budgets = {
-  nurbs_hausdorff: { plain: 2680, gzipped: 1140 },
+  nurbs_hausdorff: { plain: 2745, gzipped: 1172 },
   nurbs_hausdorff_readers: { plain: 973, gzipped: 420 },
   nurbs_hausdorff_meshes: { plain: 695, gzipped: 305 },
   nurbs_hausdorff_scans: { plain: 387, gzipped: 156 },
