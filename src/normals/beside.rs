@@ -43,7 +43,7 @@ pub(super) mod tests {
     use crate::closest::Target;
     use crate::normals::{Likeness, NormalCone, NormalTarget, Reach, Shape};
 
-    /// A part of which these points are known.
+    /// A part that states these points, and these two with their normals.
     pub(in crate::normals) struct Points(
         pub(in crate::normals) Vec<DVec3>,
         pub(in crate::normals) Option<[OrientedPoint; 2]>,

@@ -12,7 +12,7 @@ const HALVED_RATIO: f64 = 0.5;
 const BENT_PART: f64 = 0.25;
 
 /// The largest upper bound on the distances of a part of A, in thresholds, with which lemma N7 is tried. Farther away, B
-/// mostly has parts with other normals, so that the search for them would be wasted.
+/// mostly has parts with other normals, and the lemma would mostly fail after a search.
 const MAX_THRESHOLDS: f64 = 2.0;
 
 /// The parts of B that are looked at for a part of A before it is left undecided.

@@ -104,7 +104,8 @@ mod tests {
         Patches::new(&patches, std::iter::empty(), None, |_| BoundarySide::Outward)
     }
 
-    /// A patch without a width is told from a sphere beside it, although it has no normal, and from none that it lies on.
+    /// A carrier separates a patch without a width from a sphere beside it, although the patch has no normal. It does not
+    /// separate the patch from a sphere on which it lies.
     #[test]
     fn a_patch_without_a_width_is_told_by_a_carrier() {
         let [outer, inner] = [2.0, 1.999].map(patch_and_row);

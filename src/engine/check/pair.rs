@@ -123,8 +123,8 @@ pub(super) fn judged(
     })
 }
 
-/// Returns the state of two bodies of which a plane shows that they have no common inside; `None` where none of the tried
-/// ones does. It takes no side of a point, so that no edges are joined.
+/// Returns the state of two bodies if a plane shows that they have no common inside; `None` if none of the planes that are
+/// tried shows it. No side of a point is asked for, so that no edges are joined.
 fn of_parted(models: [&PreparedModel; 2], found: &Found, limits: &Limits, is_far: bool) -> Option<PairState> {
     let &Found { interval, ref nearest, .. } = found;
     if interval.upper <= limits.tolerance {

@@ -10,8 +10,8 @@ use glam::DVec3;
 use shared::{Partners, RELATIVE_REACH, shared};
 use shift::{is_parted_by, lie_on_each_other, plane, shift};
 
-/// The part of half of a permitted width that a motion may change of the volume in common: pieces of patches that lie on
-/// each other are told apart by it, and they are the larger the longer it is.
+/// A motion may change the volume in common by this part of half of the permitted width. Patches that lie on each other are
+/// separated by the motion; the longer it is, the larger are the pieces that are separated.
 const PART_OF_MOTION: f64 = 0.25;
 
 /// The roundings of the change of a volume, a product.
@@ -35,8 +35,8 @@ pub(crate) struct Pair {
 }
 
 impl Pair {
-    /// Makes two solids ready for a volume of this width. The first one is moved where curved patches lie on each other,
-    /// and where `has_stalled` says that pieces were not told apart. O(n log n) in general position.
+    /// Makes two solids ready for a volume of this width. The first one is moved if curved patches lie on each other, or if
+    /// `has_stalled` states that a search without a motion has stalled. O(n log n) in general position.
     pub(crate) fn new([a, b]: [PlacedSolid; 2], width: f64, has_stalled: bool) -> Self {
         let diagonal = upper_max(a.aabb.diagonal(), b.aabb.diagonal());
         let mut partners = shared(&a.patches, &b.patches, RELATIVE_REACH * diagonal);
@@ -84,8 +84,8 @@ impl Pair {
     }
 }
 
-/// Returns about the part of a motion of this length for which what it changes of patches that are paired is no more than what it
-/// changes of the volume.
+/// Returns about the largest part of a motion of this length that changes the patches which stay paired by no more than it
+/// changes the volume.
 fn moved_part(first: &PlacedSolid, partners: &Partners, length: f64) -> f64 {
     let faces = first.patches.faces().enumerate();
     let paired =

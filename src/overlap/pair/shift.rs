@@ -18,8 +18,9 @@ const MIN_OFFSET: f64 = 1.0 + 2.0 * FLATNESS;
 /// The distance of curved patches that a motion parts, relative to its length: it is less along most of their normals.
 const COINCIDENCE: f64 = 0.25;
 
-/// The part of a motion's length up to which a patch may be off its quadric for the motion to part it. Those that are off
-/// by more are told apart by small pieces alone: with a quarter, and with 8, a pair takes five times as many pieces.
+/// The largest distance of a patch from its quadric, as a part of a motion's length, with which the motion separates the
+/// patch from one like it. Only small pieces separate patches with larger distances: with a quarter in place of this, and
+/// with 8, a search takes five times as many pieces.
 const QUADRIC_PART: f64 = 0.0625;
 
 /// The length of the shortest vectors that are tried, in margins: they serve planes across their direction.

@@ -102,7 +102,7 @@ export function stateOf(place: Place, allowed: Allowed): PlaceState {
   if (certified !== undefined) {
     if (certified.upper <= least) return "within";
     if (certified.lower > most) return "beyond";
-    // Limits that differ are a matter of signs, of which nothing is certain.
+    // Two different limits need the sign of the deviation, and the interval states none.
     if (least === most) return "undecided";
   }
   const isBeyond = (isUnsigned && place.distance > least) || exceeds(place, allowed);
