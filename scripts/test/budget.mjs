@@ -14,7 +14,7 @@ import { Failure, say } from "../process.mjs";
 const budgets = {
   nurbs_hausdorff: { plain: 2745, gzipped: 1172 },
   nurbs_hausdorff_readers: { plain: 973, gzipped: 420 },
-  nurbs_hausdorff_meshes: { plain: 695, gzipped: 305 },
+  nurbs_hausdorff_meshes: { plain: 720, gzipped: 316 },
   nurbs_hausdorff_scans: { plain: 387, gzipped: 156 },
 };
 
